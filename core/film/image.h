@@ -1,0 +1,49 @@
+// Pixels: linear light in float, and 8-bit codes. Row 0 is the top.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace tia {
+
+/// Block: a finished rectangle of linear RGB on its way to a film, at most 32 x 32.
+/// Shape: three planes of `size` rows of `size` floats, of which width x height count.
+/// Space/units: pixels; x, y is the block's corner in the film.
+struct Block {
+  static constexpr int size = 32;
+  int x = 0, y = 0, width = 0, height = 0;
+  alignas(32) std::array<float, size * size> r, g, b;
+};
+
+/// Image: linear RGB. Shape: height x width x 3.
+struct Image {
+  int width = 0, height = 0;
+  std::vector<float> rgb;
+
+  Image() = default;
+  Image(int w, int h)
+      : width(w), height(h), rgb(3 * static_cast<std::size_t>(w) * static_cast<std::size_t>(h)) {}
+  /// The three components of pixel (x, y).
+  float* at(int x, int y) { return rgb.data() + offset(x, y); }
+  const float* at(int x, int y) const { return rgb.data() + offset(x, y); }
+
+ private:
+  std::size_t offset(int x, int y) const {
+    return 3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                static_cast<std::size_t>(x));
+  }
+};
+
+/// Image8: what a PNG holds. Shape: height x width x 3 codes 0..255.
+struct Image8 {
+  int width = 0, height = 0;
+  std::vector<std::uint8_t> rgb;
+
+  Image8() = default;
+  Image8(int w, int h)
+      : width(w), height(h), rgb(3 * static_cast<std::size_t>(w) * static_cast<std::size_t>(h)) {}
+};
+
+}  // namespace tia

@@ -1,0 +1,64 @@
+#include "core/film/png.h"
+
+#include <libdeflate.h>
+
+#include <cstdlib>
+#include <memory>
+#include <new>
+
+namespace {
+
+// The compressor's tables are large: one for each thread, kept.
+libdeflate_compressor* compressor() {
+  struct Free {
+    void operator()(libdeflate_compressor* c) const { libdeflate_free_compressor(c); }
+  };
+  constexpr int level = 2;
+  thread_local const std::unique_ptr<libdeflate_compressor, Free> mine(
+      libdeflate_alloc_compressor(level));
+  return mine.get();
+}
+
+// stb's hook: a zlib stream in memory that STBIW_FREE can free; null on failure.
+unsigned char* deflate(unsigned char* data, int size, int* out_size, int) {
+  if (compressor() == nullptr) return nullptr;
+  const auto bytes = static_cast<std::size_t>(size);
+  const std::size_t bound = libdeflate_zlib_compress_bound(compressor(), bytes);
+  auto* out = static_cast<unsigned char*>(std::malloc(bound));
+  if (out == nullptr) return nullptr;
+  const std::size_t written = libdeflate_zlib_compress(compressor(), data, bytes, out, bound);
+  *out_size = static_cast<int>(written);
+  return out;
+}
+
+}  // namespace
+
+#define STBIW_ZLIB_COMPRESS deflate
+#define STB_IMAGE_WRITE_STATIC
+#define STB_IMAGE_WRITE_IMPLEMENTATION
+#include <stb/stb_image_write.h>
+
+namespace tia {
+namespace {
+
+// stb's settings are globals: set once, before main.
+constexpr int filter_sub = 1;
+const int force_filter = stbi_write_force_png_filter = filter_sub;
+
+}  // namespace
+
+std::string encode_png(const Image8& image) {
+  struct Free {
+    void operator()(unsigned char* p) const { std::free(p); }
+  };
+  static_cast<void>(force_filter);
+  int size = 0;
+  const std::unique_ptr<unsigned char, Free> png(stbi_write_png_to_mem(
+      image.rgb.data(), 3 * image.width, image.width, image.height, 3, &size));
+  if (png == nullptr) throw std::bad_alloc();
+  return {reinterpret_cast<const char*>(png.get()), static_cast<std::size_t>(size)};
+}
+
+std::string png_encoder() { return "libdeflate " LIBDEFLATE_VERSION_STRING; }
+
+}  // namespace tia

@@ -1,0 +1,105 @@
+#include "core/film/tonemap.h"
+
+#include <bit>
+#include <cstring>
+
+#include "core/math/wide.h"
+
+namespace tia {
+namespace {
+
+using WideInt = xsimd::batch<std::int32_t>;
+
+// Comparisons are written so that NaN becomes 0.
+template <class Real>
+Real scaled(Real light) {
+  const Real positive = select(light > Real(0), light, Real(0));
+  return select(positive < Real(1), positive, Real(1)) * Real(255) + Real(0.5F);
+}
+
+void develop_linear(const float* r, const float* g, const float* b, std::uint8_t* to) {
+  constexpr std::size_t n = Wide::size;
+  alignas(32) std::int32_t packed[n];
+  for (std::size_t x = 0; x < Block::size; x += n) {
+    const auto code = [x](const float* plane) {
+      return xsimd::to_int(scaled(Wide::load_aligned(plane + x)));
+    };
+    (code(r) | (code(g) << 8) | (code(b) << 16)).store_aligned(packed);
+    for (std::size_t i = 0; i < n; ++i) std::memcpy(to + 3 * (x + i), packed + i, 4);
+  }
+}
+
+// ---- sRGB ---------------------------------------------------------------------------------
+
+// x^(1/5) by Newton's method: the iterates fall towards the root; stops when they no longer do.
+double fifth_root(double x) {
+  double y = 1;  // x <= 1, so the start lies above the root
+  for (;;) {
+    const double y4 = y * y * y * y;
+    const double next = (4 * y + x / y4) / 5;
+    if (!(next < y)) return y;
+    y = next;
+  }
+}
+
+// The light from which on each code is the nearest, and for each range of floats that share their
+// exponent and 7 bits of mantissa the code at its start: at most one threshold falls inside.
+struct SrgbTable {
+  static constexpr int shift = 23 - 7;
+  static constexpr std::uint32_t first = (127U - 13U) << 7U;  // 2^-13: still code 0
+  static constexpr std::uint32_t last = 127U << 7U;           // 1
+  std::array<float, 257> threshold{};
+  std::array<std::uint8_t, last - first> code_at_start{};
+
+  SrgbTable() {
+    for (std::size_t k = 1; k < 256; ++k)
+      threshold[k] = round_up(srgb_to_linear((static_cast<double>(k) - 0.5) / 255));
+    threshold[256] = infinity;
+    std::size_t code = 0;
+    for (std::uint32_t i = first; i < last; ++i) {
+      const float start = std::bit_cast<float>(i << shift);
+      while (start >= threshold[code + 1]) ++code;
+      code_at_start[i - first] = static_cast<std::uint8_t>(code);
+    }
+  }
+
+  static float round_up(double x) {
+    const auto f = static_cast<float>(x);
+    return static_cast<double>(f) < x ? std::bit_cast<float>(std::bit_cast<std::uint32_t>(f) + 1)
+                                      : f;
+  }
+};
+const SrgbTable srgb;
+
+}  // namespace
+
+double srgb_to_linear(double signal) {
+  if (signal <= 0.04045) return signal / 12.92;
+  const double base = (signal + 0.055) / 1.055;
+  const double fifth = fifth_root(base);
+  return base * base * (fifth * fifth);  // base^2.4 = base^2 * (base^(1/5))^2
+}
+
+std::uint8_t encode_linear(float light) { return static_cast<std::uint8_t>(scaled(light)); }
+
+std::uint8_t encode_srgb(float light) {
+  if (!(light >= std::bit_cast<float>(SrgbTable::first << SrgbTable::shift))) return 0;
+  if (light >= 1) return 255;
+  const std::uint32_t i = std::bit_cast<std::uint32_t>(light) >> SrgbTable::shift;
+  const std::size_t code = srgb.code_at_start[i - SrgbTable::first];
+  return static_cast<std::uint8_t>(code + (light >= srgb.threshold[code + 1] ? 1 : 0));
+}
+
+void develop_row(const Block& block, int y, Transfer transfer,
+                 std::span<std::uint8_t, 3 * Block::size + 1> codes) {
+  const std::size_t row = static_cast<std::size_t>(y) * Block::size;
+  if (transfer == Transfer::linear)
+    return develop_linear(&block.r[row], &block.g[row], &block.b[row], codes.data());
+  for (std::size_t x = 0; x < static_cast<std::size_t>(block.width); ++x) {
+    codes[3 * x] = encode_srgb(block.r[row + x]);
+    codes[3 * x + 1] = encode_srgb(block.g[row + x]);
+    codes[3 * x + 2] = encode_srgb(block.b[row + x]);
+  }
+}
+
+}  // namespace tia

@@ -1,0 +1,35 @@
+// From linear light to 8-bit codes: clamp to [0,1], transfer curve, round to nearest.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+#include "core/film/image.h"
+#include "core/input/fields.h"
+
+namespace tia {
+
+/// Transfer: the curve between linear light and stored codes.
+enum class Transfer { srgb, linear };
+template <>
+struct Names<Transfer> {
+  static constexpr std::array<std::string_view, 2> names{"srgb", "linear"};
+};
+
+/// Returns: round(255 * curve(clamp(light, 0, 1))); NaN gives 0.
+std::uint8_t encode_linear(float light);
+/// Source: IEC 61966-2-1:1999. The light at which a code changes is formed in double with + - * /
+/// only (the 2.4th power by Newton's fifth root), so that every processor agrees.
+std::uint8_t encode_srgb(float light);
+
+/// The linear light of an sRGB signal in [0,1]: the curve that encode_srgb inverts.
+double srgb_to_linear(double signal);
+
+/// One row of a block as interleaved RGB codes. Shape: 3 * Block::size codes and one byte to spare,
+/// for pixels are written four bytes at a time.
+void develop_row(const Block& block, int y, Transfer transfer,
+                 std::span<std::uint8_t, 3 * Block::size + 1> codes);
+
+}  // namespace tia

@@ -1,0 +1,87 @@
+#include "core/input/errors.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "core/input/json.h"
+
+namespace tia {
+
+std::string Place::pointer() const {
+  if (parent == nullptr && !is_index && key.empty()) return "";
+  std::string text = parent != nullptr ? parent->pointer() : "";
+  text += '/';
+  if (is_index) return text + std::to_string(index);
+  for (const char c : key) {
+    if (c == '~') text += "~0";
+    else if (c == '/') text += "~1";
+    else text += c;
+  }
+  return text;
+}
+
+void Faults::raise() const {
+  if (!list_.empty()) throw InputError(list_);
+}
+
+InputError::InputError(std::vector<Fault> faults) : faults_(std::move(faults)) {
+  for (const Fault& fault : faults_) {
+    if (!text_.empty()) text_ += '\n';
+    text_ += describe(fault);
+  }
+}
+
+std::string describe(const Fault& fault) {
+  std::string text = fault.pointer.empty() ? "" : fault.pointer + ": ";
+  if (fault.got) text += "got " + to_json(*fault.got) + ", ";
+  else if (fault.kind == FaultKind::missing) text += "missing, ";
+  text += "allowed: " + fault.allowed;
+  if (!fault.nearest.empty()) text += " (did you mean \"" + fault.nearest + "\"?)";
+  return text;
+}
+
+namespace {
+
+// Levenshtein distance, two rows at a time.
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t substituted = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
+      diagonal = row[j];
+      row[j] = std::min({row[j] + 1, row[j - 1] + 1, substituted});
+    }
+  }
+  return row.back();
+}
+
+}  // namespace
+
+std::string nearest_name(std::string_view name, const std::vector<std::string_view>& known) {
+  constexpr std::size_t longest = 64;  // no known name is longer; bounds the work on hostile input
+  if (name.empty() || name.size() > longest) return "";
+  std::string best;
+  std::size_t fewest = std::min(1 + name.size() / 3, name.size() - 1);
+  for (const std::string_view candidate : known) {
+    const std::size_t edits = edit_distance(name, candidate.substr(0, longest));
+    if (edits < fewest || (edits == fewest && best.empty())) {
+      fewest = edits;
+      best = candidate;
+    }
+  }
+  return best;
+}
+
+std::string listed(const std::vector<std::string_view>& names) {
+  std::string text;
+  for (const std::string_view name : names) {
+    if (!text.empty()) text += ", ";
+    text += name;
+  }
+  return text;
+}
+
+}  // namespace tia

@@ -1,0 +1,80 @@
+// What is wrong with an input: where, what came, what is allowed. HTTP's words for it are the
+// server's business.
+#pragma once
+
+#include <cstddef>
+#include <exception>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "core/input/value.h"
+
+namespace tia {
+
+enum class FaultKind { malformed, unknown_name, wrong_type, out_of_range, missing, conflict, limit };
+
+/// Fault: one thing wrong at one place.
+struct Fault {
+  FaultKind kind = FaultKind::malformed;
+  std::string pointer;       ///< RFC 6901 pointer into the input; "" is the whole
+  std::optional<Value> got;  ///< what stood there; none where something is missing
+  std::string allowed;       ///< in words, with units
+  std::string nearest = {};  ///< for an unknown name: the nearest known one, else ""
+};
+
+/// Place: a spot in a JSON text while it is read, linked to its parent; costs nothing until asked.
+struct Place {
+  const Place* parent = nullptr;
+  std::string_view key = {};
+  std::size_t index = 0;
+  bool is_index = false;
+
+  Place at(std::string_view name) const { return {this, name, 0, false}; }
+  Place at(std::size_t i) const { return {this, {}, i, true}; }
+  /// RFC 6901: ~ and / inside a name are written ~0 and ~1.
+  std::string pointer() const;
+};
+
+/// Faults: collects all faults of an input, keeps the first 20.
+class Faults {
+ public:
+  static constexpr std::size_t most = 20;
+  void add(Fault fault) {
+    if (list_.size() < most) list_.push_back(std::move(fault));
+  }
+  bool empty() const { return list_.empty(); }
+  const std::vector<Fault>& list() const { return list_; }
+  /// Errors: throws InputError if anything was added.
+  void raise() const;
+
+ private:
+  std::vector<Fault> list_;
+};
+
+/// InputError: an input that cannot be used, with every fault found in it.
+class InputError : public std::exception {
+ public:
+  explicit InputError(std::vector<Fault> faults);
+  explicit InputError(Fault fault) : InputError(std::vector<Fault>{std::move(fault)}) {}
+  const std::vector<Fault>& faults() const { return faults_; }
+  /// One line a fault: pointer, what came, what is allowed.
+  const char* what() const noexcept override { return text_.c_str(); }
+
+ private:
+  std::vector<Fault> faults_;
+  std::string text_;
+};
+
+/// One line in words: "/objects/3/radius: got -1, allowed: a number above 0".
+std::string describe(const Fault& fault);
+
+/// The known name nearest to the one given (fewest edits), or "" where none is near.
+std::string nearest_name(std::string_view name, const std::vector<std::string_view>& known);
+
+/// The names as a list in words: "a, d, s, w".
+std::string listed(const std::vector<std::string_view>& names);
+
+}  // namespace tia

@@ -1,0 +1,30 @@
+// JSON text in and out. The parser is nlohmann-json's, behind bounds; the writer is RFC 8785's
+// canonical form, so that equal values have equal text.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+#include "core/input/value.h"
+
+namespace tia {
+
+struct JsonLimits {
+  std::size_t depth = 32;         ///< nested arrays and objects
+  std::size_t values = 100'000;   ///< values, numbers inside arrays not counted
+};
+
+/// Errors: InputError of one `malformed` fault, at the place where the text breaks: not JSON,
+/// duplicate keys, ill-formed UTF-8, a number beyond double; `limit` beyond the limits.
+Value parse_json(std::string_view text, const JsonLimits& limits = {});
+
+/// Canonical text: RFC 8785 (JSON Canonicalization Scheme): members sorted by UTF-16 code units,
+/// ECMAScript's shortest numbers, no white space. Ill-formed UTF-8 becomes U+FFFD.
+/// Domain: finite numbers; others are written as null.
+std::string to_json(const Value& value);
+
+/// ECMAScript's Number::toString: the shortest digits that read back as the same double.
+std::string number_text(double number);
+
+}  // namespace tia

@@ -1,0 +1,123 @@
+// Text -> Value through nlohmann-json's SAX parser, whose events are taken one by one so that depth,
+// count and duplicate keys are bounded while parsing and a fault knows its place.
+#include <algorithm>
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "core/input/errors.h"
+#include "core/input/json.h"
+
+namespace tia {
+namespace {
+
+using Json = nlohmann::json;
+
+class Builder final : public nlohmann::json_sax<Json> {
+ public:
+  explicit Builder(const JsonLimits& limits) : limits_(limits) {}
+
+  Value take() { return std::move(root_); }
+
+  bool null() override { return add(Value()); }
+  bool boolean(bool b) override { return add(Value(b)); }
+  bool number_integer(std::int64_t i) override { return add(Value(static_cast<double>(i))); }
+  bool number_unsigned(std::uint64_t u) override { return add(Value(static_cast<double>(u))); }
+  bool number_float(double d, const std::string&) override { return add(Value(d)); }
+  bool string(std::string& s) override { return add(Value(std::move(s))); }
+  bool binary(Json::binary_t&) override { return false; }
+  bool start_object(std::size_t) override { return open(Value(Value::Object{})); }
+  bool start_array(std::size_t) override { return open(Value(Value::Array{})); }
+  bool end_array() override { return close(); }
+
+  bool key(std::string& name) override {
+    open_.back()->as<Value::Object>()->emplace_back().first = std::move(name);
+    return true;
+  }
+
+  bool end_object() override {
+    const auto& members = *open_.back()->as<Value::Object>();
+    std::vector<std::string_view> names;
+    names.reserve(members.size());
+    for (const auto& [name, value] : members) names.push_back(name);
+    std::sort(names.begin(), names.end());
+    const auto twice = std::adjacent_find(names.begin(), names.end());
+    if (twice != names.end())
+      fail(FaultKind::malformed, Value(*twice), "each key once in an object");
+    return close();
+  }
+
+  bool parse_error(std::size_t, const std::string&, const Json::exception& error) override {
+    std::string_view said = error.what();  // "[json.exception.…] words": the words will do
+    if (const auto end = said.find("] "); end != said.npos) said.remove_prefix(end + 2);
+    fail(FaultKind::malformed, std::nullopt, "JSON text: " + std::string(said));
+  }
+
+ private:
+  bool add(Value value) {
+    place(std::move(value));
+    return true;
+  }
+
+  bool open(Value value) {
+    if (open_.size() >= limits_.depth)
+      fail(FaultKind::malformed, std::nullopt,
+           "at most " + std::to_string(limits_.depth) + " levels of arrays and objects");
+    open_.push_back(place(std::move(value)));
+    return true;
+  }
+
+  bool close() {
+    open_.pop_back();
+    return true;
+  }
+
+  // Puts the value where it belongs. The pointer stays good: a container grows only while it is
+  // the innermost open one.
+  Value* place(Value value) {
+    Value* const parent = open_.empty() ? nullptr : open_.back();
+    auto* const array = parent != nullptr ? parent->as<Value::Array>() : nullptr;
+    const bool in_flat_array = array != nullptr && value.as<double>() != nullptr;
+    if (!in_flat_array && ++count_ > limits_.values)
+      fail(FaultKind::limit, std::nullopt,
+           "at most " + std::to_string(limits_.values) +
+               " JSON values (numbers inside arrays not counted)");
+    if (parent == nullptr) return &(root_ = std::move(value));
+    if (array != nullptr) return &array->emplace_back(std::move(value));
+    return &(parent->as<Value::Object>()->back().second = std::move(value));
+  }
+
+  // The place that is being read: inside the innermost container, its newest member or its next
+  // element.
+  std::string pointer() const {
+    std::string text;
+    for (const Value* container : open_) {
+      if (const auto* object = container->as<Value::Object>()) {
+        if (!object->empty()) text += Place{}.at(object->back().first).pointer();
+      } else {
+        const std::size_t size = container->as<Value::Array>()->size();
+        text += Place{}.at(container == open_.back() ? size : size - 1).pointer();
+      }
+    }
+    return text;
+  }
+
+  [[noreturn]] void fail(FaultKind kind, std::optional<Value> got, std::string allowed) const {
+    throw InputError({kind, pointer(), std::move(got), std::move(allowed)});
+  }
+
+  JsonLimits limits_;
+  Value root_;
+  std::vector<Value*> open_;  // the containers around the current place, outermost first
+  std::size_t count_ = 0;
+};
+
+}  // namespace
+
+Value parse_json(std::string_view text, const JsonLimits& limits) {
+  Builder builder(limits);
+  Json::sax_parse(text.begin(), text.end(), &builder);
+  return builder.take();
+}
+
+}  // namespace tia

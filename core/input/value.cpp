@@ -1,0 +1,28 @@
+#include "core/input/value.h"
+
+#include <algorithm>
+
+namespace tia {
+
+// RFC 7396, section 2, "MergePatch". Depth is bounded by what parse() lets in.
+Value merge_patch(Value target, const Value& patch) {
+  const auto* changes = patch.as<Value::Object>();
+  if (changes == nullptr) return patch;
+  if (target.as<Value::Object>() == nullptr) target = Value::Object{};
+  auto& members = *target.as<Value::Object>();
+  for (const auto& [key, change] : *changes) {
+    const auto same_key = [&](const Value::Member& m) { return m.first == key; };
+    const auto at = std::find_if(members.begin(), members.end(), same_key);
+    const bool present = at != members.end();
+    if (change.as<std::nullptr_t>() != nullptr) {
+      if (present) members.erase(at);
+    } else if (present) {
+      at->second = merge_patch(std::move(at->second), change);
+    } else {
+      members.emplace_back(key, merge_patch(Value(), change));
+    }
+  }
+  return target;
+}
+
+}  // namespace tia

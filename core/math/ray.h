@@ -1,0 +1,40 @@
+// A ray and the cheap half of a hit. What a hit means (normal, colour) is found later, once, for
+// the winner only.
+#pragma once
+
+#include "core/math/vec3.h"
+#include "core/math/wide.h"
+
+namespace tia {
+
+/// Ray: origin + t * direction, t > 0. The direction has unit length.
+template <class Real>
+struct Ray {
+  Vec3<Real> origin, direction;
+
+  Vec3<Real> at(Real t) const { return origin + direction * t; }
+};
+
+/// RootRay: the same ray in double, made once and shared by all shapes that it is tried on, so that
+/// roots are computed in double in every width and rounded once, at the door.
+template <class Real>
+struct RootRay {
+  using P = Precise<Real>;
+  Vec3<P> origin, direction;
+  P inverse_a;  ///< 1 / |direction|^2, off 1 by some 1e-7 where it was normalized in float
+
+  explicit RootRay(const Ray<Real>& ray)
+      : origin(widen(ray.origin)),
+        direction(widen(ray.direction)),
+        inverse_a(P(2) - dot(direction, direction)) {}  // 1/a = 2 - a to within (1 - a)^2
+};
+
+/// Hit: the nearest crossing so far; t is infinite where there is none. `object` is an index into
+/// the world, kept in a lane of the scalar (exact up to 2^24 objects).
+template <class Real>
+struct Hit {
+  Real t = Real(infinity);
+  Real object = Real(-1);
+};
+
+}  // namespace tia

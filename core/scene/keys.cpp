@@ -1,0 +1,85 @@
+#include "core/scene/keys.h"
+
+#include "core/scene/read_scene.h"
+
+namespace tia {
+namespace {
+
+struct DefaultKey {
+  std::string_view key;
+  Vec3d towards;  // right, up, towards the viewer; the thesis' four places seen from its ball
+};
+constexpr DefaultKey default_keys[] = {
+    {"a", {-2, 2, 1}}, {"d", {2, 2, 1}}, {"s", {0, 4, 3}}, {"w", {0, 5, -3}}};
+
+const Vec3d& middle(const Sphere& sphere) { return sphere.center; }
+
+// look_at, else the point of the view axis that lies as deep as the objects do on average.
+Vec3d looked_at(const Scene& scene, const Vec3d& axis) {
+  if (scene.camera.look_at) return *scene.camera.look_at;
+  double depth = 0;
+  for (const Object& object : scene.objects) {
+    const Vec3d p = std::visit([](const auto& shape) { return middle(shape); }, object.shape);
+    depth += dot(p - scene.camera.location, axis) / static_cast<double>(scene.objects.size());
+  }
+  return scene.camera.location + axis * (depth > 0 ? depth : 1);
+}
+
+const Light* key_light_of(const Scene& scene) {
+  if (scene.key_light) return &*scene.key_light;
+  return scene.lights.empty() ? nullptr : &scene.lights.front();
+}
+
+// As seen from the camera, around the point looked at, at the distance that the light had (the
+// eye's, where it had none).
+Vec3d default_place(const Scene& scene, const Vec3d& towards) {
+  const View view = view_of(scene.camera, 1, 1);
+  const Vec3d axis = normalize(view.forward);
+  const Vec3d right = normalize(view.right);
+  const Vec3d up = cross(right, axis);
+  const Vec3d target = looked_at(scene, axis);
+  const Light* light = key_light_of(scene);
+  const Vec3d from = light != nullptr && light->position() ? *light->position()
+                                                           : scene.camera.location;
+  const Vec3d way = normalize(right * towards.x + up * towards.y - axis * towards.z);
+  return target + way * length(from - target);
+}
+
+[[noreturn]] void unknown_key(const Scene& scene, std::string_view key, std::string_view pointer) {
+  const auto known = keys_of(scene);
+  throw InputError({FaultKind::unknown_name, std::string(pointer), Value(key),
+                    "one of " + listed(known), nearest_name(key, known)});
+}
+
+}  // namespace
+
+std::vector<std::string_view> keys_of(const Scene& scene) {
+  std::vector<std::string_view> names;
+  for (const auto& [name, binding] : scene.keys) names.push_back(name);
+  if (names.empty())
+    for (const auto& [key, towards] : default_keys) names.push_back(key);
+  return names;
+}
+
+Scene press(const Scene& scene, std::string_view key, std::string_view pointer) {
+  if (scene.keys.empty()) {
+    for (const DefaultKey& each : default_keys)
+      if (each.key == key) return with_light(scene, default_place(scene, each.towards));
+    unknown_key(scene, key, pointer);
+  }
+  const auto binding = scene.keys.find(std::string(key));
+  if (binding == scene.keys.end()) unknown_key(scene, key, pointer);
+  if (const auto* position = std::get_if<Vec3d>(&binding->second))
+    return with_light(scene, *position);
+  return read_described<Scene>(
+      merge_patch(write_value(scene), std::get<Value>(binding->second)));
+}
+
+Scene with_light(Scene scene, const Vec3d& position) {
+  if (scene.key_light) scene.key_light->move_to(position);
+  else if (!scene.lights.empty()) scene.lights.front().move_to(position);
+  else scene.lights.push_back({PointLight{position}});
+  return scene;
+}
+
+}  // namespace tia

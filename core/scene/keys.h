@@ -1,0 +1,22 @@
+// What a key press or a light position does to a scene.
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "core/scene/scene.h"
+
+namespace tia {
+
+/// The keys that a scene answers to: its own, or a, d, s, w.
+std::vector<std::string_view> keys_of(const Scene& scene);
+
+/// The scene after a key. Errors: InputError at `pointer` for a key that the scene does not know,
+/// or for a patch that does not leave a scene.
+Scene press(const Scene& scene, std::string_view key, std::string_view pointer = "/key");
+
+/// The scene with its key light at a position: the key light, else the first light, else a new
+/// point light.
+Scene with_light(Scene scene, const Vec3d& position);
+
+}  // namespace tia

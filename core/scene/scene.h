@@ -1,0 +1,104 @@
+// The scene as plain data: what the JSON says, nothing computed. compile() makes a World of it.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "core/input/codec.h"
+#include "core/lights/light.h"
+#include "core/materials/material.h"
+#include "core/scene/camera.h"
+#include "core/film/tonemap.h"
+#include "core/shapes/shape.h"
+
+namespace tia {
+
+/// The name of one of the scene's materials, or a material of its own.
+using MaterialRef = std::variant<std::string, Material>;
+
+struct Object {
+  std::string name;
+  Shape shape;
+  std::optional<MaterialRef> material;
+
+  template <class Visitor>
+  static void fields(Visitor&& visit) {
+    visit("name", &Object::name, Spec{.about = "what answers call it"});
+    visit.one_of(&Object::shape, Spec{.about = "the kind of shape", .required = true});
+    visit("material", &Object::material, Spec{.about = "a name from materials, or a material"});
+  }
+  bool operator==(const Object&) const = default;
+};
+
+/// KeyBinding: where a key puts the key light, or else a JSON merge patch of the scene (RFC 7396).
+using KeyBinding = std::variant<Vec3d, Value>;
+
+/// How light is gathered along a ray.
+enum class IntegratorName { thesis };
+template <>
+struct Names<IntegratorName> {
+  static constexpr std::array<std::string_view, 1> names{"thesis"};
+};
+
+struct SceneOptions {
+  static constexpr double last_seed = 9007199254740991;  // 2^53 - 1
+  IntegratorName integrator = IntegratorName::thesis;
+  Transfer transfer = Transfer::srgb;
+  std::int64_t seed = 0;
+
+  template <class Visitor>
+  static void fields(Visitor&& visit) {
+    visit("integrator", &SceneOptions::integrator, Spec{.about = "how light is gathered"});
+    visit("transfer", &SceneOptions::transfer,
+          Spec{.about = "curve from linear light to stored codes"});
+    visit("seed", &SceneOptions::seed,
+          Spec{.about = "the random stream", .min = 0, .max = last_seed});
+  }
+  bool operator==(const SceneOptions&) const = default;
+};
+
+struct Scene {
+  std::string title, description;
+  Camera camera;
+  Color background{};
+  std::map<std::string, Material> materials;
+  std::vector<Object> objects;
+  std::vector<Light> lights;
+  std::optional<Light> key_light;
+  std::map<std::string, KeyBinding> keys;
+  SceneOptions options;
+
+  template <class Visitor>
+  static void fields(Visitor&& visit) {
+    visit("title", &Scene::title, Spec{.about = "what the picture shows"});
+    visit("description", &Scene::description, Spec{.about = "what to look at"});
+    visit("camera", &Scene::camera, Spec{.about = "where the eye is and what it sees"});
+    visit("background", &Scene::background,
+          Spec{.about = "linear RGB of rays that hit nothing", .max = 1e6});
+    visit("materials", &Scene::materials, Spec{.about = "materials by name"});
+    visit("objects", &Scene::objects, Spec{.about = "what can be hit"});
+    visit("lights", &Scene::lights, Spec{.about = "what sends light"});
+    visit("key_light", &Scene::key_light, Spec{.about = "the light that keys move"});
+    visit("keys", &Scene::keys, Spec{.about = "what each key does"});
+    visit("options", &Scene::options, Spec{.about = "how the picture is made"});
+  }
+  /// Names that point nowhere, lights without a place.
+  void check(const Place& at, Faults& faults) const;
+  bool operator==(const Scene&) const = default;
+};
+
+template <>
+struct Codec<KeyBinding> {
+  static void read(const Value& v, const Place& at, const Spec& spec, Faults& faults,
+                   KeyBinding& out);
+  static Value write(const KeyBinding& v);
+  static Value schema(const Spec& spec);
+};
+
+}  // namespace tia
