@@ -1,0 +1,26 @@
+// The gallery: the scenes that come with the server, by name.
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+
+#include "core/scene/scene.h"
+
+namespace tia::server {
+
+class Gallery {
+ public:
+  /// Reads every embedded /scenes/NAME.json. Errors: InputError for one that is no scene.
+  Gallery();
+  const std::map<std::string, Scene, std::less<>>& scenes() const { return scenes_; }
+  /// The scene of that name, or null.
+  const Scene* find(std::string_view name) const;
+  /// The scene of that name. Errors: InputError (unknown_name) at `pointer`.
+  const Scene& scene(std::string_view name, std::string_view pointer) const;
+
+ private:
+  std::map<std::string, Scene, std::less<>> scenes_;
+};
+
+}  // namespace tia::server

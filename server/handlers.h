@@ -1,0 +1,26 @@
+// The handlers that the routes name, one file an endpoint group.
+#pragma once
+
+#include "server/routes.h"
+
+namespace tia::server {
+
+// render_handler.cpp
+Response get_render(const Request& request, const std::string&, Service& service);
+Response post_render(const Request& request, const std::string&, Service& service);
+
+// scenes_handler.cpp
+Response get_scenes(const Request& request, const std::string&, Service& service);
+Response get_scene(const Request& request, const std::string& name, Service& service);
+Response get_scene_schema(const Request& request, const std::string&, Service& service);
+
+// health_handler.cpp
+Response get_health(const Request& request, const std::string&, Service& service);
+Response get_version(const Request& request, const std::string&, Service& service);
+
+// page_handler.cpp
+Response get_page(const Request& request, const std::string&, Service& service);
+/// A file of the page, or a 404.
+Response get_asset(const Request& request, std::string_view path);
+
+}  // namespace tia::server

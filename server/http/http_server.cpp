@@ -1,0 +1,153 @@
+#include "server/http/http_server.h"
+
+#include <httplib.h>
+
+#include <algorithm>
+#include <atomic>
+#include <random>
+#include <stdexcept>
+
+#include "core/input/errors.h"
+#include "server/problem.h"
+
+namespace tia::server {
+namespace {
+
+constexpr std::size_t connection_threads = 64;
+constexpr std::size_t requests_per_connection = 100'000;
+constexpr int keep_alive_s = 5, read_timeout_s = 5, write_timeout_s = 10;
+
+// An id fit for a log line and an answer's head: the client's, or 16 random hexadecimal digits.
+std::string id_of(const std::string& asked) {
+  const auto fit = [](char c) {
+    return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
+           c == '-' || c == '_' || c == '.';
+  };
+  if (!asked.empty() && asked.size() <= 64 && std::all_of(asked.begin(), asked.end(), fit))
+    return asked;
+  thread_local std::mt19937_64 random{std::random_device{}()};
+  std::string id(16, '0');
+  for (char& c : id) c = "0123456789abcdef"[random() & 15U];
+  return id;
+}
+
+Request plain(const httplib::Request& from) {
+  Request request{from.method, from.target, {}, from.body, {}};
+  for (const auto& [name, value] : from.headers) request.headers.emplace_back(name, value);
+  request.id = id_of(from.get_header_value("X-Request-Id"));
+  return request;
+}
+
+void send(Response&& from, httplib::Response& to) {
+  to.status = from.status;
+  for (const auto& [name, value] : from.headers) to.set_header(name, value);
+  if (from.unsized)  // announces a body of unknown length; HEAD sends none
+    to.set_content_provider(from.content_type,
+                            [](std::size_t, httplib::DataSink& sink) { return sink.done(), true; });
+  else if (!from.content_type.empty())
+    to.set_content(std::move(from.body), from.content_type);
+}
+
+}  // namespace
+
+class HttpServer::Listener {
+ public:
+  Listener(HttpOptions options, Answer answer)
+      : options_(std::move(options)), answer_(std::move(answer)) {
+    set_up_connections();
+    set_up_answers();
+    port_ = options_.port != 0 && server_.bind_to_port(options_.host, options_.port)
+                ? options_.port
+                : options_.port == 0 ? server_.bind_to_any_port(options_.host) : -1;
+    if (port_ < 0)
+      throw std::runtime_error("cannot listen on " + options_.host + " port " +
+                               std::to_string(options_.port) +
+                               ": the address is in use or not this machine's");
+  }
+
+  int port() const { return port_; }
+  void run() {
+    if (!stopped_) server_.listen_after_bind();
+  }
+  void stop() {
+    stopped_ = true;
+    while (!server_.is_running() && !finished_) std::this_thread::yield();
+    server_.stop();
+  }
+
+ private:
+  void set_up_connections() {
+    server_.set_tcp_nodelay(true);  // else a keep-alive round trip waits 40 ms for an ACK
+    server_.set_keep_alive_max_count(requests_per_connection);
+    server_.set_keep_alive_timeout(keep_alive_s);
+    server_.set_read_timeout(read_timeout_s);
+    server_.set_write_timeout(write_timeout_s);
+    server_.new_task_queue = [] { return new httplib::ThreadPool(connection_threads); };
+    // The library would set SO_REUSEPORT, with which two servers share one port unawares.
+    server_.set_socket_options([](socket_t socket) {
+      const int yes = 1;
+      setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
+    });
+  }
+
+  // Every method and path comes to answer_, which has the one table of routes. Bodies are read here
+  // and not by the library, which would take a long `curl -d` for a form and refuse it.
+  void set_up_answers() {
+    static constexpr const char* any = R"([\s\S]*)";
+    const auto bodiless = [this](const httplib::Request& from, httplib::Response& to) {
+      send(answer_(plain(from)), to);
+    };
+    const auto with_body = [this](const httplib::Request& from, httplib::Response& to,
+                                  const httplib::ContentReader& read) {
+      take_body(plain(from), read, to);
+    };
+    server_.Get(any, bodiless).Options(any, bodiless);
+    server_.Post(any, with_body).Put(any, with_body).Patch(any, with_body).Delete(any, with_body);
+    server_.set_error_handler([](const httplib::Request& from, httplib::Response& to) {
+      if (to.body.empty() && to.status >= 400)
+        send(problem_response(to.status, plain(from)), to);
+    });
+    server_.set_exception_handler(
+        [](const httplib::Request& from, httplib::Response& to, std::exception_ptr failure) {
+          send(problem_response(failure, plain(from)), to);
+        });
+  }
+
+  void take_body(Request request, const httplib::ContentReader& read, httplib::Response& to) {
+    const auto most = static_cast<std::size_t>(options_.max_body_bytes);
+    bool too_large = false;
+    read([&](const char* data, std::size_t size) {
+      too_large = too_large || request.body.size() + size > most;
+      if (!too_large) request.body.append(data, size);
+      return !too_large;
+    });
+    if (!too_large) return send(answer_(request), to);
+    const HttpError error("too-large", "a body may have " + std::to_string(most) +
+                                           " bytes (option TIA_MAX_BODY_BYTES)");
+    send(problem_response(std::make_exception_ptr(error), request), to);
+    to.set_header("Connection", "close");
+  }
+
+  HttpOptions options_;
+  Answer answer_;
+  httplib::Server server_;
+  int port_ = -1;
+  std::atomic<bool> stopped_ = false, finished_ = false;
+};
+
+HttpServer::HttpServer(HttpOptions options, Answer answer)
+    : listener_(std::make_unique<Listener>(std::move(options), std::move(answer))) {}
+HttpServer::~HttpServer() = default;
+int HttpServer::port() const { return listener_->port(); }
+void HttpServer::run() { listener_->run(); }
+void HttpServer::stop() { listener_->stop(); }
+
+bool answers(int port, const std::string& path) {
+  httplib::Client client("127.0.0.1", port);
+  client.set_connection_timeout(2);
+  client.set_read_timeout(2);
+  const auto response = client.Get(path);
+  return response && response->status == 200;
+}
+
+}  // namespace tia::server

@@ -1,0 +1,135 @@
+#include "server/problem.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+
+#include "core/input/json.h"
+#include "core/render/pool.h"
+
+namespace tia::server {
+namespace {
+
+struct Row {
+  std::string_view type;
+  int status;
+  std::string_view title;
+};
+constexpr std::array rows{
+    Row{"malformed", 400, "The request cannot be read"},
+    Row{"unknown-name", 422, "A name is not known"},
+    Row{"wrong-type", 422, "A value has the wrong type"},
+    Row{"out-of-range", 422, "A value is out of range"},
+    Row{"missing", 422, "Something is missing"},
+    Row{"conflict", 422, "Two things exclude each other"},
+    Row{"limit", 422, "The request asks for more than this server gives"},
+    Row{"not-found", 404, "Nothing is here"},
+    Row{"method", 405, "The method is not allowed here"},
+    Row{"timeout", 408, "The request came too slowly"},
+    Row{"too-large", 413, "The request's body is too large"},
+    Row{"uri-too-long", 414, "The URL is too long"},
+    Row{"media-type", 415, "The body is of a type that is not read here"},
+    Row{"draining", 503, "The server is going down"},
+    Row{"internal", 500, "The server made a mistake"},
+};
+
+const Row& row_of(std::string_view type) {
+  const auto found = std::find_if(rows.begin(), rows.end(),
+                                  [&](const Row& row) { return row.type == type; });
+  return found == rows.end() ? rows.back() : *found;
+}
+
+std::string_view type_of(FaultKind kind) {
+  switch (kind) {
+    case FaultKind::malformed: return "malformed";
+    case FaultKind::unknown_name: return "unknown-name";
+    case FaultKind::wrong_type: return "wrong-type";
+    case FaultKind::out_of_range: return "out-of-range";
+    case FaultKind::missing: return "missing";
+    case FaultKind::conflict: return "conflict";
+    case FaultKind::limit: return "limit";
+  }
+  return "internal";
+}
+
+// What came, cut short where it is long: an answer must not echo a body.
+Value excerpt(const Value& got) {
+  constexpr std::size_t longest = 120;
+  if (const auto* text = got.as<std::string>())
+    return text->size() <= longest ? got : Value(text->substr(0, longest) + "…");
+  const std::string text = to_json(got);
+  return text.size() <= longest ? got : Value(text.substr(0, longest) + "…");
+}
+
+Value error_entry(const Fault& fault) {
+  Value::Object entry{{"pointer", fault.pointer}, {"allowed", fault.allowed}};
+  if (fault.got) entry.emplace_back("got", excerpt(*fault.got));
+  if (!fault.nearest.empty()) entry.emplace_back("nearest", fault.nearest);
+  return entry;
+}
+
+Response document(const Row& row, const std::string& detail, const Request& request,
+                  Value::Array errors = {}) {
+  Value::Object problem{{"type", "/problems/" + std::string(row.type)},
+                        {"title", row.title},
+                        {"status", row.status},
+                        {"detail", detail},
+                        {"instance", request.id}};
+  if (!errors.empty()) problem.emplace_back("errors", std::move(errors));
+  return {.status = row.status,
+          .content_type = "application/problem+json",
+          .body = to_json(problem),
+          .headers = {{"Cache-Control", "no-store"}}};
+}
+
+// The first malformed fault speaks for the whole, else the first.
+Response input_problem(const InputError& error, const Request& request) {
+  const auto& faults = error.faults();
+  const auto malformed = std::find_if(faults.begin(), faults.end(), [](const Fault& fault) {
+    return fault.kind == FaultKind::malformed;
+  });
+  const Fault& first = malformed == faults.end() ? faults.front() : *malformed;
+  Value::Array errors;
+  std::string detail;
+  for (const Fault& fault : faults) {
+    errors.push_back(error_entry(fault));
+    Fault brief = fault;
+    if (brief.got) brief.got = excerpt(*brief.got);
+    if (!detail.empty()) detail += "; ";
+    detail += describe(brief);
+  }
+  return document(row_of(type_of(first.kind)), detail, request, std::move(errors));
+}
+
+}  // namespace
+
+Response problem_response(const std::exception_ptr& failure, const Request& request) {
+  try {
+    std::rethrow_exception(failure);
+  } catch (const InputError& error) {
+    return input_problem(error, request);
+  } catch (const HttpError& error) {
+    Response response = document(row_of(error.type()), error.detail(), request);
+    const auto& more = error.headers();
+    response.headers.insert(response.headers.end(), more.begin(), more.end());
+    return response;
+  } catch (const Stopped&) {
+    return document(row_of("draining"), "the render was stopped", request);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "request %s: %s\n", request.id.c_str(), error.what());
+  } catch (...) {
+    std::fprintf(stderr, "request %s: unknown failure\n", request.id.c_str());
+  }
+  return document(row_of("internal"), "it is in the server's log under this id", request);
+}
+
+Response problem_response(int status, const Request& request) {
+  const auto found = std::find_if(rows.begin(), rows.end(),
+                                  [&](const Row& row) { return row.status == status; });
+  if (found != rows.end()) return document(*found, std::string(found->title), request);
+  Row row = row_of(status < 500 ? "malformed" : "internal");
+  row.status = status;
+  return document(row, std::string(row.title), request);
+}
+
+}  // namespace tia::server

@@ -1,0 +1,37 @@
+// Problem documents (RFC 9457): what went wrong, for people and programs. One table maps errors to
+// types, titles and status codes.
+#pragma once
+
+#include <exception>
+#include <string>
+#include <string_view>
+
+#include "core/input/errors.h"
+#include "server/http/message.h"
+
+namespace tia::server {
+
+/// HttpError: a request that is wrong as HTTP, whatever its content. `type` is a row of the table.
+class HttpError : public std::exception {
+ public:
+  HttpError(std::string_view type, std::string detail, Headers headers = {})
+      : type_(type), detail_(std::move(detail)), headers_(std::move(headers)) {}
+  std::string_view type() const { return type_; }
+  const std::string& detail() const { return detail_; }
+  const Headers& headers() const { return headers_; }
+  const char* what() const noexcept override { return detail_.c_str(); }
+
+ private:
+  std::string_view type_;
+  std::string detail_;
+  Headers headers_;
+};
+
+/// The answer to a request that failed with this exception. Anything unforeseen is a 500 whose
+/// text stays here; it is logged.
+Response problem_response(const std::exception_ptr& failure, const Request& request);
+
+/// The answer for a status that the HTTP library gave before any handler ran.
+Response problem_response(int status, const Request& request);
+
+}  // namespace tia::server

@@ -1,0 +1,16 @@
+// `tia render SCENE -o FILE`: the same pictures without a server.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "server/config.h"
+
+namespace tia::server {
+
+/// Draws a gallery scene or a scene file to a file (or "-", standard output). `parameters` are
+/// /render's own, by name. Errors: InputError; std::runtime_error for files.
+void render_to_file(const std::string& scene, const std::string& file,
+                    const std::vector<Setting>& parameters, const Config& config);
+
+}  // namespace tia::server

@@ -1,0 +1,67 @@
+#include "server/routes.h"
+
+#include "server/handlers.h"
+#include "server/problem.h"
+
+namespace tia::server {
+namespace {
+
+constexpr std::size_t longest_target = 4096;
+
+// Whether the path fits the route; `name` becomes what its {} stands for.
+bool matches(const Route& route, std::string_view path, std::string_view& name) {
+  if (!route.path.ends_with("{}")) return path == route.path;
+  const std::string_view stem = route.path.substr(0, route.path.size() - 2);
+  if (!path.starts_with(stem) || path.size() == stem.size()) return false;
+  name = path.substr(stem.size());
+  return name.find('/') == name.npos;
+}
+
+Response dispatch(const Request& request, Service& service) {
+  if (request.target.size() > longest_target)
+    throw HttpError("uri-too-long", "a URL may have " + std::to_string(longest_target) +
+                                        " bytes; send the parameters as a JSON object with "
+                                        "POST /render");
+  const std::string_view method = request.is_head() ? "GET" : std::string_view(request.method);
+  std::string allow;
+  for (const Route& route : routes()) {
+    std::string_view name;
+    if (!matches(route, request.path(), name)) continue;
+    if (route.method == method) return route.handler(request, percent_decode(name), service);
+    allow += (allow.empty() ? "" : ", ") + std::string(route.method);
+    if (route.method == "GET") allow += ", HEAD";
+  }
+  if (allow.empty() && method == "GET") return get_asset(request, request.path());
+  if (allow.empty()) throw HttpError("not-found", "no such path");
+  throw HttpError("method", request.method + " is not for this path; allowed: " + allow,
+                  {{"Allow", allow}});
+}
+
+}  // namespace
+
+const std::vector<Route>& routes() {
+  static const std::vector<Route> table{
+      {"GET", "/", "the page", get_page},
+      {"GET", "/render", "a picture; no parameter is required", get_render},
+      {"POST", "/render", "the same, parameters as a JSON object", post_render},
+      {"GET", "/scenes", "the gallery: names and titles", get_scenes},
+      {"GET", "/scenes/{}", "one scene's canonical JSON", get_scene},
+      {"GET", "/schema/scene.json", "JSON Schema of a scene", get_scene_schema},
+      {"GET", "/healthz", "whether the server lives", get_health},
+      {"GET", "/version", "what this build is", get_version},
+  };
+  return table;
+}
+
+Response answer(const Request& request, Service& service) {
+  Response response;
+  try {
+    response = dispatch(request, service);
+  } catch (...) {
+    response = problem_response(std::current_exception(), request);
+  }
+  response.headers.emplace_back("X-Request-Id", request.id);
+  return response;
+}
+
+}  // namespace tia::server

@@ -1,0 +1,43 @@
+#include "server/serve_command.h"
+
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <stop_token>
+#include <thread>
+
+#include "server/http/http_server.h"
+#include "server/routes.h"
+
+namespace tia::server {
+
+void serve(const Config& config) {
+  // Blocked in every thread, so that one can wait for them.
+  sigset_t signals;
+  sigemptyset(&signals);
+  sigaddset(&signals, SIGTERM);
+  sigaddset(&signals, SIGINT);
+  pthread_sigmask(SIG_BLOCK, &signals, nullptr);
+
+  const Gallery gallery;
+  Pool pool(config.threads);
+  Service service{config, {gallery, pool, Limits{.max_pixels = config.max_pixels}}, {}};
+  HttpServer server({config.host, config.port, config.max_body_bytes},
+                    [&](const Request& request) { return answer(request, service); });
+  std::printf("Tia %s listening on http://%s:%d\n", version().c_str(), config.host.c_str(),
+              server.port());
+  std::fflush(stdout);
+
+  std::jthread listening([&] { server.run(); });
+  int signal = 0;
+  sigwait(&signals, &signal);
+  std::jthread([&] {  // an impatient second signal
+    sigwait(&signals, &signal);
+    std::_Exit(128 + signal);
+  }).detach();
+  server.stop();
+}
+
+bool is_healthy(const Config& config) { return answers(config.port, "/healthz"); }
+
+}  // namespace tia::server

@@ -1,0 +1,15 @@
+// `tia serve`: config -> server -> wait for a signal -> drain.
+#pragma once
+
+#include "server/config.h"
+
+namespace tia::server {
+
+/// Serves until SIGTERM or SIGINT, then finishes what has come. A second signal ends at once.
+/// Errors: std::runtime_error if the address cannot be had.
+void serve(const Config& config);
+
+/// Whether a server with this configuration answers on this machine.
+bool is_healthy(const Config& config);
+
+}  // namespace tia::server

@@ -1,0 +1,66 @@
+// How a field stands in text, in a query string, a flag or an environment variable: turned into the
+// JSON that the field's own reader then checks. What cannot be turned stays a string, so that the
+// reader can say what came.
+#pragma once
+
+#include <array>
+#include <concepts>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+
+#include "core/input/codec.h"
+
+namespace tia::server {
+
+/// A number's text as a number, any other as a string.
+Value number_from_text(std::string_view text);
+/// "x,y,z" or "[x,y,z]" as an array of numbers, any other as a string.
+Value list_from_text(std::string_view text);
+/// "{…}" as the JSON that it is, any other as a string. Errors: InputError, pointers below `at`.
+Value json_or_name_from_text(std::string_view text, const Place& at);
+
+template <class T>
+struct TextForm {
+  static Value read(std::string_view text, const Place&) {
+    if constexpr (std::is_arithmetic_v<T>) return number_from_text(text);
+    else return text;
+  }
+};
+template <class T>
+struct TextForm<std::optional<T>> : TextForm<T> {};
+template <>
+struct TextForm<Vec3d> {
+  static Value read(std::string_view text, const Place&) { return list_from_text(text); }
+};
+template <std::size_t N>
+struct TextForm<std::array<int, N>> {
+  static Value read(std::string_view text, const Place&) { return list_from_text(text); }
+};
+template <class T>
+struct TextForm<std::variant<std::string, T>> {
+  static Value read(std::string_view text, const Place& at) {
+    return json_or_name_from_text(text, at);
+  }
+};
+
+/// Visitor: finds the field of that name and reads the text in its form.
+struct FieldFromText {
+  std::string_view name, text;
+  Value value;
+  template <class Base, class Member>
+  void operator()(std::string_view field, Member Base::*, const Spec&) {
+    if (field == name) value = TextForm<Member>::read(text, Place{}.at(name));
+  }
+};
+
+/// The JSON of the field called `name` of a described T; a string where T has no such field.
+template <class T>
+Value field_from_text(std::string_view name, std::string_view text) {
+  FieldFromText visitor{name, text, text};
+  T::fields(visitor);
+  return visitor.value;
+}
+
+}  // namespace tia::server
