@@ -1,0 +1,38 @@
+# shellcheck shell=bash
+# Shared by server/run.sh and tests/run.sh; sourced, with ROOT set to the repository.
+
+# missing_packages SECTION: the packages of a section of packages.txt whose command or header is
+# nowhere to be found. Package names do not matter: a node or a compiler from elsewhere counts.
+missing_packages() {
+  local section package kind probe headers=''
+  while read -r section package kind probe; do
+    [ "$section" = "$1" ] || continue
+    case $kind in
+      command) command -v "$probe" >/dev/null || echo "$package" ;;
+      header) headers+="#if !__has_include(<$probe>)"$'\n'"\"$package\""$'\n#endif\n' ;;
+    esac
+  done < "$ROOT/server/packages.txt"
+  if command -v "${CXX:-c++}" >/dev/null; then
+    headers=$("${CXX:-c++}" -std=c++20 -E -P -x c++ - <<< "$headers")
+  fi
+  sed -n 's/^"\(.*\)"$/\1/p' <<< "$headers"
+}
+
+# install_missing SECTION: installs them with apt; calls nothing when all is there.
+install_missing() {
+  local packages sudo=()
+  mapfile -t packages < <(missing_packages "$1")
+  [ ${#packages[@]} -gt 0 ] || return 0
+  if ! command -v apt-get >/dev/null; then
+    echo "Missing, and there is no apt-get to install it: ${packages[*]}" >&2
+    return 1
+  fi
+  if [ "$(id -u)" != 0 ]; then
+    sudo=(sudo)
+    echo "Installing with sudo, because you are not root:"
+  fi
+  echo "apt-get install ${packages[*]}"
+  "${sudo[@]}" apt-get update -qq || echo "apt-get update failed; trying with what apt knows" >&2
+  "${sudo[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends \
+    -o DPkg::Lock::Timeout=300 "${packages[@]}"
+}
