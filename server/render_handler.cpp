@@ -1,4 +1,5 @@
 // /render: parameters in, picture out.
+#include <algorithm>
 #include <cstdio>
 
 #include "core/input/json.h"
@@ -10,6 +11,12 @@
 namespace tia::server {
 namespace {
 
+// A query's names and values are written as forms write them, a space as +.
+std::string form_decode(std::string text, std::string_view pointer = "") {
+  std::replace(text.begin(), text.end(), '+', ' ');
+  return percent_decode(text, pointer);
+}
+
 // name=value&name=value as the JSON object that a POST would send.
 Value query_object(std::string_view query) {
   Value::Object object;
@@ -18,9 +25,10 @@ Value query_object(std::string_view query) {
     query.remove_prefix(std::min(query.size(), pair.size() + 1));
     if (pair.empty()) continue;
     const auto equals = std::min(pair.find('='), pair.size());
-    const std::string name = percent_decode(pair.substr(0, equals));
+    const std::string name = form_decode(std::string(pair.substr(0, equals)));
     const std::string place = Place{}.at(name).pointer();
-    const std::string text = percent_decode(pair.substr(std::min(equals + 1, pair.size())), place);
+    const std::string text =
+        form_decode(std::string(pair.substr(std::min(equals + 1, pair.size()))), place);
     if (find(object, name) != nullptr)
       throw InputError({FaultKind::malformed, place, Value(text), "each parameter once"});
     object.emplace_back(name, field_from_text<PictureRequest>(name, text));

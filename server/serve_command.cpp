@@ -27,6 +27,12 @@ void bound_idle_memory() {
 #endif
 }
 
+int wait_for(const sigset_t& signals) {
+  int signal = 0;
+  sigwait(&signals, &signal);
+  return signal;
+}
+
 }  // namespace
 
 void serve(const Config& config) {
@@ -48,12 +54,8 @@ void serve(const Config& config) {
   std::fflush(stdout);
 
   std::jthread listening([&] { server.run(); });
-  int signal = 0;
-  sigwait(&signals, &signal);
-  std::jthread([&] {  // an impatient second signal
-    sigwait(&signals, &signal);
-    std::_Exit(128 + signal);
-  }).detach();
+  wait_for(signals);
+  std::thread([signals] { std::_Exit(128 + wait_for(signals)); }).detach();  // impatience
   server.stop();
 }
 

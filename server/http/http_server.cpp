@@ -6,6 +6,7 @@
 #include <atomic>
 #include <random>
 #include <stdexcept>
+#include <thread>
 
 #include "core/input/errors.h"
 #include "server/problem.h"
@@ -67,11 +68,14 @@ class HttpServer::Listener {
 
   int port() const { return port_; }
   void run() {
+    started_ = true;
     if (!stopped_) server_.listen_after_bind();
+    finished_ = true;
   }
+  // The library forgets a stop() that comes before it listens: wait for it to, unless it never will.
   void stop() {
     stopped_ = true;
-    while (!server_.is_running() && !finished_) std::this_thread::yield();
+    while (started_ && !finished_ && !server_.is_running()) std::this_thread::yield();
     server_.stop();
   }
 
@@ -132,7 +136,7 @@ class HttpServer::Listener {
   Answer answer_;
   httplib::Server server_;
   int port_ = -1;
-  std::atomic<bool> stopped_ = false, finished_ = false;
+  std::atomic<bool> started_ = false, stopped_ = false, finished_ = false;
 };
 
 HttpServer::HttpServer(HttpOptions options, Answer answer)
