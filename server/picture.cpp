@@ -45,7 +45,8 @@ Picture draw(const PictureRequest& asked, const Studio& studio, const std::stop_
   const View view = view_of(scene.camera, asked.width, asked.height);
   const Window window = asked.window();
   const RenderOptions options{
-      .integrator = asked.integrator.value_or(scene.options.integrator),
+      .integrator = asked.integrator.value_or(
+          scene.options.integrator.value_or(IntegratorName::thesis)),
       .threads = std::min(asked.threads.value_or(studio.pool.threads()), studio.pool.threads())};
   picture.timing.build = watch.lap_ms();
 

@@ -90,14 +90,12 @@ Response input_problem(const InputError& error, const Request& request) {
   });
   const Fault& first = malformed == faults.end() ? faults.front() : *malformed;
   Value::Array errors;
-  std::string detail;
-  for (const Fault& fault : faults) {
-    errors.push_back(error_entry(fault));
-    Fault brief = fault;
-    if (brief.got) brief.got = excerpt(*brief.got);
-    if (!detail.empty()) detail += "; ";
-    detail += describe(brief);
-  }
+  for (const Fault& fault : faults) errors.push_back(error_entry(fault));
+  Fault brief = first;
+  if (brief.got) brief.got = excerpt(*brief.got);
+  std::string detail = describe(brief);
+  if (faults.size() > 1)
+    detail = std::to_string(faults.size()) + " faults, listed in errors; one is " + detail;
   return document(row_of(type_of(first.kind)), detail, request, std::move(errors));
 }
 

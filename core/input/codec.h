@@ -197,7 +197,7 @@ struct Codec<std::vector<T>> {
     const auto* list = v.as<Value::Array>();
     if (list == nullptr) return detail::wrong_type(v, at, "an array", faults);
     out.clear();
-    for (std::size_t i = 0; i < list->size(); ++i)
+    for (std::size_t i = 0; i < list->size() && !faults.full(); ++i)
       read_value((*list)[i], at.at(i), spec, faults, out.emplace_back());
   }
   static Value write(const std::vector<T>& v) {
@@ -217,8 +217,10 @@ struct Codec<std::map<std::string, T>> {
     const auto* members = v.as<Value::Object>();
     if (members == nullptr) return detail::wrong_type(v, at, "an object", faults);
     out.clear();
-    for (const auto& [name, value] : *members)
+    for (const auto& [name, value] : *members) {
+      if (faults.full()) return;
       read_value(value, at.at(name), spec, faults, out[name]);
+    }
   }
   static Value write(const Map& v) {
     Value::Object members;

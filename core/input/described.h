@@ -75,6 +75,7 @@ class FieldReader {
   void refuse_unknown_members() const {
     if (!type_known_) return;
     for (const auto& [name, value] : object_) {
+      if (faults_.full()) return;
       if (std::find(known_.begin(), known_.end(), name) != known_.end()) continue;
       faults_.add({FaultKind::unknown_name, at_.at(name).pointer(), Value(name),
                    "one of " + listed(known_), nearest_name(name, known_)});

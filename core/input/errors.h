@@ -43,9 +43,11 @@ class Faults {
  public:
   static constexpr std::size_t most = 20;
   void add(Fault fault) {
-    if (list_.size() < most) list_.push_back(std::move(fault));
+    if (!full()) list_.push_back(std::move(fault));
   }
   bool empty() const { return list_.empty(); }
+  /// Nothing more will be kept: reading on would only cost time.
+  bool full() const { return list_.size() == most; }
   const std::vector<Fault>& list() const { return list_; }
   /// Errors: throws InputError if anything was added.
   void raise() const;

@@ -48,7 +48,7 @@ struct Names<IntegratorName> {
 
 struct SceneOptions {
   static constexpr double last_seed = 9007199254740991;  // 2^53 - 1
-  IntegratorName integrator = IntegratorName::thesis;
+  std::optional<IntegratorName> integrator;  ///< none: the server's
   Transfer transfer = Transfer::srgb;
   std::int64_t seed = 0;
 
