@@ -1,0 +1,142 @@
+// When things go wrong: what the page says, and that it goes on.
+
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { STATUS, answerTo, shows, startChromium, told, visit } from './page.mjs';
+import { throughProxy } from './proxy.mjs';
+import { startTia } from './tia.mjs';
+
+const PROBLEM = { 'Content-Type': 'application/problem+json' };
+
+let tia;
+let browser;
+before(async () => ([tia, browser] = await Promise.all([startTia(), startChromium()])));
+after(async () => {
+  await browser?.close();
+  await tia?.stop();
+});
+
+const look = (body) =>
+  throughProxy(tia.base, (proxy) =>
+    visit(browser, proxy.base, (page) => body(page, proxy), { failing: true }));
+const problem = (page) => page.locator('#problem');
+const retry = (page) => page.getByRole('button', { name: 'Try again' });
+
+async function saidTo(page, ...parts) {
+  for (const hasText of parts) await problem(page).filter({ hasText }).waitFor();
+}
+
+async function cleared(page) {
+  await page.locator('#problem:empty').waitFor({ state: 'attached' });
+  assert.ok(await retry(page).isHidden());
+}
+
+const refusal = (status, document, headers = {}) =>
+  ({ status, headers: { ...PROBLEM, ...headers }, body: JSON.stringify(document) });
+
+test('what the server refuses is told in its words, the picture stays, the next success clears it', () =>
+  look(async (page) => {
+    await page.getByLabel('x', { exact: true }).fill('1e300');
+    await page.getByLabel('y', { exact: true }).fill('20');
+    await page.getByLabel('z', { exact: true }).fill('-10');
+    const answer = await answerTo(page, () => page.keyboard.press('Enter'));
+    assert.equal(answer.status(), 422);
+    const { title, errors } = await answer.json();
+    await saidTo(page, title, errors[0].pointer.split('/')[1], 'got 1e+300', 'allowed: ', 'Change the request');
+    assert.ok(await retry(page).isHidden());
+    await told(page, STATUS.Escape);
+    assert.ok(await shows(page, await tia.get('/render')));
+    assert.equal((await answerTo(page, () => page.keyboard.press('Enter'))).status(), 422, 'sent again');
+    await page.locator('#picture').focus();
+    await page.keyboard.press('a');
+    await told(page, STATUS.a);
+    await cleared(page);
+  }));
+
+test('every fault of a problem document is told with its place, what came, what is allowed, what is near', () =>
+  look(async (page, proxy) => {
+    const errors = [
+      { pointer: '/key', got: 'q', allowed: ['a', 'd', 's', 'w'], nearest: 'a' },
+      { pointer: '/scene/objects/3/radius', got: -1, allowed: '> 0' },
+    ];
+    proxy.next.push(refusal(422, { title: 'No such key', status: 422, detail: 'Look here.', errors }));
+    await page.keyboard.press('a');
+    await saidTo(page, 'No such key', 'Look here.', 'key: got q; allowed: a, d, s, w; nearest: a',
+      'scene \u203a objects \u203a 3 \u203a radius: got -1; allowed: > 0');
+  }));
+
+test('a detail that only repeats the fault is not told twice', () =>
+  look(async (page, proxy) => {
+    const errors = [{ pointer: '/light/0', got: 9, allowed: 'less' }];
+    proxy.next.push(refusal(422, { title: 'Far', detail: '/light/0: got 9, allowed: less', errors }));
+    await page.keyboard.press('a');
+    await saidTo(page, 'Far');
+    assert.deepEqual(await problem(page).locator('p').allTextContents(), [
+      'light \u203a 0: got 9; allowed: less', 'Change the request and send it again. The last picture stays.',
+    ]);
+  }));
+
+test('what the server says is shown as text, never as markup', () =>
+  look(async (page, proxy) => {
+    proxy.next.push(refusal(422, { title: '<img src=x id=evil>', detail: '<b>bold</b>' }));
+    await page.keyboard.press('a');
+    await saidTo(page, '<img src=x id=evil>', '<b>bold</b>');
+    assert.equal(await page.locator('#evil').count(), 0);
+  }));
+
+test('a busy server is told with the time to wait, and trying again asks for the same picture', () =>
+  look(async (page, proxy) => {
+    const document = { type: '/problems/busy', title: 'Busy', status: 429, detail: 'The queue is full.' };
+    proxy.next.push(refusal(429, document, { 'Retry-After': '7' }));
+    await page.keyboard.press('w');
+    await saidTo(page, 'Busy', 'The queue is full.', 'Wait 7 s, then try again.');
+    await retry(page).click();
+    await told(page, STATUS.w);
+    await cleared(page);
+    assert.equal(await page.evaluate(() => document.activeElement.id), 'picture');
+  }));
+
+test('an error without a problem document is told by its status', () =>
+  look(async (page, proxy) => {
+    proxy.next.push({ status: 502, headers: { 'Content-Type': 'text/html' }, body: '<h1>Bad</h1>' });
+    await page.keyboard.press('a');
+    await saidTo(page, 'The server answered 502', 'Try again.');
+  }));
+
+test('a problem document that is not as it should be is told as far as it goes', () =>
+  look(async (page, proxy) => {
+    const errors = [null, { pointer: 3, got: null }, 7];
+    proxy.next.push(refusal(400, { title: 'Odd', status: 'x', errors }));
+    await page.keyboard.press('a');
+    await saidTo(page, 'Odd', 'the request: got null');
+  }));
+
+test('an answer that is no picture is told', () =>
+  look(async (page, proxy) => {
+    proxy.next.push({ status: 200, headers: { 'Content-Type': 'image/png' }, body: 'no picture' });
+    await page.keyboard.press('a');
+    await saidTo(page, 'not a picture');
+    await told(page, STATUS.Escape);
+  }));
+
+test('a server that is gone is told; back again it goes on where it stood', async () => {
+  const first = await startTia();
+  let second;
+  try {
+    await visit(browser, first.base, async (page) => {
+      await page.keyboard.press('a');
+      await told(page, STATUS.a);
+      await first.stop();
+      await page.keyboard.press('d');
+      await saidTo(page, 'The server cannot be reached', 'Check that tia is running');
+      await told(page, STATUS.a);
+      second = await startTia(first.port);
+      await retry(page).click();
+      await told(page, STATUS.d);
+      await cleared(page);
+    }, { failing: true });
+  } finally {
+    await first.stop();
+    await second?.stop();
+  }
+});

@@ -1,0 +1,152 @@
+#!/usr/bin/env bash
+# Installs what is missing, builds Tia in every way that matters and runs every test. A step that
+# fails does not stop the next one. The last line of output is "N passed, N failed".
+set -euo pipefail
+ROOT=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+cd "$ROOT"
+. server/setup.sh
+
+passed=0
+failed=0
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+
+title() { printf '\n== %s (%d s)\n' "$1" "$SECONDS"; }
+pass() { passed=$((passed + 1)); }
+fail() {
+  failed=$((failed + 1))
+  echo "FAILED: $*"
+}
+
+# run NAME COMMAND...: shows the output but for the tests that pass, keeps all of it in
+# $scratch/log and leaves the exit status in $status.
+run() {
+  title "$1"
+  status=0
+  timeout 600 "${@:2}" 2>&1 | tee "$scratch/log" |
+    sed -E '/^(\[ RUN|\[       OK|\[---|ok |# Subtest|  ---|  duration_ms|  \.\.\.|$)/d' || status=$?
+}
+
+# count NAME PASSED FAILED: books a step. A step that broke without a failed test is one failure.
+count() {
+  local good=${2:-0} bad=${3:-0}
+  passed=$((passed + good))
+  failed=$((failed + bad))
+  if [ "$bad" -gt 0 ]; then
+    echo "FAILED: $1: $bad of $((good + bad))"
+  elif [ "$status" -ne 0 ] || [ "$good" -eq 0 ]; then
+    fail "$1: exit status $status, $good tests passed"
+  fi
+}
+
+last_match() { sed -nE "s/$1/\\1/p" "$scratch/log" | tail -n 1; }
+
+# build PRESET [CMAKE OPTION...] -- TARGET...
+build() {
+  local preset=$1 options=()
+  shift
+  while [ "$1" != -- ]; do options+=("$1") && shift; done
+  shift
+  title "build $preset"
+  if ! cmake --preset "$preset" "${options[@]}" > "$scratch/log" 2>&1; then
+    cat "$scratch/log"
+  elif cmake --build --preset "$preset" --target "$@"; then
+    return 0
+  fi
+  fail "build $preset"
+  return 1
+}
+
+# The sanitizers of older compilers cannot live with much address space randomisation.
+fixed_addresses=()
+if setarch -R true 2>/dev/null; then fixed_addresses=(setarch -R); fi
+
+# googletest PRESET PROGRAM
+googletest() {
+  local total good skipped
+  run "$1 $2" "${fixed_addresses[@]}" "build/$1/tests/$2"
+  total=$(last_match '^\[==========\] ([0-9]+) tests? from .* ran.*')
+  good=$(last_match '^\[  PASSED  \] ([0-9]+) tests?.*')
+  skipped=$(last_match '^\[  SKIPPED \] ([0-9]+) tests?.*')
+  [ -n "$total" ] || echo "Broke off in $(last_match '^\[ RUN      \] (.*)')"
+  count "$1 $2" "$good" $((${total:-0} - ${good:-0} - ${skipped:-0}))
+}
+
+# same_bytes: another compiler and instruction set render the same pictures.
+same_bytes() {
+  local key format preset picture options
+  title "release and portable render the same bytes"
+  for key in none a d s w; do
+    options=(--width 320 --height 240)
+    [ "$key" = none ] || options+=(--key "$key")
+    for format in png pfm; do
+      picture=$key.$format
+      for preset in release portable; do
+        "build/$preset/tia" render thesis "${options[@]}" -o "$scratch/$preset-$picture" || true
+      done
+      if cmp "$scratch/release-$picture" "$scratch/portable-$picture"; then
+        pass
+      else
+        fail "same bytes: $picture"
+      fi
+    done
+  done
+}
+
+# old_processor: on one without AVX, release says so and exits 2; portable renders the same bytes.
+old_processor() {
+  local old=(qemu-x86_64 -cpu Nehalem) picture=(--width 32 --height 24 --key a)
+  title "on an old processor"
+  status=0
+  "${old[@]}" build/release/tia render thesis -o "$scratch/old.png" 2> "$scratch/log" || status=$?
+  if [ "$status" = 2 ] && grep -q 'lacks:.* avx2' "$scratch/log"; then pass; else
+    cat "$scratch/log"
+    fail "release on an old processor: exit status $status"
+  fi
+  "${old[@]}" build/portable/tia render thesis "${picture[@]}" -o "$scratch/old.png" || true
+  build/release/tia render thesis "${picture[@]}" -o "$scratch/new.png" || true
+  if cmp "$scratch/old.png" "$scratch/new.png"; then pass; else fail "old processor: same bytes"; fi
+}
+
+browser() {
+  local good bad cancelled
+  title "browser packages"
+  if [ ! tests/browser/node_modules/.package-lock.json -nt tests/browser/package-lock.json ]; then
+    npm ci --prefix tests/browser --no-audit --no-fund || true
+  fi
+  run "browser" env TIA="$ROOT/build/release/tia" \
+    node --test --test-reporter=tap tests/browser/*.test.mjs
+  good=$(last_match '^# pass ([0-9]+)')
+  bad=$(last_match '^# fail ([0-9]+)')
+  cancelled=$(last_match '^# cancelled ([0-9]+)')
+  count browser "$good" $((${bad:-0} + ${cancelled:-0}))
+}
+
+title "set-up"
+install_missing build || fail "installing the build's packages"
+install_missing test || fail "installing the tests' packages"
+
+release=no
+if build release -DTIA_WERROR=ON -DTIA_TESTS=ON -- all; then
+  release=yes
+  googletest release core_tests
+  googletest release server_tests
+  browser
+fi
+if build portable -DTIA_WERROR=ON -- tia && [ $release = yes ]; then
+  same_bytes
+  if [ "$(uname -m) $(sed -n 's/^TIA_ARCH:.*=//p' build/release/CMakeCache.txt)" = "x86_64 x86-64-v3" ]; then
+    old_processor
+  fi
+fi
+if build asan -- core_tests server_tests; then
+  googletest asan core_tests
+  googletest asan server_tests
+fi
+if build tsan -- server_tests; then
+  googletest tsan server_tests
+fi
+
+title "done"
+echo "$passed passed, $failed failed"
+[ "$failed" -eq 0 ] && [ "$passed" -gt 0 ]
