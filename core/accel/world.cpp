@@ -24,7 +24,7 @@ void add(const Sphere& sphere, const Matte& matte, World& world) {
   const int object = static_cast<int>(world.spheres.size());
   world.spheres.push_back(sphere);
   world.mattes.push_back(matte);
-  if (emits(matte.emission)) world.lamps.push_back({sphere.center, matte.emission, object});
+  if (emits(matte.emission.exact)) world.lamps.push_back({sphere.center, matte.emission, object});
 }
 
 void add(const Light& light, World& world) {
@@ -32,8 +32,7 @@ void add(const Light& light, World& world) {
   const Vec3d color = rgb(light.color) * light.intensity;
   if (const auto* ball = std::get_if<SphereLight>(&light.kind))
     add(Sphere{*ball->position, ball->radius}, Matte{{}, color}, world);
-  else if (emits(color))
-    world.lamps.push_back({*light.position(), color});
+  else if (emits(color)) world.lamps.push_back({*light.position(), color});
 }
 
 }  // namespace

@@ -11,14 +11,14 @@ namespace tia {
 
 /// Matte: what shading needs of a material. Linear RGB.
 struct Matte {
-  Vec3d albedo{};    ///< diffuse * color
-  Vec3d emission{};  ///< light of its own
+  Constant albedo;    ///< diffuse * color
+  Constant emission;  ///< light of its own
 };
 
 /// Lamp: a light as the thesis sees it, a point.
 struct Lamp {
-  Vec3d position;
-  Vec3d color;      ///< color * intensity
+  Constant position;
+  Constant color;   ///< color * intensity
   int object = -1;  ///< its own sphere, which never blocks it; -1: none
 };
 
@@ -26,7 +26,7 @@ struct World {
   std::vector<Sphere> spheres;  ///< the scene's objects in order, then luminous lights
   std::vector<Matte> mattes;    ///< one a sphere
   std::vector<Lamp> lamps;
-  Vec3d background;
+  Constant background;
 };
 
 /// Domain: a scene that read_scene has passed.
@@ -38,8 +38,9 @@ std::vector<int> candidates(const World& world, const Beam& beam);
 /// The nearest hit with t > 0 among some objects; at equal t the object earlier in the scene.
 template <class Real>
 Hit<Real> closest_hit(const World& world, const std::vector<int>& objects, const Ray<Real>& ray) {
-  const RootRay<Real> root_ray(ray);
   Hit<Real> nearest;
+  if (objects.empty()) return nearest;
+  const RootRay<Real> root_ray(ray);
   for (const int i : objects) {
     const Real t = intersect(world.spheres[static_cast<std::size_t>(i)], root_ray);
     const auto nearer = t < nearest.t;
@@ -66,33 +67,29 @@ Mask<Real> occluded(const World& world, const Ray<Real>& ray, Real t_max, int ow
 template <class Real>
 struct SurfacePoint {
   Vec3<Real> p, n;
-  Vec3<Real> albedo, emission;
 };
 
-/// Calls f(object, mask) once for each object among the lanes in `found`.
-template <class Real, class F>
-void for_each_winner(Real object, Mask<Real> found, F f) {
-  while (const unsigned left = bits(found)) {
-    const auto i = static_cast<std::size_t>(lane(object, std::countr_zero(left)));
-    const Mask<Real> mask = found & (object == Real(static_cast<float>(i)));
-    f(i, mask);
-    found = found & !mask;
-  }
-}
-
-/// Domain: lanes outside `found` hold zeros.
+/// Domain: lanes where the ray has not hit `object` come out meaningless.
 template <class Real>
-SurfacePoint<Real> surface(const World& world, const Ray<Real>& ray, const Hit<Real>& hit,
-                           Mask<Real> found) {
-  const Vec3<Real> zero{Real(0), Real(0), Real(0)};
-  SurfacePoint<Real> at{ray.at(select(found, hit.t, Real(0))), zero, zero, zero};
-  for_each_winner(hit.object, found, [&](std::size_t i, Mask<Real> mask) {
-    at.n = select(mask, normal(world.spheres[i], at.p), at.n);
-    at.albedo = select(mask, lift<Real>(world.mattes[i].albedo), at.albedo);
-    at.emission = select(mask, lift<Real>(world.mattes[i].emission), at.emission);
-  });
+SurfacePoint<Real> surface(const World& world, const Ray<Real>& ray, Real t, int object) {
+  SurfacePoint<Real> at;
+  at.p = ray.at(t);
+  at.n = normal(world.spheres[static_cast<std::size_t>(object)], at.p);
   at.n = select(dot(at.n, ray.direction) > Real(0), -at.n, at.n);
   return at;
+}
+
+/// Calls f(object, mask) once for each object that lanes have hit: a packet rarely sees more than
+/// two, so what depends on the object alone is found once for all lanes.
+template <class Real, class F>
+void for_each_winner(const Hit<Real>& hit, F f) {
+  Mask<Real> left = hit.t < Real(infinity);
+  while (const unsigned lanes_left = bits(left)) {
+    const auto object = static_cast<int>(lane(hit.object, std::countr_zero(lanes_left)));
+    const Mask<Real> here = left & (hit.object == Real(static_cast<float>(object)));
+    f(object, here);
+    left = left & !here;
+  }
 }
 
 }  // namespace tia

@@ -19,7 +19,7 @@ void LinearFilm::put(const Block& block) {
 void DisplayFilm::put(const Block& block) {
   const std::size_t row_bytes = 3 * static_cast<std::size_t>(image_.width);
   for (int y = 0; y < block.height; ++y) {
-    std::array<std::uint8_t, 3 * Block::size + 1> codes;  // + 1: see develop_row
+    std::array<std::uint8_t, row_codes> codes;
     develop_row(block, y, transfer_, codes);
     std::uint8_t* to = image_.rgb.data() + static_cast<std::size_t>(block.y + y) * row_bytes +
                        3 * static_cast<std::size_t>(block.x);

@@ -8,24 +8,30 @@
 namespace tia {
 namespace {
 
-using WideInt = xsimd::batch<std::int32_t>;
-
-// Comparisons are written so that NaN becomes 0.
+// NaN becomes 0: the maximum's second argument.
 template <class Real>
 Real scaled(Real light) {
-  const Real positive = select(light > Real(0), light, Real(0));
-  return select(positive < Real(1), positive, Real(1)) * Real(255) + Real(0.5F);
+  return min_of(max_of(light, Real(0)), Real(1)) * Real(255) + Real(0.5F);
+}
+
+// Drops the fourth byte of each of four pixels.
+using Bytes [[gnu::vector_size(16)]] = std::uint8_t;
+void store_rgb(Bytes rgbx, std::uint8_t* to) {
+  const Bytes rgb =
+      __builtin_shufflevector(rgbx, rgbx, 0, 1, 2, 4, 5, 6, 8, 9, 10, 12, 13, 14, 0, 0, 0, 0);
+  std::memcpy(to, &rgb, sizeof rgb);
 }
 
 void develop_linear(const float* r, const float* g, const float* b, std::uint8_t* to) {
   constexpr std::size_t n = Wide::size;
-  alignas(32) std::int32_t packed[n];
   for (std::size_t x = 0; x < Block::size; x += n) {
     const auto code = [x](const float* plane) {
-      return xsimd::to_int(scaled(Wide::load_aligned(plane + x)));
+      return to_int(scaled(Wide::load_unaligned(plane + x)));
     };
-    (code(r) | (code(g) << 8) | (code(b) << 16)).store_aligned(packed);
-    for (std::size_t i = 0; i < n; ++i) std::memcpy(to + 3 * (x + i), packed + i, 4);
+    const WideInt rgbx = code(r) | (code(g) << 8) | (code(b) << 16);
+    std::array<Bytes, n / 4> pixels;
+    std::memcpy(&pixels, &rgbx, sizeof pixels);
+    for (std::size_t i = 0; i < n / 4; ++i) store_rgb(pixels[i], to + 3 * (x + 4 * i));
   }
 }
 
@@ -91,7 +97,7 @@ std::uint8_t encode_srgb(float light) {
 }
 
 void develop_row(const Block& block, int y, Transfer transfer,
-                 std::span<std::uint8_t, 3 * Block::size + 1> codes) {
+                 std::span<std::uint8_t, row_codes> codes) {
   const std::size_t row = static_cast<std::size_t>(y) * Block::size;
   if (transfer == Transfer::linear)
     return develop_linear(&block.r[row], &block.g[row], &block.b[row], codes.data());

@@ -11,7 +11,7 @@ struct Pool::Job {
   const std::stop_token& stop;
   const std::function<void(int)>& task;
   std::atomic<int> next = 0;
-  int helpers_wanted;                // guarded by the pool's mutex, as is all below
+  int helpers_wanted;  // guarded by the pool's mutex, as is all below
   int helpers_at_work = 0;
   std::exception_ptr failure = nullptr;
 

@@ -10,19 +10,25 @@ namespace {
 
 // Fills the block's pixels, whose corner is pixel (x0, y0) of the picture.
 template <class Real>
-[[gnu::flatten]] void trace_block(const World& world, const View& view, IntegratorName integrator, int x0, int y0,
-                 Block& block, RayTally& rays) {
+[[gnu::flatten]] void trace_block(const World& world, const View& view, IntegratorName integrator,
+                                  int x0, int y0, Block& block, RayTally& rays) {
+  constexpr int n = lanes<Real>;
   const std::vector<int> objects =
       candidates(world, Beam(view, x0, y0, x0 + block.width, y0 + block.height));
   const Real lane_index = iota<Real>();
   const Real width(static_cast<float>(block.width));
+  const Vec3<Real> origin = lift<Real>(view.origin);
+  std::array<Vec3<Real>, Block::size / n> columns;
+  for (int x = 0; x < block.width; x += n)
+    columns[static_cast<std::size_t>(x / n)] =
+        view.column(Real(static_cast<float>(x0 + x)) + lane_index);
+
   for (int y = 0; y < block.height; ++y) {
-    const Real py(static_cast<float>(y0 + y));
-    for (int x = 0; x < block.width; x += lanes<Real>) {
+    const Vec3<Real> row = view.row(Real(static_cast<float>(y0 + y)));
+    for (int x = 0; x < block.width; x += n) {
       const Real in_block = Real(static_cast<float>(x)) + lane_index;
-      const Real px = Real(static_cast<float>(x0 + x)) + lane_index;
-      const Vec3<Real> light =
-          radiance(integrator, world, objects, view.ray(px, py), in_block < width, rays);
+      const Ray<Real> ray{origin, normalize(columns[static_cast<std::size_t>(x / n)] + row)};
+      const Vec3<Real> light = radiance(integrator, world, objects, ray, in_block < width, rays);
       const auto i = static_cast<std::size_t>(y * Block::size + x);
       store(light.x, &block.r[i]);
       store(light.y, &block.g[i]);

@@ -23,6 +23,7 @@ double sine_between(const Vec3d& a, const Vec3d& b) {
 
 void Camera::check(const Place& at, Faults& faults) const {
   constexpr double parallel = 1e-9;
+  const std::size_t before = faults.list().size();
   const auto fault = [&](FaultKind kind, const char* field, const Value& got, const char* allowed) {
     faults.add({kind, at.at(field).pointer(), got, allowed});
   };
@@ -34,7 +35,7 @@ void Camera::check(const Place& at, Faults& faults) const {
   if (right && fov_degrees != Camera{}.fov_degrees)
     fault(FaultKind::conflict, "fov_degrees", fov_degrees,
           "right goes without fov_degrees: the view plane's size is the angle");
-  if (!faults.empty()) return;
+  if (faults.list().size() != before) return;
 
   const Vec3d view = axis(*this);
   const char* const axis_field = look_at ? "look_at" : "direction";
@@ -43,41 +44,52 @@ void Camera::check(const Place& at, Faults& faults) const {
           look_at ? "a point other than location" : "a direction of some length");
   else if (sine_between(view, up) < parallel)
     fault(FaultKind::out_of_range, "up", write_value(up), "not zero, not parallel to the view");
-  else if (right && (length(*right) == 0 ||
-                     std::fabs(dot(view, cross(*right, up))) <
-                         parallel * length(view) * length(*right) * length(up)))
+  else if (right &&
+           (length(*right) == 0 || std::fabs(dot(view, cross(*right, up))) <
+                                       parallel * length(view) * length(*right) * length(up)))
     fault(FaultKind::out_of_range, "right", write_value(*right),
           "a view plane of some size that the eye does not lie in");
 }
 
+// A float ray strays from the exact one: its eye by half a float's step; its direction by a few
+// steps of the terms of its sum, whose length is no less than the eye's distance from the plane.
 Beam::Beam(const View& view, int x0, int y0, int x1, int y1) : origin_(view.origin) {
+  constexpr double step = 0x1p-23;
+  const Vec3d normal = normalize(cross(view.right, view.up));
+  const double terms = length(view.forward) + length(view.right) + length(view.up);
+  eye_blur_ = step * length(view.origin);
   const auto corner = [&](int x, int y) {  // of the pixels, not their centres: a margin of half one
     const double sx = 2.0 * x / view.width - 1, sy = 1 - 2.0 * y / view.height;
     return normalize(view.forward + view.right * sx + view.up * sy);
   };
   const Vec3d corners[] = {corner(x0, y0), corner(x1, y0), corner(x1, y1), corner(x0, y1)};
   axis_ = normalize(corners[0] + corners[1] + corners[2] + corners[3]);
-  for (const Vec3d& each : corners) cos_spread_ = std::min(cos_spread_, dot(axis_, each));
+  double chord = 0;  // 2 sin(spread / 2), which keeps its digits where the spread is tiny
+  for (const Vec3d& each : corners) chord = std::max(chord, length(each - axis_));
+  chord += 8 * step * terms / std::fabs(dot(view.forward, normal));
+  cos_spread_ = 1 - chord * chord / 2;
+  sin_spread_ = chord * std::sqrt(std::max(0.0, 1 - chord * chord / 4));
 }
 
-// The ball fills the directions within asin(radius / distance) of its centre's: the two cones meet
-// where the angle between their axes is at most the sum of their half angles, both below 90 degrees.
+// The distance from the cone of a centre that lies beside it is aside * cos - depth * sin; where
+// the cone's nearest point is its apex, the eye, only a ball around the eye can meet it.
 bool Beam::may_meet(const Vec3d& center, double radius) const {
   constexpr double slack = 1e-9;  // far beyond double's rounding
   const Vec3d to_center = center - origin_;
-  const double distance = length(to_center);
-  if (distance <= radius * (1 + slack) || cos_spread_ <= 0) return true;
-  const double sin_ball = radius / distance;
-  const double cos_ball = std::sqrt(1 - sin_ball * sin_ball);
-  const double sin_spread = std::sqrt(std::max(0.0, 1 - cos_spread_ * cos_spread_));
-  const double cos_sum = cos_spread_ * cos_ball - sin_spread * sin_ball;
-  return dot(axis_, to_center) >= (cos_sum - slack) * distance;
+  const double reach = radius + eye_blur_ + slack * length(to_center);
+  if (length(to_center) <= reach || cos_spread_ <= 0) return true;
+  const double depth = dot(axis_, to_center);
+  const double aside = length(to_center - axis_ * depth);
+  if (depth * cos_spread_ + aside * sin_spread_ < 0) return false;
+  return aside * cos_spread_ - depth * sin_spread_ <= reach;
 }
 
 View view_of(const Camera& camera, int width, int height) {
   const Vec3d forward = axis(camera);
-  if (camera.right) return {camera.location, forward, *camera.right, camera.up, width, height};
-
+  if (camera.right) {  // at distance 1, lest a plane of 1e-30 vanish from float
+    const double near = 1 / length(forward);
+    return {camera.location, forward * near, *camera.right * near, camera.up * near, width, height};
+  }
   const Vec3d w = normalize(forward);
   const Vec3d u = normalize(cross(w, camera.up));
   const Vec3d v = cross(u, w);

@@ -10,9 +10,9 @@ namespace tia {
 
 /// What a kind must bring: its fields, the nearest root in each scalar and the outward normal.
 template <class S>
-concept IsShape =
-    Described<S> && requires(const S& s, const RootRay<float>& ray, const RootRay<double>& exact,
-                             const RootRay<Wide>& wide, const Vec3<Wide>& p) {
+concept IsShape = Described<S> &&
+    requires(const S& s, const RootRay<float>& ray, const RootRay<double>& exact,
+             const RootRay<Wide>& wide, const Vec3<Wide>& p) {
   { S::type } -> std::convertible_to<std::string_view>;
   { intersect(s, ray) } -> std::same_as<float>;
   { intersect(s, exact) } -> std::same_as<double>;

@@ -17,7 +17,8 @@ struct Sphere {
 
   template <class Visitor>
   static void fields(Visitor&& visit) {
-    visit("center", &Sphere::center, Spec{.about = "the centre", .min = -1e9, .max = 1e9, .required = true});
+    visit("center", &Sphere::center,
+          Spec{.about = "the centre", .min = -1e9, .max = 1e9, .required = true});
     visit("radius", &Sphere::radius,
           Spec{.about = "the radius", .min = 0, .max = 1e9, .open_min = true, .required = true});
   }
@@ -27,27 +28,27 @@ struct Sphere {
 /// Returns: the nearest positive root t, infinite where the ray misses. An origin inside always
 /// hits, whichever way it looks; a ray that grazes (d2 = r^2) hits; NaN never does.
 ///
-/// The roots need double: with the thesis' floor (r = 10 000) r^2 - d2 loses all of float's digits,
-/// and a small ball seen from far away loses them in |L|^2 - tca^2. Taking d2 from the perpendicular
-/// q = L - tca D keeps them, as long as t is measured in D's own length: a direction 1e-7 too long
-/// would lift a point of that floor off it by 1e-3.
+/// The roots need double: with the thesis' floor (r = 10 000) |L|^2 - r^2 has lost all of float's
+/// digits, and a small ball seen from far away loses them in d2. In double both keep more than the
+/// rounding of a float direction leaves, as long as t is measured in D's own length: a direction
+/// 1e-7 too long would lift a point of that floor off it by 1e-3.
 /// Domain: | |direction| - 1 | < 1e-6.
-/// Source: Haines, Guenther, Akenine-Moeller, "Precision Improvements for Ray/Sphere
-/// Intersection", Ray Tracing Gems (2019), ch. 7, eq. 5; the thesis' geometric solution.
+/// Source: Glassner (ed.), An Introduction to Ray Tracing (1989), ch. 2, 2.2, the thesis' geometric
+/// solution: tca = L.D, thc^2 = r^2 - d2; what float loses in it: Haines, Guenther,
+/// Akenine-Moeller, "Precision Improvements for Ray/Sphere Intersection", Ray Tracing Gems (2019).
 template <class Real>
 [[gnu::always_inline]] inline Real intersect(const Sphere& sphere, const RootRay<Real>& ray) {
   using P = Precise<Real>;
   using std::sqrt;
   const Vec3<P> to_center = static_cast<Vec3<P>>(sphere.center) - ray.origin;
-  const P tca = dot(to_center, ray.direction) * ray.inverse_a;
-  const Vec3<P> q = to_center - ray.direction * tca;
-  const P discriminant = P(sphere.radius * sphere.radius) - dot(q, q);  // r^2 - d2
-  // Spares most rays the root: d2 > r^2 misses, and so does one that leaves from outside (tca <= 0
-  // and thc <= |tca|). A lane comes out the same whether or not the whole register returns here.
-  const P thc2 = discriminant * ray.inverse_a;
+  const P b = dot(to_center, ray.direction);
+  const P c = dot(to_center, to_center) - P(sphere.radius * sphere.radius);
+  const P tca = b * ray.inverse_a;
+  const P thc2 = (b * tca - c) * ray.inverse_a;
+  // Spares most rays the root: d2 > r^2 misses, and so does one that leaves from outside. A lane
+  // comes out the same whether or not the whole register returns here.
   const auto ahead =
-      narrow<Real>(thc2) >= Real(0) &&
-      (narrow<Real>(tca) > Real(0) || narrow<Real>(thc2 - tca * tca) > Real(0));
+      narrow<Real>(thc2) >= Real(0) && (narrow<Real>(tca) > Real(0) || narrow<Real>(c) < Real(0));
   if (!any(ahead)) return Real(infinity);
 
   const P thc = sqrt(thc2);
