@@ -70,9 +70,8 @@ bool utf16_less(std::string_view a, std::string_view b) {
     const auto byte = static_cast<unsigned char>(c);
     return byte >= 0xF0 ? byte - 2 : byte >= 0xEE ? byte + 5 : static_cast<int>(byte);
   };
-  return std::lexicographical_compare(
-      a.begin(), a.end(), b.begin(), b.end(),
-      [&](char x, char y) { return rank(x) < rank(y); });
+  return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end(),
+                                      [&](char x, char y) { return rank(x) < rank(y); });
 }
 
 void write(const Value& value, std::string& out);

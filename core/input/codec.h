@@ -64,10 +64,8 @@ bool read_numbers(const Value& value, const Place& at, const Spec& spec, bool in
 }
 
 inline Value numbers_schema(const Spec& spec, bool integer, int n) {
-  return Value::Object{{"type", "array"},
-                       {"items", number_schema(spec, integer)},
-                       {"minItems", n},
-                       {"maxItems", n}};
+  return Value::Object{
+      {"type", "array"}, {"items", number_schema(spec, integer)}, {"minItems", n}, {"maxItems", n}};
 }
 
 }  // namespace detail
@@ -98,8 +96,7 @@ struct Codec<Int> {
 
 template <>
 struct Codec<std::string> {
-  static void read(const Value& v, const Place& at, const Spec&, Faults& faults,
-                   std::string& out) {
+  static void read(const Value& v, const Place& at, const Spec&, Faults& faults, std::string& out) {
     if (const auto* text = v.as<std::string>()) out = *text;
     else detail::wrong_type(v, at, "a string", faults);
   }
@@ -236,8 +233,7 @@ struct Codec<std::map<std::string, T>> {
 template <class T>
 struct Codec<std::variant<std::string, T>> {
   using NameOr = std::variant<std::string, T>;
-  static void read(const Value& v, const Place& at, const Spec& spec, Faults& faults,
-                   NameOr& out) {
+  static void read(const Value& v, const Place& at, const Spec& spec, Faults& faults, NameOr& out) {
     if (v.as<std::string>() != nullptr) read_value(v, at, spec, faults, out.template emplace<0>());
     else if (v.as<Value::Object>() != nullptr)
       read_value(v, at, spec, faults, out.template emplace<1>());

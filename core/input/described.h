@@ -62,8 +62,8 @@ class FieldReader {
       chosen = static_cast<std::size_t>(found - names.begin());
     } else if (spec.required) {
       type_known_ = false;
-      return faults_.add({FaultKind::missing, at_.at("type").pointer(), std::nullopt,
-                          "one of " + listed(names)});
+      return faults_.add(
+          {FaultKind::missing, at_.at("type").pointer(), std::nullopt, "one of " + listed(names)});
     }
     with_kind(&variant, chosen, [&]<class Kind>(std::in_place_type_t<Kind>) {
       auto& kind = variant.template emplace<Kind>();
@@ -86,8 +86,8 @@ class FieldReader {
   void refuse(const Value& type, FaultKind kind, const std::vector<std::string_view>& names,
               std::string nearest) {
     type_known_ = false;
-    faults_.add({kind, at_.at("type").pointer(), type, "one of " + listed(names),
-                 std::move(nearest)});
+    faults_.add(
+        {kind, at_.at("type").pointer(), type, "one of " + listed(names), std::move(nearest)});
   }
 
   const Value::Object& object_;
@@ -179,9 +179,8 @@ class FieldSchema {
 
  private:
   static Value object_schema(Value::Object properties, Value::Array required) {
-    Value::Object schema{{"type", "object"},
-                         {"properties", std::move(properties)},
-                         {"additionalProperties", false}};
+    Value::Object schema{
+        {"type", "object"}, {"properties", std::move(properties)}, {"additionalProperties", false}};
     if (!required.empty()) schema.emplace_back("required", std::move(required));
     return schema;
   }
@@ -190,9 +189,19 @@ class FieldSchema {
 }  // namespace detail
 
 /// Checks that concern several fields: a described type may have
-/// `void check(const Place&, Faults&) const`, called when its own fields are right.
+/// `void check(const Place&, Faults&) const`, called when all that it holds is right.
 template <class T>
-concept Checked = requires(const T& t, const Place& at, Faults& faults) { t.check(at, faults); };
+concept Checked = requires(const T& t, const Place& at, Faults& faults) {
+  t.check(at, faults);
+};
+
+/// Checks of what one part says of another: a described type may have
+/// `void check_links(const Place&, Faults&) const`, called whatever else is wrong. What could not
+/// be read is as it is by default, and has its fault.
+template <class T>
+concept Linked = requires(const T& t, const Place& at, Faults& faults) {
+  t.check_links(at, faults);
+};
 
 template <Described T>
 struct Codec<T> {
@@ -206,6 +215,7 @@ struct Codec<T> {
     reader.refuse_unknown_members();
     if constexpr (Checked<T>)
       if (faults.list().size() == before) out.check(at, faults);
+    if constexpr (Linked<T>) out.check_links(at, faults);
   }
   static Value write(const T& v) {
     Value::Object object;

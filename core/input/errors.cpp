@@ -20,6 +20,18 @@ std::string Place::pointer() const {
   return text;
 }
 
+bool Faults::at(std::string_view pointer) const {
+  return std::any_of(list_.begin(), list_.end(),
+                     [&](const Fault& fault) { return fault.pointer == pointer; });
+}
+
+bool Faults::within(std::string_view pointer) const {
+  return std::any_of(list_.begin(), list_.end(), [&](const Fault& fault) {
+    return fault.pointer.starts_with(pointer) &&
+           (fault.pointer.size() == pointer.size() || fault.pointer[pointer.size()] == '/');
+  });
+}
+
 void Faults::raise() const {
   if (!list_.empty()) throw InputError(list_);
 }

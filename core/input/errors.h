@@ -14,7 +14,15 @@
 
 namespace tia {
 
-enum class FaultKind { malformed, unknown_name, wrong_type, out_of_range, missing, conflict, limit };
+enum class FaultKind {
+  malformed,
+  unknown_name,
+  wrong_type,
+  out_of_range,
+  missing,
+  conflict,
+  limit
+};
 
 /// Fault: one thing wrong at one place.
 struct Fault {
@@ -46,6 +54,10 @@ class Faults {
     if (!full()) list_.push_back(std::move(fault));
   }
   bool empty() const { return list_.empty(); }
+  /// Whether something is wrong exactly at a place.
+  bool at(std::string_view pointer) const;
+  /// Whether something is wrong at a place or anywhere inside it.
+  bool within(std::string_view pointer) const;
   /// Nothing more will be kept: reading on would only cost time.
   bool full() const { return list_.size() == most; }
   const std::vector<Fault>& list() const { return list_; }

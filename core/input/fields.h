@@ -35,7 +35,9 @@ struct Color {
 template <class E>
 struct Names;
 template <class E>
-concept Named = requires { Names<E>::names; };
+concept Named = requires {
+  Names<E>::names;
+};
 template <Named E>
 std::string_view name_of(E value) {
   return Names<E>::names[static_cast<std::size_t>(value)];
@@ -57,6 +59,8 @@ struct AnyVisitor {
 
 /// Described: a struct whose JSON form is an object of the fields that it names.
 template <class T>
-concept Described = requires(detail::AnyVisitor visit) { T::fields(visit); };
+concept Described = requires(detail::AnyVisitor visit) {
+  T::fields(visit);
+};
 
 }  // namespace tia

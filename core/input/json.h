@@ -11,8 +11,8 @@
 namespace tia {
 
 struct JsonLimits {
-  std::size_t depth = 32;         ///< nested arrays and objects
-  std::size_t values = 100'000;   ///< values, numbers inside arrays not counted
+  std::size_t depth = 32;        ///< nested arrays and objects
+  std::size_t values = 100'000;  ///< values, numbers inside arrays not counted
 };
 
 /// Errors: InputError of one `malformed` fault, at the place where the text breaks: not JSON,

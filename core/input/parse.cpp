@@ -1,5 +1,5 @@
-// Text -> Value through nlohmann-json's SAX parser, whose events are taken one by one so that depth,
-// count and duplicate keys are bounded while parsing and a fault knows its place.
+// Text -> Value through nlohmann-json's SAX parser, whose events are taken one by one so that
+// depth, count and duplicate keys are bounded while parsing and a fault knows its place.
 #include <algorithm>
 #include <cstdint>
 #include <nlohmann/json.hpp>
@@ -36,14 +36,17 @@ class Builder final : public nlohmann::json_sax<Json> {
   }
 
   bool end_object() override {
-    const auto& members = *open_.back()->as<Value::Object>();
+    auto& members = *open_.back()->as<Value::Object>();
     std::vector<std::string_view> names;
     names.reserve(members.size());
     for (const auto& [name, value] : members) names.push_back(name);
     std::sort(names.begin(), names.end());
     const auto twice = std::adjacent_find(names.begin(), names.end());
-    if (twice != names.end())
-      fail(FaultKind::malformed, Value(*twice), "each key once in an object");
+    if (twice != names.end()) {
+      const std::string name(*twice);
+      members.back().first = name;  // the place that the fault names
+      fail(FaultKind::malformed, Value(name), "each key once in an object");
+    }
     return close();
   }
 
@@ -115,6 +118,8 @@ class Builder final : public nlohmann::json_sax<Json> {
 }  // namespace
 
 Value parse_json(std::string_view text, const JsonLimits& limits) {
+  if (text.find('\0') != text.npos)  // where the library would take the text for ended
+    throw InputError({FaultKind::malformed, "", std::nullopt, "JSON text: no NUL byte"});
   Builder builder(limits);
   Json::sax_parse(text.begin(), text.end(), &builder);
   return builder.take();

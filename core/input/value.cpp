@@ -3,6 +3,26 @@
 #include <algorithm>
 
 namespace tia {
+namespace {
+
+std::vector<const Value::Member*> by_name(const Value::Object& object) {
+  std::vector<const Value::Member*> members;
+  for (const auto& member : object) members.push_back(&member);
+  std::sort(members.begin(), members.end(),
+            [](const auto* a, const auto* b) { return a->first < b->first; });
+  return members;
+}
+
+}  // namespace
+
+bool Value::operator==(const Value& other) const {
+  const auto* a = as<Object>();
+  const auto* b = other.as<Object>();
+  if (a == nullptr || b == nullptr) return is == other.is;
+  const auto members = by_name(*a), others = by_name(*b);
+  return std::equal(members.begin(), members.end(), others.begin(), others.end(),
+                    [](const auto* x, const auto* y) { return *x == *y; });
+}
 
 // RFC 7396, section 2, "MergePatch". Depth is bounded by what parse() lets in.
 Value merge_patch(Value target, const Value& patch) {

@@ -36,7 +36,8 @@ struct Value {
   T* as() {
     return std::get_if<T>(&is);
   }
-  bool operator==(const Value&) const = default;
+  /// Equal as JSON: members in any order, each name once.
+  bool operator==(const Value& other) const;
 };
 
 /// The member of that name, or null.

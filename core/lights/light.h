@@ -24,7 +24,8 @@ struct Light {
   bool operator==(const Light&) const = default;
 
   const std::optional<Vec3d>& position() const {
-    return std::visit([](const auto& light) -> const auto& { return light.position; }, kind);
+    return std::visit(
+        [](const auto& light) -> const auto& { return light.position; }, kind);
   }
   void move_to(const Vec3d& position) {
     std::visit([&](auto& light) { light.position = position; }, kind);

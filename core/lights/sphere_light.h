@@ -17,8 +17,7 @@ struct SphereLight {
 
   template <class Visitor>
   static void fields(Visitor&& visit) {
-    visit("position", &SphereLight::position,
-          Spec{.about = "the centre", .min = -1e9, .max = 1e9});
+    visit("position", &SphereLight::position, Spec{.about = "the centre", .min = -1e9, .max = 1e9});
     visit("radius", &SphereLight::radius,
           Spec{.about = "the radius", .min = 0, .max = 1e9, .open_min = true, .required = true});
   }

@@ -36,11 +36,12 @@ Vec3d default_place(const Scene& scene, const Vec3d& towards) {
   const View view = view_of(scene.camera, 1, 1);
   const Vec3d axis = normalize(view.forward);
   const Vec3d right = normalize(view.right);
-  const Vec3d up = cross(right, axis);
+  const Vec3d across = cross(right, axis);
+  const Vec3d up = dot(across, view.up) < 0 ? -across : across;  // a view plane may mirror
   const Vec3d target = looked_at(scene, axis);
   const Light* light = key_light_of(scene);
-  const Vec3d from = light != nullptr && light->position() ? *light->position()
-                                                           : scene.camera.location;
+  const Vec3d from =
+      light != nullptr && light->position() ? *light->position() : scene.camera.location;
   const Vec3d way = normalize(right * towards.x + up * towards.y - axis * towards.z);
   return target + way * length(from - target);
 }
@@ -71,8 +72,14 @@ Scene press(const Scene& scene, std::string_view key, std::string_view pointer) 
   if (binding == scene.keys.end()) unknown_key(scene, key, pointer);
   if (const auto* position = std::get_if<Vec3d>(&binding->second))
     return with_light(scene, *position);
-  return read_described<Scene>(
-      merge_patch(write_value(scene), std::get<Value>(binding->second)));
+  const Value patched = merge_patch(write_value(scene), std::get<Value>(binding->second));
+  try {
+    return read_described<Scene>(patched);
+  } catch (const InputError& error) {
+    throw InputError(
+        {FaultKind::conflict, std::string(pointer), Value(key),
+         "a key whose patch leaves a scene; this one's: " + std::string(error.what())});
+  }
 }
 
 Scene with_light(Scene scene, const Vec3d& position) {

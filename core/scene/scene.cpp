@@ -19,8 +19,7 @@ void Codec<KeyBinding>::read(const Value& v, const Place& at, const Spec&, Fault
     return detail::wrong_type(v, at, R"({"light": [x, y, z]} or a JSON merge patch)", faults);
   if (const Value* light = only_light(*binding))
     read_value(*light, at.at("light"), position, faults, out.emplace<Vec3d>());
-  else
-    out = v;
+  else out = v;
 }
 
 Value Codec<KeyBinding>::write(const KeyBinding& v) {
@@ -30,17 +29,29 @@ Value Codec<KeyBinding>::write(const KeyBinding& v) {
 
 Value Codec<KeyBinding>::schema(const Spec&) {
   const Value::Array only{"light"};
-  const Value light = Value::Object{{"type", "object"},
-                                    {"properties", Value::Object{{"light",
-                                                    Codec<Vec3d>::schema(position)}}},
-                                    {"required", only},
-                                    {"additionalProperties", false}};
+  const Value light =
+      Value::Object{{"type", "object"},
+                    {"properties", Value::Object{{"light", Codec<Vec3d>::schema(position)}}},
+                    {"required", only},
+                    {"additionalProperties", false}};
   const Value alone = Value::Object{{"required", only}, {"maxProperties", 1}};
   const Value patch = Value::Object{{"type", "object"}, {"not", alone}};
   return Value::Object{{"oneOf", Value::Array{light, patch}}};
 }
 
-void Scene::check(const Place& at, Faults& faults) const {
+void Scene::check_links(const Place& at, Faults& faults) const {
+  check_material_names(at, faults);
+  const Place all_lights = at.at("lights");
+  for (std::size_t i = 0; i < lights.size(); ++i) {
+    const Place light = all_lights.at(i);
+    if (lights[i].position() || faults.within(light.pointer())) continue;
+    faults.add(
+        {FaultKind::missing, light.at("position").pointer(), std::nullopt, "where the light is"});
+  }
+}
+
+void Scene::check_material_names(const Place& at, Faults& faults) const {
+  if (faults.at(at.at("materials").pointer())) return;
   std::vector<std::string_view> known;
   for (const auto& [name, material] : materials) known.push_back(name);
 
@@ -53,14 +64,6 @@ void Scene::check(const Place& at, Faults& faults) const {
     faults.add({FaultKind::unknown_name, object.at("material").pointer(), Value(*name),
                 known.empty() ? "a material; the scene names none" : "one of " + listed(known),
                 nearest_name(*name, known)});
-  }
-
-  const Place all_lights = at.at("lights");
-  for (std::size_t i = 0; i < lights.size(); ++i) {
-    if (lights[i].position()) continue;
-    const Place light = all_lights.at(i);
-    faults.add({FaultKind::missing, light.at("position").pointer(), std::nullopt,
-                "where the light is"});
   }
 }
 

@@ -10,11 +10,11 @@
 #include <variant>
 #include <vector>
 
+#include "core/film/tonemap.h"
 #include "core/input/codec.h"
 #include "core/lights/light.h"
 #include "core/materials/material.h"
 #include "core/scene/camera.h"
-#include "core/film/tonemap.h"
 #include "core/shapes/shape.h"
 
 namespace tia {
@@ -48,7 +48,7 @@ struct Names<IntegratorName> {
 
 struct SceneOptions {
   static constexpr double last_seed = 9007199254740991;  // 2^53 - 1
-  std::optional<IntegratorName> integrator;  ///< none: the server's
+  std::optional<IntegratorName> integrator;              ///< none: the server's
   Transfer transfer = Transfer::srgb;
   std::int64_t seed = 0;
 
@@ -89,8 +89,11 @@ struct Scene {
     visit("options", &Scene::options, Spec{.about = "how the picture is made"});
   }
   /// Names that point nowhere, lights without a place.
-  void check(const Place& at, Faults& faults) const;
+  void check_links(const Place& at, Faults& faults) const;
   bool operator==(const Scene&) const = default;
+
+ private:
+  void check_material_names(const Place& at, Faults& faults) const;
 };
 
 template <>
