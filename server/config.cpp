@@ -10,16 +10,9 @@
 namespace tia::server {
 namespace {
 
-std::string flag_of(std::string_view name) {
-  std::string flag = "--" + std::string(name);
-  std::replace(flag.begin(), flag.end(), '_', '-');
-  return flag;
-}
-
 std::string variable_of(std::string_view name) {
   std::string variable = "TIA_";
-  for (const char c : name)
-    variable += c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+  for (const char c : name) variable += c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
   return variable;
 }
 
@@ -37,6 +30,12 @@ struct RowMaker {
 };
 
 }  // namespace
+
+std::string flag_of(std::string_view name) {
+  std::string flag = "--" + std::string(name);
+  std::replace(flag.begin(), flag.end(), '_', '-');
+  return flag;
+}
 
 int Config::processors() {
   return std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, 64);

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/input/codec.h"
@@ -34,6 +35,9 @@ struct Config {
   /// Processors that this process may use, at most 64.
   static int processors();
 };
+
+/// "max_pixels" as --max-pixels.
+std::string flag_of(std::string_view name);
 
 /// An option as the command line and the documents need it.
 struct OptionRow {

@@ -14,11 +14,6 @@ using namespace tia::server;
 
 constexpr int bad_use = 2;
 
-std::string flag_of(std::string name) {
-  std::replace(name.begin(), name.end(), '_', '-');
-  return "--" + name;
-}
-
 // Every row of the options' table as a flag; what is given goes to `settings`.
 void add_options(CLI::App& app, std::vector<Setting>& settings) {
   for (const OptionRow& row : option_rows()) {

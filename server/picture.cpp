@@ -8,12 +8,13 @@ namespace tia::server {
 
 void PictureRequest::check(const Place& at, Faults& faults) const {
   if (key && light)
-    faults.add({FaultKind::conflict, at.at("light").pointer(), write_value(*light), "key or light"});
+    faults.add(
+        {FaultKind::conflict, at.at("light").pointer(), write_value(*light), "key or light"});
   const Window w = window();
   if (w.x0 >= w.x1 || w.y0 >= w.y1 || w.x1 > width || w.y1 > height)
-    faults.add({FaultKind::out_of_range, at.at("crop").pointer(), write_value(crop),
-                "x0 < x1 <= " + std::to_string(width) + " and y0 < y1 <= " +
-                    std::to_string(height)});
+    faults.add(
+        {FaultKind::out_of_range, at.at("crop").pointer(), write_value(crop),
+         "x0 < x1 <= " + std::to_string(width) + " and y0 < y1 <= " + std::to_string(height)});
 }
 
 Window PictureRequest::window() const {
@@ -27,8 +28,8 @@ std::string_view media_type_of(Format format) {
 
 Scene scene_of(const PictureRequest& asked, const Gallery& gallery) {
   const auto* name = std::get_if<std::string>(&asked.scene);
-  const Scene& scene = name != nullptr ? gallery.scene(*name, "/scene")
-                                       : std::get<Scene>(asked.scene);
+  const Scene& scene =
+      name != nullptr ? gallery.scene(*name, "/scene") : std::get<Scene>(asked.scene);
   if (asked.key) return press(scene, *asked.key);
   if (asked.light) return with_light(scene, *asked.light);
   return scene;
@@ -45,8 +46,8 @@ Picture draw(const PictureRequest& asked, const Studio& studio, const std::stop_
   const View view = view_of(scene.camera, asked.width, asked.height);
   const Window window = asked.window();
   const RenderOptions options{
-      .integrator = asked.integrator.value_or(
-          scene.options.integrator.value_or(IntegratorName::thesis)),
+      .integrator =
+          asked.integrator.value_or(scene.options.integrator.value_or(IntegratorName::thesis)),
       .threads = std::min(asked.threads.value_or(studio.pool.threads()), studio.pool.threads())};
   picture.timing.build = watch.lap_ms();
 

@@ -52,7 +52,9 @@ struct PictureRequest {
           Spec{.about = "the picture's height", .unit = "pixels", .min = 1, .max = most_px});
     visit("crop", &P::crop,
           Spec{.about = "x0,y0,x1,y1: the window x0 <= x < x1, y0 <= y < y1 of the picture",
-               .unit = "pixels", .min = 0, .max = most_px});
+               .unit = "pixels",
+               .min = 0,
+               .max = most_px});
     visit("integrator", &P::integrator, Spec{.about = "how light is gathered"});
     visit("transfer", &P::transfer, Spec{.about = "curve from linear light to stored codes"});
     visit("format", &P::format, Spec{.about = "png, or pfm for linear light in float"});

@@ -27,15 +27,15 @@ constexpr std::array rows{
     Row{"method", 405, "The method is not allowed here"},
     Row{"timeout", 408, "The request came too slowly"},
     Row{"too-large", 413, "The request's body is too large"},
-    Row{"uri-too-long", 414, "The URL is too long"},
+    Row{"uri-too-long", 414, "The URL is too long; POST /render takes the same as a JSON object"},
     Row{"media-type", 415, "The body is of a type that is not read here"},
     Row{"draining", 503, "The server is going down"},
     Row{"internal", 500, "The server made a mistake"},
 };
 
 const Row& row_of(std::string_view type) {
-  const auto found = std::find_if(rows.begin(), rows.end(),
-                                  [&](const Row& row) { return row.type == type; });
+  const auto found =
+      std::find_if(rows.begin(), rows.end(), [&](const Row& row) { return row.type == type; });
   return found == rows.end() ? rows.back() : *found;
 }
 
@@ -79,7 +79,7 @@ Response document(const Row& row, const std::string& detail, const Request& requ
   return {.status = row.status,
           .content_type = "application/problem+json",
           .body = to_json(problem),
-          .headers = {{"Cache-Control", "no-store"}}};
+          .headers = {{"Cache-Control", "no-store"}, {"X-Request-Id", request.id}}};
 }
 
 // The first malformed fault speaks for the whole, else the first.
@@ -122,8 +122,8 @@ Response problem_response(const std::exception_ptr& failure, const Request& requ
 }
 
 Response problem_response(int status, const Request& request) {
-  const auto found = std::find_if(rows.begin(), rows.end(),
-                                  [&](const Row& row) { return row.status == status; });
+  const auto found =
+      std::find_if(rows.begin(), rows.end(), [&](const Row& row) { return row.status == status; });
   if (found != rows.end()) return document(*found, std::string(found->title), request);
   Row row = row_of(status < 500 ? "malformed" : "internal");
   row.status = status;

@@ -1,5 +1,6 @@
 #include "server/routes.h"
 
+#include "server/assets.h"
 #include "server/handlers.h"
 #include "server/problem.h"
 
@@ -31,7 +32,10 @@ Response dispatch(const Request& request, Service& service) {
     allow += (allow.empty() ? "" : ", ") + std::string(route.method);
     if (route.method == "GET") allow += ", HEAD";
   }
-  if (allow.empty() && method == "GET") return get_asset(request, request.path());
+  if (allow.empty() && find_asset(request.path()) != nullptr) {
+    if (method == "GET") return get_asset(request, request.path());
+    allow = "GET, HEAD";
+  }
   if (allow.empty()) throw HttpError("not-found", "no such path");
   throw HttpError("method", request.method + " is not for this path; allowed: " + allow,
                   {{"Allow", allow}});
@@ -54,14 +58,13 @@ const std::vector<Route>& routes() {
 }
 
 Response answer(const Request& request, Service& service) {
-  Response response;
   try {
-    response = dispatch(request, service);
+    Response response = dispatch(request, service);
+    response.headers.emplace_back("X-Request-Id", request.id);
+    return response;
   } catch (...) {
-    response = problem_response(std::current_exception(), request);
+    return problem_response(std::current_exception(), request);
   }
-  response.headers.emplace_back("X-Request-Id", request.id);
-  return response;
 }
 
 }  // namespace tia::server

@@ -9,8 +9,8 @@ namespace tia::server {
 Response get_scenes(const Request&, const std::string&, Service& service) {
   Value::Array list;
   for (const auto& [name, scene] : service.studio.gallery.scenes())
-    list.push_back(Value::Object{
-        {"name", name}, {"title", scene.title}, {"description", scene.description}});
+    list.push_back(
+        Value::Object{{"name", name}, {"title", scene.title}, {"description", scene.description}});
   return {.content_type = "application/json", .body = to_json(Value::Object{{"scenes", list}})};
 }
 

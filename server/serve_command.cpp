@@ -27,6 +27,16 @@ void bound_idle_memory() {
 #endif
 }
 
+// RFC 3986, 3.2.2: an IPv6 address stands in brackets.
+std::string in_url(const std::string& host) {
+  return host.find(':') == host.npos ? host : '[' + host + ']';
+}
+
+// Where a server that listens on every address of this machine can be asked.
+std::string reachable(const std::string& host) {
+  return host == "0.0.0.0" ? "127.0.0.1" : host == "::" ? "::1" : host;
+}
+
 int wait_for(const sigset_t& signals) {
   int signal = 0;
   sigwait(&signals, &signal);
@@ -49,7 +59,7 @@ void serve(const Config& config) {
   Service service{config, {gallery, pool, Limits{.max_pixels = config.max_pixels}}, {}};
   HttpServer server({config.host, config.port, config.max_body_bytes},
                     [&](const Request& request) { return answer(request, service); });
-  std::printf("Tia %s listening on http://%s:%d\n", version().c_str(), config.host.c_str(),
+  std::printf("Tia %s listening on http://%s:%d\n", version().c_str(), in_url(config.host).c_str(),
               server.port());
   std::fflush(stdout);
 
@@ -59,6 +69,8 @@ void serve(const Config& config) {
   server.stop();
 }
 
-bool is_healthy(const Config& config) { return answers(config.port, "/healthz"); }
+bool is_healthy(const Config& config) {
+  return answers(reachable(config.host), config.port, "/healthz");
+}
 
 }  // namespace tia::server

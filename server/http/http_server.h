@@ -1,5 +1,5 @@
-// All about connections: cpp-httplib behind a function from Request to Response. Nothing else in the
-// server knows the library.
+// All about connections: cpp-httplib behind a function from Request to Response. Nothing else in
+// the server knows the library.
 #pragma once
 
 #include <cstdint>
@@ -37,7 +37,7 @@ class HttpServer {
   std::unique_ptr<Listener> listener_;
 };
 
-/// Whether GET path on that port of this machine is answered with 200 within two seconds.
-bool answers(int port, const std::string& path);
+/// Whether GET path is answered there with 200 within two seconds.
+bool answers(const std::string& host, int port, const std::string& path);
 
 }  // namespace tia::server
