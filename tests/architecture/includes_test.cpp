@@ -1,0 +1,202 @@
+// The architecture's arrows, read off the #include lines and a few words of core/ and server/.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <regex>
+#include <sstream>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// Core's folders from top to bottom: each may include itself and what stands above it. Core's own
+// few files (core.h, version.h) stand below them all.
+const std::vector<std::string> layers = {"math",   "input", "film",  "shapes",      "materials",
+                                         "lights", "scene", "accel", "integrators", "render"};
+
+// Libraries, by the start of their headers' names, and the only places that may include them.
+struct Wrapped {
+  std::string_view header;
+  std::vector<std::string_view> places;
+};
+const std::vector<Wrapped> libraries = {
+    {"nlohmann/", {"core/input/"}},  {"stb", {"core/film/"}},
+    {"libdeflate", {"core/film/"}},  {"sleef", {"core/math/"}},
+    {"xsimd", {"core/math/registers.h"}}, {"immintrin", {"core/math/wide.h"}},
+    {"httplib", {"server/http/"}},   {"CLI/", {"server/main.cpp", "server/config."}},
+};
+
+// What core must not know: sockets, clocks, the environment, logs, files, chance.
+const std::vector<std::string_view> headers_outside_core = {
+    "chrono",     "ctime",    "time.h",   "sys/",     "netinet/", "arpa/",  "netdb.h",
+    "unistd.h",   "poll.h",   "syslog.h", "iostream", "fstream",  "cstdio", "stdio.h",
+    "filesystem", "signal.h", "csignal",  "random",   "server/"};
+const std::regex words_outside_core(
+    R"(\b(getenv|setenv|chrono|clock_gettime|gettimeofday|time\(|cout|cerr|clog|printf|fopen|)"
+    R"(random_device|rand\(|syslog|sleep_for|sleep_until|socket\())");
+
+bool starts_with(std::string_view text, std::string_view start) {
+  return text.substr(0, start.size()) == start;
+}
+std::size_t layer_of(std::string_view path) {  // of "core/math/vec3.h"
+  const std::string_view rest = path.substr(5);
+  const auto slash = rest.find('/');
+  if (slash == rest.npos) return layers.size();
+  const auto found = std::find(layers.begin(), layers.end(), rest.substr(0, slash));
+  return static_cast<std::size_t>(found - layers.begin());
+}
+
+// Why a file may not include a header, or "".
+std::string refusal(const std::string& file, const std::string& header) {
+  for (const auto& [library, places] : libraries) {
+    if (!starts_with(header, library)) continue;
+    const auto inside = [&](std::string_view place) { return starts_with(file, place); };
+    if (std::none_of(places.begin(), places.end(), inside)) return "a library outside its place";
+  }
+  if (!starts_with(file, "core/")) return "";
+  for (const std::string_view each : headers_outside_core)
+    if (header == each || (each.back() == '/' && starts_with(header, each))) return "not for core";
+  if (starts_with(header, "core/") && layer_of(header) > layer_of(file))
+    return "an arrow that points back up";
+  return "";
+}
+
+struct Source {
+  std::string path, text;  // the path below the repository's root
+};
+std::vector<Source> sources(const std::string& folder) {
+  std::vector<Source> all;
+  const fs::path root = TIA_SOURCE_DIR;
+  for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
+    const std::string extension = entry.path().extension();
+    if (extension != ".h" && extension != ".cpp") continue;
+    std::ifstream file(entry.path());
+    std::ostringstream text;
+    text << file.rdbuf();
+    all.push_back({fs::relative(entry.path(), root).generic_string(), text.str()});
+  }
+  return all;
+}
+
+std::vector<std::string> includes_of(const std::string& text) {
+  static const std::regex line(R"re((^|\n)\s*#\s*include\s*["<]([^">]+)[">])re");
+  std::vector<std::string> headers;
+  for (std::sregex_iterator it(text.begin(), text.end(), line), end; it != end; ++it)
+    headers.push_back((*it)[2]);
+  return headers;
+}
+
+std::string without_comments(const std::string& text) {
+  static const std::regex comment(R"(//[^\n]*)");
+  return std::regex_replace(text, comment, "");
+}
+
+// ---- the tree -----------------------------------------------------------------------------------
+
+TEST(Includes, EveryArrowPointsTheRightWay) {
+  int seen = 0;
+  for (const char* folder : {"core", "server"}) {
+    for (const Source& source : sources(folder)) {
+      for (const std::string& header : includes_of(source.text)) {
+        EXPECT_EQ(refusal(source.path, header), "") << source.path << " includes " << header;
+        ++seen;
+      }
+    }
+  }
+  EXPECT_GT(seen, 200) << "the tree was not found";
+}
+
+TEST(Includes, OurOwnHeadersAreNamedFromTheRootAndExist) {
+  for (const char* folder : {"core", "server"}) {
+    for (const Source& source : sources(folder)) {
+      static const std::regex quoted(R"re((^|\n)\s*#\s*include\s*"([^"]+)")re");
+      for (std::sregex_iterator it(source.text.begin(), source.text.end(), quoted), end; it != end;
+           ++it)
+        EXPECT_TRUE(fs::exists(fs::path(TIA_SOURCE_DIR) / std::string((*it)[2])))
+            << source.path << " includes " << (*it)[2];
+    }
+  }
+}
+
+TEST(Includes, CoresFoldersAreThoseOfTheList) {
+  for (const auto& entry : fs::directory_iterator(fs::path(TIA_SOURCE_DIR) / "core")) {
+    if (!entry.is_directory()) continue;
+    const std::string name = entry.path().filename();
+    EXPECT_NE(std::find(layers.begin(), layers.end(), name), layers.end()) << name;
+  }
+}
+
+TEST(Includes, CoreNamesNoClockNoEnvironmentNoLogAndNoChance) {
+  for (const Source& source : sources("core")) {
+    const std::string code = without_comments(source.text);
+    std::smatch found;
+    EXPECT_FALSE(std::regex_search(code, found, words_outside_core))
+        << source.path << " says " << found.str();
+  }
+}
+
+TEST(Includes, EveryHeaderGuardsItself) {
+  for (const char* folder : {"core", "server"}) {
+    for (const Source& source : sources(folder)) {
+      if (!source.path.ends_with(".h")) continue;
+      EXPECT_NE(source.text.find("#pragma once"), std::string::npos) << source.path;
+    }
+  }
+}
+
+// ---- the rules themselves: each must be able to fail
+// ----------------------------------------------
+
+TEST(IncludeRules, ArrowsBackUpAreSeen) {
+  EXPECT_NE(refusal("core/math/vec3.h", "core/input/value.h"), "");
+  EXPECT_NE(refusal("core/shapes/sphere.h", "core/scene/scene.h"), "");
+  EXPECT_NE(refusal("core/accel/world.cpp", "core/render/render.h"), "");
+  EXPECT_NE(refusal("core/render/render.h", "core/core.h"), "");
+  EXPECT_NE(refusal("core/scene/scene.h", "core/elsewhere/x.h"), "");
+  EXPECT_NE(refusal("core/render/render.cpp", "server/config.h"), "");
+  EXPECT_EQ(refusal("core/input/codec.h", "core/math/vec3.h"), "");
+  EXPECT_EQ(refusal("core/math/ray.h", "core/math/vec3.h"), "");
+  EXPECT_EQ(refusal("core/core.h", "core/render/render.h"), "");
+  EXPECT_EQ(refusal("server/routes.cpp", "core/core.h"), "");
+}
+
+TEST(IncludeRules, LibrariesOutsideTheirPlaceAreSeen) {
+  EXPECT_NE(refusal("core/scene/keys.cpp", "nlohmann/json.hpp"), "");
+  EXPECT_NE(refusal("server/routes.cpp", "nlohmann/json.hpp"), "");
+  EXPECT_NE(refusal("server/picture.cpp", "stb/stb_image_write.h"), "");
+  EXPECT_NE(refusal("core/render/render.cpp", "xsimd/xsimd.hpp"), "");
+  EXPECT_NE(refusal("server/routes.cpp", "httplib.h"), "");
+  EXPECT_NE(refusal("server/http/message.h", "CLI/CLI.hpp"), "");
+  EXPECT_EQ(refusal("core/input/parse.cpp", "nlohmann/json.hpp"), "");
+  EXPECT_EQ(refusal("server/http/http_server.cpp", "httplib.h"), "");
+  EXPECT_EQ(refusal("server/config.cpp", "CLI/CLI.hpp"), "");
+}
+
+TEST(IncludeRules, ClocksSocketsAndLogsInCoreAreSeen) {
+  for (const char* header :
+       {"chrono", "ctime", "sys/socket.h", "sys/time.h", "iostream", "netdb.h"}) {
+    EXPECT_NE(refusal("core/render/pool.cpp", header), "") << header;
+    EXPECT_EQ(refusal("server/main.cpp", header), "") << header;
+  }
+  const auto says = [](const std::string& code) {
+    return std::regex_search(without_comments(code), words_outside_core);
+  };
+  EXPECT_TRUE(says("auto t = std::chrono::steady_clock::now();"));
+  EXPECT_TRUE(says("if (std::getenv(\"TIA\")) return;"));
+  EXPECT_TRUE(says("std::cerr << x;"));
+  EXPECT_FALSE(says("// no clock: std::chrono is for hosts"));
+  EXPECT_FALSE(says("const double operand(3), timed = runtime(2);"));
+}
+
+TEST(IncludeRules, IncludeLinesOfBothKindsAreRead) {
+  EXPECT_EQ(includes_of("#include <a>\n  # include \"b/c.h\"\n// #include <not>\nint x;"),
+            (std::vector<std::string>{"a", "b/c.h"}));
+}
+
+}  // namespace

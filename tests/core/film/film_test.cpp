@@ -1,0 +1,74 @@
+#include "core/film/film.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/core/support.h"
+
+namespace tia {
+namespace {
+
+using test::Random;
+
+// A picture of random light cut into blocks of a side.
+std::vector<Block> cut(const Image& image, int side) {
+  std::vector<Block> blocks;
+  for (int y0 = 0; y0 < image.height; y0 += side) {
+    for (int x0 = 0; x0 < image.width; x0 += side) {
+      Block& block = blocks.emplace_back();
+      block.x = x0;
+      block.y = y0;
+      block.width = std::min(side, image.width - x0);
+      block.height = std::min(side, image.height - y0);
+      for (int y = 0; y < block.height; ++y) {
+        for (int x = 0; x < block.width; ++x) {
+          const float* from = image.at(x0 + x, y0 + y);
+          const auto i = static_cast<std::size_t>(y * Block::size + x);
+          block.r[i] = from[0];
+          block.g[i] = from[1];
+          block.b[i] = from[2];
+        }
+      }
+    }
+  }
+  return blocks;
+}
+Image random_light(int width, int height, std::uint64_t seed) {
+  Random random(seed);
+  Image image(width, height);
+  for (float& value : image.rgb) value = static_cast<float>(random.in(-0.2, 1.2));
+  return image;
+}
+
+TEST(Film, LinearFilmKeepsEveryBitWhateverTheBlocks) {
+  const Image light = random_light(101, 67, 110);
+  for (const int side : {32, 31, 7, 1}) {
+    LinearFilm film(light.width, light.height);
+    for (const Block& block : cut(light, side)) film.put(block);
+    EXPECT_EQ(test::bits_of(film.image()), test::bits_of(light)) << side;
+  }
+}
+
+TEST(Film, DisplayFilmHoldsTheCodesOfTheLinearFilmsLight) {
+  const Image light = random_light(101, 67, 111);
+  for (const Transfer transfer : {Transfer::linear, Transfer::srgb}) {
+    const auto encode = transfer == Transfer::linear ? encode_linear : encode_srgb;
+    for (const int side : {32, 31, 7, 1}) {
+      DisplayFilm film(light.width, light.height, transfer);
+      for (const Block& block : cut(light, side)) film.put(block);
+      ASSERT_EQ(film.image().rgb.size(), light.rgb.size());
+      for (std::size_t i = 0; i < light.rgb.size(); ++i)
+        ASSERT_EQ(film.image().rgb[i], encode(light.rgb[i])) << side << ": " << i;
+    }
+  }
+}
+
+TEST(Film, PixelIsThreeFloatsInRowsFromTheTop) {
+  Image image(3, 2);
+  EXPECT_EQ(image.rgb.size(), 18U);
+  EXPECT_EQ(image.at(0, 0), image.rgb.data());
+  EXPECT_EQ(image.at(2, 0), image.rgb.data() + 6);
+  EXPECT_EQ(image.at(0, 1), image.rgb.data() + 9);
+}
+
+}  // namespace
+}  // namespace tia

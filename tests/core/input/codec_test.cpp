@@ -1,0 +1,172 @@
+#include "core/input/codec.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/core/faults.h"
+
+namespace tia {
+namespace {
+
+using enum FaultKind;
+using test::Expected;
+
+enum class Fruit { apple, pear };
+
+}  // namespace
+template <>
+struct Names<Fruit> {
+  static constexpr std::array<std::string_view, 2> names{"apple", "pear"};
+};
+namespace {
+
+template <class T>
+T read(const char* json, const Spec& spec = {}) {
+  T out{};
+  Faults faults;
+  read_value(parse_json(json), Place{}, spec, faults, out);
+  faults.raise();
+  return out;
+}
+template <class T>
+void expect_refused(const char* json, const Spec& spec, const Expected& fault) {
+  SCOPED_TRACE(json);
+  test::expect_faults(test::faults_of([&] { read<T>(json, spec); }), {fault});
+}
+
+// ---- numbers ----------------------------------------------------------------------------------
+
+constexpr Spec threads{.about = "threads", .min = 1, .max = 64};
+constexpr Spec radius{.about = "the radius", .min = 0, .open_min = true};
+constexpr Spec angle{.about = "an angle", .unit = "degrees", .min = -90, .max = 90};
+
+TEST(Codec, NumbersAreBoundedInclusivelyUnlessOpen) {
+  EXPECT_EQ(read<double>("90", angle), 90);
+  EXPECT_EQ(read<double>("-90", angle), -90);
+  EXPECT_EQ(read<double>("5e-324", radius), 5e-324);
+  expect_refused<double>("90.00000001", angle,
+                         {out_of_range, "", "90.00000001", "a number from -90 to 90 (degrees)"});
+  expect_refused<double>("0", radius, {out_of_range, "", "0", "a number above 0"});
+  expect_refused<double>("-0", radius, {out_of_range, "", "0", "a number above 0"});
+}
+
+TEST(Codec, WhatIsNoNumberHasTheWrongType) {
+  for (const char* json : {"\"1\"", "null", "true", "[1]", "{}"})
+    expect_refused<double>(json, angle, {wrong_type, "", json, "a number from -90 to 90"});
+}
+
+TEST(Codec, IntegersAreWholeAndInRange) {
+  EXPECT_EQ(read<int>("64", threads), 64);
+  EXPECT_EQ(read<int>("1.0", threads), 1);
+  EXPECT_EQ(read<int>("1e1", threads), 10);
+  expect_refused<int>("0", threads, {out_of_range, "", "0", "an integer from 1 to 64"});
+  expect_refused<int>("65", threads, {out_of_range, "", "65", "an integer from 1 to 64"});
+  expect_refused<int>("1e9", threads, {out_of_range, "", "1000000000", "an integer from 1 to 64"});
+  expect_refused<int>("1.5", threads, {wrong_type, "", "1.5", "an integer from 1 to 64"});
+  expect_refused<int>("\"abc\"", threads, {wrong_type, "", "\"abc\"", "an integer from 1 to 64"});
+}
+
+TEST(Codec, IntegersNeverLeaveTheirType) {
+  EXPECT_EQ(read<int>("2147483647"), 2147483647);
+  EXPECT_EQ(read<int>("-2147483648"), -2147483647 - 1);
+  expect_refused<int>("2147483648", {}, {out_of_range, "", "2147483648", "an integer"});
+  expect_refused<int>("-2147483649", {}, {out_of_range, "", "-2147483649", "an integer"});
+  expect_refused<int>("1e300", {}, {out_of_range, "", "1e+300", "an integer"});
+}
+
+TEST(Codec, IntegersStopWhereDoubleNoLongerTellsThemApart) {
+  EXPECT_EQ(read<std::int64_t>("9007199254740991"), 9007199254740991);
+  EXPECT_EQ(read<std::int64_t>("-9007199254740991"), -9007199254740991);
+  expect_refused<std::int64_t>("9007199254740992", {},
+                               {out_of_range, "", "9007199254740992", "an integer"});
+}
+
+TEST(Codec, RangesAreSaidInWords) {
+  EXPECT_EQ(range_text({}, false), "a number");
+  EXPECT_EQ(range_text(threads, true), "an integer from 1 to 64");
+  EXPECT_EQ(range_text(radius, false), "a number above 0");
+  EXPECT_EQ(range_text({.min = 2}, false), "a number not below 2");
+  EXPECT_EQ(range_text({.max = 3}, true), "an integer not above 3");
+  EXPECT_EQ(range_text({.unit = "degrees", .min = 0, .max = 179, .open_min = true}, false),
+            "a number above 0, at most 179 (degrees)");
+}
+
+TEST(Codec, NaNLiesInNoRange) {
+  EXPECT_FALSE(in_range(std::numeric_limits<double>::quiet_NaN(), {}));
+  EXPECT_FALSE(in_range(std::numeric_limits<double>::quiet_NaN(), threads));
+}
+
+// ---- vectors, colours, words ------------------------------------------------------------------
+
+TEST(Codec, VectorsAreThreeNumbersEachAtItsPlace) {
+  EXPECT_EQ(read<Vec3d>("[1,-2,0.5]"), (Vec3d{1, -2, 0.5}));
+  EXPECT_EQ(to_json(write_value(Vec3d{1, -2, 0.5})), "[1,-2,0.5]");
+  expect_refused<Vec3d>("[1,2]", {}, {wrong_type, "", "[1,2]", "3 numbers, each a number"});
+  expect_refused<Vec3d>("[1,2,3,4]", {}, {wrong_type, "", "[1,2,3,4]", "3 numbers"});
+  expect_refused<Vec3d>("1", {}, {wrong_type, "", "1", "3 numbers"});
+  expect_refused<Vec3d>("{\"x\":1}", {}, {wrong_type, "", "{\"x\":1}", "3 numbers"});
+  expect_refused<Vec3d>("[1,\"2\",3]", {}, {wrong_type, "/1", "\"2\"", "a number"});
+  expect_refused<Vec3d>("[0,0,91]", angle, {out_of_range, "/2", "91", "from -90 to 90"});
+  test::expect_faults(test::faults_of([] { read<Vec3d>("[null,91,-91]", angle); }),
+                      {{wrong_type, "/0", "null", "a number"},
+                       {out_of_range, "/1", "91", "from -90 to 90"},
+                       {out_of_range, "/2", "-91", "from -90 to 90"}});
+}
+
+TEST(Codec, ColoursAreThreeNumbersOrAGreyAndNeverNegative) {
+  EXPECT_EQ(read<Color>("[0,0.5,2]"), (Color{0, 0.5, 2}));
+  EXPECT_EQ(read<Color>("0.25"), (Color{0.25, 0.25, 0.25}));
+  EXPECT_EQ(to_json(write_value(Color{1, 1, 1})), "[1,1,1]");
+  expect_refused<Color>("[0,-0.1,0]", {.max = 1e6},
+                        {out_of_range, "/1", "-0.1", "a number from 0 to 1000000"});
+  expect_refused<Color>("-1", {}, {out_of_range, "", "-1", "not below 0"});
+  expect_refused<Color>("\"red\"", {}, {wrong_type, "", "\"red\"", "3 numbers"});
+  expect_refused<Color>("2e6", {.max = 1e6}, {out_of_range, "", "2000000", "to 1000000"});
+}
+
+TEST(Codec, NamedValuesAreOneOfTheirNames) {
+  EXPECT_EQ(read<Fruit>("\"pear\""), Fruit::pear);
+  EXPECT_EQ(to_json(write_value(Fruit::apple)), "\"apple\"");
+  expect_refused<Fruit>("\"Apple\"", {},
+                        {unknown_name, "", "\"Apple\"", "one of apple, pear", "apple"});
+  expect_refused<Fruit>("\"banana\"", {}, {unknown_name, "", "\"banana\"", "one of apple, pear"});
+  expect_refused<Fruit>("0", {}, {wrong_type, "", "0", "one of apple, pear"});
+}
+
+TEST(Codec, StringsAreStrings) {
+  EXPECT_EQ(read<std::string>("\"a\""), "a");
+  expect_refused<std::string>("1", {}, {wrong_type, "", "1", "a string"});
+}
+
+// ---- containers -------------------------------------------------------------------------------
+
+TEST(Codec, ListsAndMapsNameTheFaultyElement) {
+  EXPECT_EQ(read<std::vector<int>>("[3,1]"), (std::vector<int>{3, 1}));
+  expect_refused<std::vector<int>>("[1,\"x\"]", {}, {wrong_type, "/1", "\"x\"", "an integer"});
+  expect_refused<std::vector<int>>("{}", {}, {wrong_type, "", "{}", "an array"});
+  using Map = std::map<std::string, double>;
+  EXPECT_EQ(read<Map>(R"({"a/b":1,"c":2})"), (Map{{"a/b", 1}, {"c", 2}}));
+  expect_refused<Map>(R"({"a/b":null})", {}, {wrong_type, "/a~1b", "null", "a number"});
+  expect_refused<Map>("[]", {}, {wrong_type, "", "[]", "an object"});
+}
+
+TEST(Codec, FixedListsOfIntegersHaveTheirLength) {
+  using Crop = std::array<int, 4>;
+  EXPECT_EQ(read<Crop>("[0,1,2,3]"), (Crop{0, 1, 2, 3}));
+  EXPECT_EQ(to_json(write_value(Crop{0, 1, 2, 3})), "[0,1,2,3]");
+  expect_refused<Crop>("[0,1,2]", {}, {wrong_type, "", "[0,1,2]", "4 numbers, each an integer"});
+  expect_refused<Crop>("[0,1,2,3.5]", {}, {wrong_type, "/3", "3.5", "an integer"});
+  expect_refused<Crop>("[0,1,2,4294967296]", {.min = 0, .max = 1e9},
+                       {out_of_range, "/3", "4294967296", "an integer from 0 to 1000000000"});
+}
+
+TEST(Codec, OptionalIsLeftEmptyByAFault) {
+  EXPECT_EQ(read<std::optional<int>>("5"), 5);
+  std::optional<int> out;
+  Faults faults;
+  read_value(parse_json("\"x\""), Place{}, {}, faults, out);
+  EXPECT_FALSE(out.has_value());
+  EXPECT_FALSE(faults.empty());
+}
+
+}  // namespace
+}  // namespace tia

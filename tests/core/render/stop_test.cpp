@@ -1,0 +1,86 @@
+// Stopping a render: between tiles, promptly, and without harm to the pool.
+#include <gtest/gtest.h>
+
+#include <atomic>
+
+#include "tests/core/random_scene.h"
+
+namespace tia {
+namespace {
+
+struct Subject {
+  World world = compile(test::thesis_scene('a'));
+  View view = view_of(Camera{}, 640, 480);
+  Window all{0, 0, 640, 480};
+};
+
+RenderOptions threads(int count) {
+  RenderOptions options;
+  options.threads = count;
+  return options;
+}
+
+TEST(Stop, FromInsideABlockNoThreadBeginsAnother) {
+  const Subject subject;
+  for (const int count : {1, 2, 5}) {
+    Pool pool(count);
+    std::stop_source source;
+    std::atomic<int> developed = 0;
+    EXPECT_THROW(
+        render(subject.world, subject.view, subject.all, threads(count), pool, source.get_token(),
+               [&](const Block&) {
+                 ++developed;
+                 source.request_stop();
+               }),
+        Stopped);
+    // Each thread may have been at one block when the word came; there are 300.
+    EXPECT_LE(developed, count);
+    EXPECT_GE(developed, 1);
+  }
+}
+
+TEST(Stop, BeforeTheStartNothingIsTraced) {
+  const Subject subject;
+  Pool pool(3);
+  std::stop_source source;
+  source.request_stop();
+  std::atomic<int> developed = 0;
+  EXPECT_THROW(render(subject.world, subject.view, subject.all, threads(3), pool,
+                      source.get_token(), [&](const Block&) { ++developed; }),
+               Stopped);
+  EXPECT_EQ(developed, 0);
+}
+
+TEST(Stop, PoolRendersTheNextPictureAsIfNothingHadHappened) {
+  const Subject subject;
+  Pool pool(3);
+  LinearFilm before(640, 480), after(640, 480);
+  const auto expose = [&](LinearFilm& film) {
+    return render(subject.world, subject.view, subject.all, threads(3), pool, {},
+                  [&](const Block& block) { film.put(block); });
+  };
+  const RayCounts rays = expose(before);
+  for (int i = 0; i < 20; ++i) {
+    std::stop_source source;
+    EXPECT_THROW(render(subject.world, subject.view, subject.all, threads(3), pool,
+                        source.get_token(), [&](const Block&) { source.request_stop(); }),
+                 Stopped);
+  }
+  EXPECT_EQ(expose(after), rays);
+  EXPECT_TRUE(test::bits_of(before.image()) == test::bits_of(after.image()));
+}
+
+TEST(Stop, WhatDevelopThrowsReachesTheCaller) {
+  const Subject subject;
+  for (const int count : {1, 4}) {
+    Pool pool(count);
+    EXPECT_THROW(render(subject.world, subject.view, subject.all, threads(count), pool, {},
+                        [](const Block& block) {
+                          if (block.x == 320) throw std::runtime_error("disk full");
+                        }),
+                 std::runtime_error);
+  }
+}
+
+}  // namespace
+}  // namespace tia
