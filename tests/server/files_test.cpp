@@ -1,0 +1,83 @@
+// After start the server opens no file and keeps no descriptor.
+#include <sys/resource.h>
+
+#include "tests/server/process_support.h"
+
+namespace tia::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* targets[] = {"/",
+                                   "/style.css",
+                                   "/main.js",
+                                   "/render?key=a&width=75&height=50",
+                                   "/render?key=d&width=75&height=50&format=pfm",
+                                   "/scenes",
+                                   "/scenes/thesis",
+                                   "/schema/scene.json",
+                                   "/version",
+                                   "/healthz",
+                                   "/render?width=0",
+                                   "/nowhere",
+                                   "/scenes/..%2f..%2fetc%2fpasswd"};
+
+std::size_t descriptors(const Tia& tia) {
+  const fs::directory_iterator each(tia.proc("fd"));
+  return static_cast<std::size_t>(std::distance(begin(each), end(each)));
+}
+
+// With no descriptor left to give, whatever opens a file fails.
+TEST(Files, EveryAnswerIsGivenWithoutOpeningOne) {
+  Tia tia;
+  Host host;
+  Connection connection(tia.port());
+  connection.send("GET /healthz HTTP/1.1\r\nHost: x\r\n\r\n");
+  ASSERT_EQ(connection.receive().status, 200);
+  const rlimit none{descriptors(tia), descriptors(tia)};
+  ASSERT_EQ(prlimit(tia.pid(), RLIMIT_NOFILE, &none, nullptr), 0);
+  for (const char* target : targets) {
+    SCOPED_TRACE(target);
+    connection.send(std::string("GET ") + target +
+                    " HTTP/1.1\r\nHost: x\r\nX-Request-Id: " + Host::id + "\r\n\r\n");
+    const Response response = connection.receive(), direct = host.get(target);
+    EXPECT_EQ(response.status, direct.status);
+    EXPECT_TRUE(response.body == direct.body);
+  }
+}
+
+TEST(Files, NoneIsOpenButTheStandardStreams) {
+  Tia tia;
+  for (const char* target : targets) tia.get(target);
+  for (const auto& entry : fs::directory_iterator(tia.proc("fd"))) {
+    if (std::stoi(entry.path().filename()) <= 2) continue;
+    const std::string is = fs::read_symlink(entry.path()).string();
+    EXPECT_TRUE(is.starts_with("socket:") || is.starts_with("pipe:") ||
+                is.starts_with("anon_inode:"))
+        << is;
+  }
+}
+
+TEST(Files, DescriptorsGoBackToTheStartAfterManyConnections) {
+  Tia tia;
+  const std::size_t before = descriptors(tia);
+  for (int i = 0; i < 200; ++i) tia.get(targets[static_cast<std::size_t>(i) % std::size(targets)]);
+  for (int i = 0; i < 20; ++i) Connection(tia.port()).send("GET /");
+  EXPECT_TRUE(eventually([&] { return descriptors(tia) <= before; })) << descriptors(tia);
+}
+
+TEST(Files, AServerWhoseFolderIsGoneServesAllTheSame) {
+  const fs::path here = fs::current_path();
+  std::optional<Tia> tia;
+  {
+    Folder folder;
+    fs::current_path(folder.file(""));
+    tia.emplace();
+    fs::current_path(here);
+  }
+  EXPECT_EQ(tia->get("/").status, 200);
+  EXPECT_EQ(tia->get("/render?key=a&width=8&height=8").status, 200);
+}
+
+}  // namespace
+}  // namespace tia::test

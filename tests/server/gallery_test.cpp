@@ -1,0 +1,55 @@
+// The gallery: every scene in web/scenes is there, reads, and answers to its keys.
+#include <filesystem>
+
+#include "core/core.h"
+#include "tests/server/support.h"
+
+namespace tia::test {
+namespace {
+
+TEST(Gallery, HoldsEverySceneOfWebScenes) {
+  const Gallery gallery;
+  std::size_t files = 0;
+  const std::string folder = std::string(TIA_SOURCE_DIR) + "/web/scenes";
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    if (entry.path().extension() != ".json") continue;
+    ++files;
+    const Scene* scene = gallery.find(entry.path().stem().string());
+    ASSERT_NE(scene, nullptr) << entry.path();
+    EXPECT_EQ(*scene, read_scene(file_bytes(entry.path().string())));
+    EXPECT_FALSE(scene->title.empty());
+    EXPECT_FALSE(scene->description.empty());
+  }
+  EXPECT_EQ(gallery.scenes().size(), files);
+}
+
+TEST(Gallery, EverySceneIsDrawnUnderEachOfItsKeys) {
+  Host host;
+  for (const auto& [name, scene] : host.gallery().scenes()) {
+    const std::string picture = "/render?width=16&height=12&scene=" + url_encode(name);
+    EXPECT_EQ(host.get(picture).status, 200) << name;
+    for (const std::string_view key : keys_of(scene))
+      EXPECT_EQ(host.get(picture + "&key=" + url_encode(key)).status, 200) << name << " " << key;
+  }
+}
+
+TEST(Gallery, AnUnknownNameIsAFaultThatNamesTheNearestAndAll) {
+  const Gallery gallery;
+  EXPECT_EQ(gallery.find("thesi"), nullptr);
+  EXPECT_EQ(gallery.find(""), nullptr);
+  try {
+    gallery.scene("thesi", "/here");
+    FAIL() << "no fault";
+  } catch (const InputError& error) {
+    ASSERT_EQ(error.faults().size(), 1U);
+    const Fault& fault = error.faults().front();
+    EXPECT_EQ(fault.kind, FaultKind::unknown_name);
+    EXPECT_EQ(fault.pointer, "/here");
+    EXPECT_EQ(fault.nearest, "thesis");
+    for (const auto& [name, scene] : gallery.scenes())
+      EXPECT_THAT(fault.allowed, testing::HasSubstr(name));
+  }
+}
+
+}  // namespace
+}  // namespace tia::test

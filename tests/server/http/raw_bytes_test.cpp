@@ -1,0 +1,121 @@
+// Bytes that are no request: a 4xx or a close, and the server lives.
+#include "tests/server/socket_support.h"
+
+namespace tia::test {
+namespace {
+
+Server& server() {
+  static Server shared;
+  return shared;
+}
+
+void expect_alive() {
+  EXPECT_EQ(exchange(server().port(), "GET /healthz HTTP/1.1\r\nHost: x\r\n\r\n").status, 200);
+}
+
+struct Raw {
+  const char* law;
+  std::string bytes;
+};
+void PrintTo(const Raw& raw, std::ostream* out) { *out << raw.law; }
+
+class RawBytes : public testing::TestWithParam<Raw> {};
+
+TEST_P(RawBytes, Get4xxOrACloseAndTheNextRequestItsAnswer) {
+  const Response response = exchange(server().port(), GetParam().bytes);
+  EXPECT_TRUE(response.status == 0 || response.status / 100 == 4) << response.status;
+  if (response.status != 0) problem_of(response);
+  expect_alive();
+}
+
+std::string law_of(const testing::TestParamInfo<Raw>& info) { return info.param.law; }
+std::string all_bytes() {
+  std::string bytes;
+  for (int i = 255; i >= 0; --i) bytes += static_cast<char>(i);
+  return bytes + "\r\n\r\n";
+}
+const std::string host = "Host: x\r\n\r\n";
+const Raw raws[] = {
+    {"EveryByte", all_bytes()},
+    {"EmptyLines", "\r\n\r\n\r\n"},
+    {"Words", "hello there\r\n\r\n"},
+    {"TlsHello", std::string("\x16\x03\x01\x02\x00\x01\x00\x01\xfc\x03\x03", 11) + "\r\n\r\n"},
+    {"Http2Preface", "PRI * HTTP/2.0\r\n\r\nSM\r\n\r\n"},
+    {"NoVersion", "GET /healthz\r\n" + host},
+    {"UnknownVersion", "GET /healthz HTTP/9.9\r\n" + host},
+    {"UnknownMethod", "BREW /render HTTP/1.1\r\n" + host},
+    {"LowerCaseMethod", "get /healthz HTTP/1.1\r\n" + host},
+    {"FourWords", "GET /healthz and HTTP/1.1\r\n" + host},
+    {"NulInTheTarget", std::string("GET /hea\0lthz HTTP/1.1\r\n", 24) + host},
+    {"NoSlash", "GET healthz HTTP/1.1\r\n" + host},
+    {"LongTarget", "GET /" + std::string(100'000, 'a') + " HTTP/1.1\r\n" + host},
+    {"LongMethod", std::string(100'000, 'A') + " / HTTP/1.1\r\n" + host},
+    {"LongHeader", "GET /healthz HTTP/1.1\r\nX: " + std::string(100'000, 'a') + "\r\n" + host},
+    {"BadPercentInThePath", "GET /scenes/%zz HTTP/1.1\r\n" + host},
+    {"BadPercentInTheQuery", "GET /render?key=%z HTTP/1.1\r\n" + host},
+    {"BadChunk",
+     "POST /render HTTP/1.1\r\nTransfer-Encoding: chunked\r\n" + host + "zz\r\n{}\r\n0\r\n\r\n"},
+    {"Trace", "TRACE /render HTTP/1.1\r\n" + host},
+    {"Connect", "CONNECT x:80 HTTP/1.1\r\n" + host},
+};
+INSTANTIATE_TEST_SUITE_P(Of, RawBytes, testing::ValuesIn(raws), law_of);
+
+TEST(RawBytes, AnAbandonedConnectionCostsNothing) {
+  for (const char* bytes : {"", "G", "GET /healthz HTTP/1.1\r\nHost", "GET / HTTP/1.1\r\n",
+                            "POST /render HTTP/1.1\r\nContent-Length: 99\r\n\r\n{",
+                            "GET /render HTTP/1.1\r\nHost: x\r\n\r\n"}) {
+    { Connection(server().port()).send(bytes); }
+    expect_alive();
+  }
+}
+
+TEST(RawBytes, AUrlOfAnyLengthIs414NamingThePostForm) {
+  for (const std::size_t bytes : {4097U, 8000U, 9000U, 60'000U}) {
+    const Response response = exchange(
+        server().port(), "GET /render?" + std::string(bytes - 8, 'a') + " HTTP/1.1\r\n" + host);
+    EXPECT_EQ(response.status, 414) << bytes;
+    EXPECT_THAT(problem_of(response).detail, testing::HasSubstr("POST /render")) << bytes;
+  }
+}
+
+TEST(RawBytes, AMethodThatNoPathTakesIs405) {
+  for (const char* method : {"PUT", "PATCH", "DELETE", "OPTIONS", "TRACE"}) {
+    const Response response = exchange(
+        server().port(), std::string(method) + " /render HTTP/1.1\r\nContent-Length: 0\r\n" + host);
+    EXPECT_EQ(response.status, 405) << method;
+    EXPECT_EQ(header(response, "Allow"), "GET, HEAD, POST") << method;
+  }
+}
+
+TEST(RawBytes, ABadRequestLeavesTheConnectionToTheNext) {
+  const std::string good = "GET /healthz HTTP/1.1\r\n" + host;
+  for (const std::string& bad :
+       {"GET /render?width=0 HTTP/1.1\r\n" + host, "GET /nowhere HTTP/1.1\r\n" + host,
+        "DELETE /render HTTP/1.1\r\nContent-Length: 0\r\n" + host,
+        "GET /render?key=%zz HTTP/1.1\r\n" + host,
+        "GET /render?" + std::string(5000, 'a') + " HTTP/1.1\r\n" + host,
+        "POST /render HTTP/1.1\r\nContent-Length: 2\r\n" + host + "{]",
+        "POST /render HTTP/1.1\r\nContent-Length: 5\r\n" + host + "key=a",
+        "POST /healthz HTTP/1.1\r\nContent-Length: 5\r\n" + host + "key=a"}) {
+    SCOPED_TRACE(bad.substr(0, 60));
+    Connection connection(server().port());
+    connection.send(bad);
+    EXPECT_EQ(connection.receive().status / 100, 4);
+    connection.send(good);
+    EXPECT_EQ(connection.receive().status, 200);
+  }
+}
+
+TEST(RawBytes, ARangeIsDroppedAndThePictureWhole) {
+  const std::string picture = server().host().get("/render?width=8&height=8").body;
+  for (const char* range : {"bytes=0-3", "bytes=0-,0-,0-", "bytes=-1", "bytes=99999-"}) {
+    const Response response = exchange(
+        server().port(),
+        "GET /render?width=8&height=8 HTTP/1.1\r\nRange: " + std::string(range) + "\r\n" + host);
+    EXPECT_EQ(response.status, 200) << range;
+    EXPECT_TRUE(response.body == picture) << range;
+  }
+}
+
+}  // namespace
+}  // namespace tia::test

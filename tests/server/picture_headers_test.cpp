@@ -1,0 +1,120 @@
+// What stands beside a picture: exact ray counts, times, ids; and HEAD, which draws nothing.
+#include <regex>
+
+#include "tests/server/picture_support.h"
+#include "tests/server/support.h"
+
+namespace tia::test {
+namespace {
+
+Host& host() {
+  static Host shared;
+  return shared;
+}
+
+RayCounts rays_of(const Response& response) {
+  const std::string text = header(response, "Tia-Rays").value_or("");
+  RayCounts rays;
+  long long n[4] = {};
+  const int read =
+      std::sscanf(text.c_str(), "primary=%lld, shadow=%lld, reflection=%lld, refraction=%lld",
+                  &n[0], &n[1], &n[2], &n[3]);
+  EXPECT_EQ(read, 4) << text;
+  return {.primary = n[0], .shadow = n[1], .reflection = n[2], .refraction = n[3]};
+}
+
+// The thesis picture with a light, one ray at a time, in the scalar asked for.
+RayCounts traced(const Vec3d& light, int width, int height, Scalar scalar) {
+  const Scene scene = with_light(host().gallery().scene("thesis", ""), light);
+  const World world = compile(scene);
+  const RenderOptions options{.scalar = scalar};
+  return render(world, view_of(scene.camera, width, height), {0, 0, width, height}, options,
+                host().pool(), {}, [](const Block&) {});
+}
+
+TEST(TiaRays, AnUnlitPictureHasOnePrimaryRayAPixelAndNoOther) {
+  EXPECT_EQ(rays_of(host().get("/render")), (RayCounts{.primary = 307'200}));
+  EXPECT_EQ(rays_of(host().get("/render?width=37&height=23")), (RayCounts{.primary = 851}));
+  EXPECT_EQ(rays_of(host().get("/render?width=37&height=23&crop=30,20,37,23")),
+            (RayCounts{.primary = 21}));
+}
+
+TEST(TiaRays, ALitPictureCountsOneShadowRayForEachHitThatFacesTheLight) {
+  const RayCounts rays = rays_of(host().get("/render?light=-20,20,-10&width=160&height=120"));
+  EXPECT_EQ(rays, traced({-20, 20, -10}, 160, 120, Scalar::narrow));
+  EXPECT_GT(rays.shadow, 0);
+  EXPECT_LT(rays.shadow, rays.primary);
+  // In double a hit at the terminator may fall on the other side, no more.
+  const auto exact = traced({-20, 20, -10}, 160, 120, Scalar::exact);
+  EXPECT_NEAR(static_cast<double>(rays.shadow), static_cast<double>(exact.shadow), 20);
+}
+
+TEST(TiaRays, EveryPixelThatIsLitHadAShadowRay) {
+  const Response response = host().get("/render?key=a&width=160&height=120&format=pfm");
+  const auto light = decode_pfm(response.body);
+  std::int64_t lit = 0;
+  for (std::size_t i = 0; i < light.rgb.size(); i += 3)
+    if (light.rgb[i] > 0 && light.rgb[i] != 0.8F) ++lit;  // neither dark nor background
+  EXPECT_GT(lit, 1000);
+  EXPECT_LE(lit, rays_of(response).shadow);
+}
+
+TEST(TiaRays, TheCountsOfWindowsThatTileThePictureAddUpToItsOwn) {
+  const std::string full = "/render?key=s&width=101&height=67";
+  RayCounts sum;
+  for (const char* crop : {"0,0,40,30", "40,0,101,30", "0,30,40,67", "40,30,101,67"}) {
+    const RayCounts part = rays_of(host().get(full + "&crop=" + crop));
+    sum.primary += part.primary;
+    sum.shadow += part.shadow;
+  }
+  EXPECT_EQ(rays_of(host().get(full)), sum);
+}
+
+TEST(TiaRays, TheCountDoesNotDependOnFormatOrThreads) {
+  const std::string full = "/render?key=d&width=101&height=67";
+  const RayCounts rays = rays_of(host().get(full));
+  EXPECT_EQ(rays_of(host().get(full + "&format=pfm")), rays);
+  EXPECT_EQ(rays_of(host().get(full + "&threads=7")), rays);
+}
+
+TEST(ServerTiming, HasTheFivePhasesInMilliseconds) {
+  const std::string text = header(host().get("/render?width=8&height=8"), "Server-Timing").value();
+  const std::string number = R"(\d+(\.\d+)?)";
+  std::string form;
+  for (const char* phase : {"queue", "parse", "build", "trace", "encode"})
+    form += (form.empty() ? "" : ", ") + std::string(phase) + ";dur=" + number;
+  EXPECT_TRUE(std::regex_match(text, std::regex(form))) << text;
+}
+
+TEST(Answer, EveryAnswerCarriesTheRequestsId) {
+  for (const char* target : {"/render?width=8&height=8", "/render?width=0", "/", "/scenes",
+                             "/healthz", "/nowhere", "/style.css", "/version"})
+    EXPECT_EQ(header(host().get(target), "X-Request-Id"), Host::id) << target;
+}
+
+// A host whose renders are stopped before they start: whatever traces a ray fails.
+TEST(Head, RendersNothingAndHasNoBody) {
+  std::stop_source stop;
+  stop.request_stop();
+  Host stopped({}, stop.get_token());
+  for (const char* target : {"/render", "/render?key=a&format=png", "/render?light=1,2,3"}) {
+    SCOPED_TRACE(target);
+    EXPECT_EQ(stopped.get(target).status, 503);
+    const Response response = stopped.head(target);
+    EXPECT_EQ(response.status, 200);
+    EXPECT_EQ(response.content_type, "image/png");
+    EXPECT_EQ(response.body, "");
+  }
+  EXPECT_EQ(stopped.head("/render?format=pfm").content_type, "image/x-portable-floatmap");
+}
+
+TEST(Head, FindsWhatGetWouldRefuse) {
+  for (const char* query : {"width=0", "scene=nowhere", "key=q", "key=a&light=1,2,3", "no=1",
+                            "width=5000&height=5000", "crop=0,0,0,0", "key=%zz", "key=a&key=a"})
+    EXPECT_EQ(host().head(std::string("/render?").append(query)).status,
+              host().get(std::string("/render?").append(query)).status)
+        << query;
+}
+
+}  // namespace
+}  // namespace tia::test

@@ -1,0 +1,102 @@
+// `tia render`: the server's own bytes, in a file or on standard output.
+#include "tests/server/process_support.h"
+
+namespace tia::test {
+namespace {
+
+using testing::HasSubstr;
+
+const std::string thesis_file = std::string(TIA_SOURCE_DIR) + "/web/scenes/thesis.json";
+
+class RenderCommand : public testing::Test {
+ protected:
+  // What `tia render` with these words leaves in the file.
+  std::string drawn(Process::Words words, const std::string& name = "picture.png") {
+    words.insert(words.begin(), "render");
+    words.insert(words.end(), {"-o", folder_.file(name)});
+    const Finished end = run(words);
+    EXPECT_EQ(end.status, 0) << end.err;
+    EXPECT_EQ(end.out, "");
+    return end.status == 0 ? file_bytes(folder_.file(name)) : "";
+  }
+  // What is said where `tia render` with these words must refuse; no file is left.
+  std::string refused(Process::Words words) {
+    words.insert(words.begin(), "render");
+    words.insert(words.end(), {"-o", folder_.file("none.png")});
+    const Finished end = run(words);
+    EXPECT_EQ(end.status, 2);
+    EXPECT_EQ(end.out, "");
+    EXPECT_FALSE(std::filesystem::exists(folder_.file("none.png")));
+    return end.err;
+  }
+  std::string served(const std::string& query) { return tia_.get("/render?" + query).body; }
+
+  Folder folder_;
+  Tia tia_;
+};
+
+TEST_F(RenderCommand, GivesTheServersBytes) {
+  EXPECT_TRUE(drawn({"thesis"}) == served(""));
+  EXPECT_TRUE(drawn({"thesis", "--key", "a"}) == served("key=a"));
+  EXPECT_TRUE(drawn({"thesis", "--light", "-20,20,-10"}) == served("key=a"));
+  EXPECT_TRUE(drawn({"thesis", "--width", "75", "--height=50", "--key=d", "--crop", "3,2,40,33",
+                     "--transfer", "srgb", "--threads", "3", "--seed", "7"}) ==
+              served("width=75&height=50&key=d&crop=3,2,40,33&transfer=srgb"));
+}
+
+TEST_F(RenderCommand, GivesPfmToAPfmFileOrWhereAskedFor) {
+  const std::string pfm = served("key=a&format=pfm");
+  EXPECT_TRUE(drawn({"thesis", "--key", "a"}, "picture.pfm") == pfm);
+  EXPECT_TRUE(drawn({"thesis", "--key", "a", "--format", "pfm"}, "picture.dat") == pfm);
+}
+
+TEST_F(RenderCommand, ReadsASceneFile) {
+  EXPECT_TRUE(drawn({thesis_file, "--key", "a"}) == served("key=a"));
+}
+
+TEST_F(RenderCommand, WritesToStandardOutputForADash) {
+  const Finished end = run({"render", "thesis", "--key", "a", "-o", "-"});
+  EXPECT_EQ(end.status, 0);
+  EXPECT_TRUE(end.out == served("key=a"));
+  EXPECT_EQ(end.err, "");
+}
+
+TEST_F(RenderCommand, AMissingSceneFileExits2NamingIt) {
+  EXPECT_THAT(refused({folder_.file("none.json")}), HasSubstr("none.json"));
+}
+
+TEST_F(RenderCommand, ASceneFileThatIsNoSceneExits2NamingThePlace) {
+  const std::string file = folder_.file("bad.json");
+  std::ofstream(file) << R"({"objects":[{"type":"sphere","center":[0,0,-5],"radius":-1}]})";
+  const std::string said = refused({file});
+  EXPECT_THAT(said, HasSubstr("/objects/0/radius"));
+  EXPECT_THAT(said, HasSubstr("-1"));
+  std::ofstream(file) << "{";
+  EXPECT_THAT(refused({file}), HasSubstr("JSON"));
+}
+
+TEST_F(RenderCommand, AnUnknownSceneOrKeyExits2AndSaysWhichAreKnown) {
+  EXPECT_THAT(refused({"thesi"}), HasSubstr("thesis"));
+  EXPECT_THAT(refused({"thesis", "--key", "q"}), HasSubstr("a, d, s, w"));
+}
+
+TEST_F(RenderCommand, ABadParameterExits2NamingItAndItsRange) {
+  const std::string said = refused({"thesis", "--width", "0"});
+  EXPECT_THAT(said, HasSubstr("width"));
+  EXPECT_THAT(said, HasSubstr("from 1 to 16777216"));
+  EXPECT_THAT(refused({"thesis", "--key", "a", "--light", "1,2,3"}), HasSubstr("light"));
+  EXPECT_THAT(refused({"thesis", "--width", "4096", "--height", "4097"}),
+              HasSubstr("TIA_MAX_PIXELS"));
+  EXPECT_THAT(refused({"thesis", "--colour", "red"}), HasSubstr("--colour"));
+}
+
+TEST_F(RenderCommand, AFileThatCannotBeWrittenExits2NamingIt) {
+  const std::string file = folder_.file("no/such/folder.png");
+  const Finished end = run({"render", "thesis", "-o", file});
+  EXPECT_EQ(end.status, 2);
+  EXPECT_THAT(end.err, HasSubstr(file));
+  EXPECT_EQ(run({"render", "thesis", "-o", "/dev/full"}).status, 2);
+}
+
+}  // namespace
+}  // namespace tia::test

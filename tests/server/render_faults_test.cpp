@@ -1,0 +1,177 @@
+// Each error row of /render, asked by GET and by POST: both give the same problem document.
+#include "tests/server/support.h"
+
+namespace tia::test {
+namespace {
+
+using testing::HasSubstr;
+
+struct Row {
+  const char* law;
+  const char* json;  // the parameters; the query is made of them
+  const char* type;
+  const char* pointer;
+  const char* got;  // as JSON; "" = nothing came
+  const char* allowed;
+  const char* nearest = "";
+};
+void PrintTo(const Row& row, std::ostream* out) { *out << row.json; }
+
+class RenderFault : public testing::TestWithParam<Row> {
+ protected:
+  static Host& host() {
+    static Host shared;
+    return shared;
+  }
+};
+
+TEST_P(RenderFault, IsNamedAlikeByGetAndPost) {
+  const Row& row = GetParam();
+  const Response post = host().post("/render", row.json);
+  const Response get = host().get(std::string("/render?") + query_of(parse_json(row.json)));
+  EXPECT_EQ(get.status, 422);
+  EXPECT_EQ(get.body, post.body);
+  EXPECT_EQ(post.status, 422);
+  EXPECT_EQ(problem_of(post).type, std::string("/problems/") + row.type);
+  EXPECT_EQ(problem_of(post).instance, Host::id);
+  const ProblemError error = only_error(post);
+  EXPECT_EQ(error.pointer, row.pointer);
+  EXPECT_EQ(error.got ? to_json(*error.got) : "", row.got);
+  EXPECT_THAT(error.allowed, HasSubstr(row.allowed));
+  EXPECT_EQ(error.nearest, row.nearest);
+}
+
+TEST_P(RenderFault, IsFoundByHeadToo) {
+  EXPECT_EQ(host().head(std::string("/render?") + query_of(parse_json(GetParam().json))).status,
+            422);
+}
+
+const Row names[] = {
+    {"UnknownParameter", R"({"widh":8})", "unknown-name", "/widh", R"("widh")",
+     "scene, key, light, width, height", "width"},
+    {"UnknownParameterFarFromAny", R"({"colour":"red"})", "unknown-name", "/colour", R"("colour")",
+     "scene, key, light, width, height"},
+    {"EmptyName", R"({"":5})", "unknown-name", "/", R"("")", "width"},
+    {"NameWithSlashAndTilde", R"({"a/b~c":5})", "unknown-name", "/a~1b~0c", R"("a/b~c")", "width"},
+    {"UnknownScene", R"({"scene":"thesi"})", "unknown-name", "/scene", R"("thesi")", "thesis",
+     "thesis"},
+    {"UnknownKey", R"({"key":"q"})", "unknown-name", "/key", R"("q")", "a, d, s, w"},
+    {"EmptyKey", R"({"key":""})", "unknown-name", "/key", R"("")", "a, d, s, w"},
+    {"KeyIsCaseSensitive", R"({"key":"A"})", "unknown-name", "/key", R"("A")", "a, d, s, w"},
+    {"UnknownFormat", R"({"format":"pgn"})", "unknown-name", "/format", R"("pgn")", "png, pfm",
+     "png"},
+    {"UnknownTransfer", R"({"transfer":"srbg"})", "unknown-name", "/transfer", R"("srbg")",
+     "srgb, linear", "srgb"},
+    {"UnknownIntegrator", R"({"integrator":"thesys"})", "unknown-name", "/integrator",
+     R"("thesys")", "thesis", "thesis"},
+};
+
+const Row conflicts[] = {
+    {"KeyWithLight", R"({"key":"a","light":[1,2,3]})", "conflict", "/light", "[1,2,3]",
+     "key or light"},
+    {"LightOfTwo", R"({"light":[1,2]})", "wrong-type", "/light", "[1,2]", "3 numbers"},
+    {"LightOfWords", R"({"light":"over there"})", "wrong-type", "/light", R"("over there")",
+     "3 numbers"},
+    {"LightTooFar", R"({"light":[1,2,1e10]})", "out-of-range", "/light/2", "10000000000",
+     "1000000000"},
+    {"CropOfThree", R"({"crop":[0,0,8]})", "wrong-type", "/crop", "[0,0,8]", "4 numbers"},
+    {"CropNegative", R"({"crop":[-1,0,8,8]})", "out-of-range", "/crop/0", "-1", "from 0"},
+    {"CropFraction", R"({"crop":[0,0.5,8,8]})", "wrong-type", "/crop/1", "0.5", "an integer"},
+    {"CropEmpty", R"({"crop":[5,5,5,9]})", "out-of-range", "/crop", "[5,5,5,9]", "x0 < x1"},
+    {"CropTurnedRound", R"({"crop":[0,9,8,8]})", "out-of-range", "/crop", "[0,9,8,8]", "y0 < y1"},
+    {"CropBeyondWidth", R"({"width":8,"height":8,"crop":[0,0,9,8]})", "out-of-range", "/crop",
+     "[0,0,9,8]", "x1 <= 8"},
+    {"CropBeyondHeight", R"({"width":8,"height":8,"crop":[0,0,8,9]})", "out-of-range", "/crop",
+     "[0,0,8,9]", "y1 <= 8"},
+    {"ThreadsZero", R"({"threads":0})", "out-of-range", "/threads", "0", "from 1 to 64"},
+    {"ThreadsBeyond", R"({"threads":65})", "out-of-range", "/threads", "65", "from 1 to 64"},
+    {"SeedNegative", R"({"seed":-1})", "out-of-range", "/seed", "-1", "9007199254740991"},
+    {"SeedBeyond", R"({"seed":9007199254740992})", "out-of-range", "/seed", "9007199254740992",
+     "9007199254740991"},
+};
+
+const Row scenes[] = {
+    {"Radius", R"({"scene":{"objects":[{"type":"sphere","center":[0,0,-5],"radius":0}]}})",
+     "out-of-range", "/scene/objects/0/radius", "0", "above 0"},
+    {"MissingRadius", R"({"scene":{"objects":[{"type":"sphere","center":[0,0,-5]}]}})", "missing",
+     "/scene/objects/0/radius", "", "radius"},
+    {"MissingType", R"({"scene":{"objects":[{"center":[0,0,-5],"radius":1}]}})", "missing",
+     "/scene/objects/0/type", "", "sphere"},
+    {"ObjectType", R"({"scene":{"objects":[{"type":"spere","center":[0,0,-5],"radius":1}]}})",
+     "unknown-name", "/scene/objects/0/type", R"("spere")", "sphere", "sphere"},
+    {"SceneKey", R"({"scene":{"object":[]}})", "unknown-name", "/scene/object", R"("object")",
+     "objects", "objects"},
+    {"CameraKey", R"({"scene":{"camera":{"fov":30}}})", "unknown-name", "/scene/camera/fov",
+     R"("fov")", "fov_degrees"},
+    {"Material",
+     R"({"scene":{"materials":{"white":{}},"objects":[
+         {"type":"sphere","center":[0,0,-5],"radius":1,"material":"whit"}]}})",
+     "unknown-name", "/scene/objects/0/material", R"("whit")", "white", "white"},
+    {"LightWithoutPlace", R"({"scene":{"lights":[{"type":"point"}]}})", "missing",
+     "/scene/lights/0/position", "", "where"},
+    {"Background", R"({"scene":{"background":[0,-1,0]}})", "out-of-range", "/scene/background/1",
+     "-1", "0"},
+    {"KeyOfScene", R"({"scene":{"keys":{"x":{"light":[1,2,3]}}},"key":"a"})", "unknown-name",
+     "/key", R"("a")", "x"},
+};
+
+std::string law_of(const testing::TestParamInfo<Row>& info) { return info.param.law; }
+INSTANTIATE_TEST_SUITE_P(Names, RenderFault, testing::ValuesIn(names), law_of);
+INSTANTIATE_TEST_SUITE_P(Values, RenderFault, testing::ValuesIn(conflicts), law_of);
+INSTANTIATE_TEST_SUITE_P(Scenes, RenderFault, testing::ValuesIn(scenes), law_of);
+
+// ---- numbers: every field of pixels, swept -----------------------------------------------------
+
+struct Number {
+  const char* text;
+  const char* type;
+  const char* got;
+};
+const Number bad_sizes[] = {
+    {"0", "out-of-range", "0"},
+    {"-0", "out-of-range", "0"},
+    {"-1", "out-of-range", "-1"},
+    {"1.5", "wrong-type", "1.5"},
+    {"1.9", "wrong-type", "1.9"},
+    {"5e-324", "wrong-type", "5e-324"},
+    {"1e9", "out-of-range", "1000000000"},
+    {"16777217", "out-of-range", "16777217"},
+    {"2147483648", "out-of-range", "2147483648"},
+    {"4294967297", "out-of-range", "4294967297"},
+    {"18446744073709551617", "out-of-range", "18446744073709552000"},
+    {"1e308", "out-of-range", "1e+308"},
+    {"\"abc\"", "wrong-type", "\"abc\""},
+    {"\"8px\"", "wrong-type", "\"8px\""},
+    {"\"NaN\"", "wrong-type", "\"NaN\""},
+    {"\"Infinity\"", "wrong-type", "\"Infinity\""},
+    {"\"0x10\"", "wrong-type", "\"0x10\""},
+    {"\"\"", "wrong-type", "\"\""},
+    {"\"1e400\"", "wrong-type", "\"1e400\""},
+};
+
+class RenderSize : public testing::TestWithParam<const char*> {};
+
+TEST_P(RenderSize, RefusesWhatIsNoNumberOfPixels) {
+  Host host;
+  for (const Number& bad : bad_sizes) {
+    const std::string json = std::string("{\"").append(GetParam()) + "\":" + bad.text + "}";
+    SCOPED_TRACE(json);
+    std::string plain = bad.text;  // as a query has it: no quotes
+    std::erase(plain, '"');
+    const Response post = host.post("/render", json);
+    const Response get = host.get(std::string("/render?").append(GetParam()) + "=" + plain);
+    EXPECT_EQ(post.status, 422);
+    EXPECT_EQ(get.body, post.body);
+    EXPECT_EQ(problem_of(post).type, std::string("/problems/") + bad.type);
+    const ProblemError error = only_error(post);
+    EXPECT_EQ(error.pointer, std::string("/").append(GetParam()));
+    EXPECT_EQ(error.got ? to_json(*error.got) : "nothing", bad.got);
+    EXPECT_THAT(error.allowed, HasSubstr("an integer from 1 to 16777216 (pixels)"));
+  }
+}
+
+std::string name_of(const testing::TestParamInfo<const char*>& info) { return info.param; }
+INSTANTIATE_TEST_SUITE_P(Of, RenderSize, testing::Values("width", "height"), name_of);
+
+}  // namespace
+}  // namespace tia::test

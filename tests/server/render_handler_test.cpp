@@ -1,0 +1,187 @@
+// /render: the same request gives the same bytes, however it is asked.
+#include "tests/server/picture_support.h"
+#include "tests/server/support.h"
+
+namespace tia::test {
+namespace {
+
+Host& host() {
+  static Host shared;
+  return shared;
+}
+
+std::string thesis_text() {
+  return file_bytes(std::string(TIA_SOURCE_DIR) + "/web/scenes/thesis.json");
+}
+
+Response post(const Value& parameters) { return host().post("/render", to_json(parameters)); }
+Response get(const Value& parameters) {
+  return host().get(std::string("/render?") + query_of(parameters));
+}
+
+// The parameters, small: 37 x 23, which no tile or lane divides.
+Value small(Value::Object more = {}) {
+  more.emplace_back("width", 37);
+  more.emplace_back("height", 23);
+  return more;
+}
+
+// Every way of placing the light, with every scene, format and curve, and others in turn.
+std::vector<Value> combinations() {
+  const std::vector<Value::Object> lights{
+      {}, {{"key", "a"}}, {{"key", "w"}}, {{"light", Value::Array{-1.5, 20, 1e1}}}};
+  const Value whole = parse_json(thesis_text());
+  const std::vector<Value::Object> others{{},
+                                          {{"threads", 1}},
+                                          {{"seed", 9007199254740991.0}},
+                                          {{"integrator", "thesis"}},
+                                          {{"crop", Value::Array{3, 2, 20, 23}}}};
+  std::vector<Value> list;
+  for (const auto& light : lights)
+    for (const Value& scene : {Value(), Value("thesis"), whole})
+      for (const char* format : {"png", "pfm"})
+        for (const char* transfer : {"", "srgb", "linear"}) {
+          Value::Object all = light;
+          if (scene != Value()) all.emplace_back("scene", scene);
+          all.emplace_back("format", format);
+          if (*transfer != '\0') all.emplace_back("transfer", transfer);
+          const auto& other = others[list.size() % others.size()];
+          all.insert(all.end(), other.begin(), other.end());
+          list.push_back(small(all));
+        }
+  return list;
+}
+
+TEST(RenderHandler, GetAndPostOfTheSameRequestGiveTheSameBytes) {
+  for (const Value& parameters : combinations()) {
+    SCOPED_TRACE(query_of(parameters));
+    const Response by_get = get(parameters), by_post = post(parameters);
+    ASSERT_EQ(by_get.status, 200) << by_get.body;
+    ASSERT_EQ(by_post.status, 200) << by_post.body;
+    EXPECT_EQ(by_get.content_type, by_post.content_type);
+    EXPECT_EQ(header(by_get, "Tia-Rays"), header(by_post, "Tia-Rays"));
+    EXPECT_TRUE(by_get.body == by_post.body);
+  }
+}
+
+TEST(RenderHandler, NoParameterIsRequired) {
+  const Response response = host().get("/render");
+  EXPECT_EQ(response.status, 200);
+  EXPECT_EQ(response.content_type, "image/png");
+  const auto image = decode_png(response.body);
+  EXPECT_EQ(image.width, 640);
+  EXPECT_EQ(image.height, 480);
+  EXPECT_TRUE(host().post("/render", "{}").body == response.body);
+  EXPECT_TRUE(host().get("/render?&&").body == response.body);
+}
+
+TEST(RenderHandler, ThreadsNeverChangeTheBytes) {
+  for (const char* format : {"png", "pfm"}) {
+    const std::string query =
+        std::string("/render?key=a&width=131&height=97&format=") + format + "&threads=";
+    const std::string one = host().get(query + "1").body;
+    for (const char* threads : {"2", "7", "64"})
+      EXPECT_TRUE(host().get(query + threads).body == one) << format << threads;
+  }
+}
+
+TEST(RenderHandler, ACropIsTheWindowOfTheFullPicture) {
+  const std::string full = "/render?key=a&width=75&height=50";
+  const auto png = decode_png(host().get(full).body);
+  const auto pfm = decode_pfm(host().get(full + "&format=pfm").body);
+  const int windows[][4] = {{0, 0, 75, 50},  {0, 0, 1, 1},    {74, 49, 75, 50},
+                            {10, 7, 43, 42}, {31, 0, 34, 50}, {0, 33, 75, 34}};
+  for (const auto& [x0, y0, x1, y1] : windows) {
+    const std::string crop = "&crop=" + std::to_string(x0) + "," + std::to_string(y0) + "," +
+                             std::to_string(x1) + "," + std::to_string(y1);
+    SCOPED_TRACE(crop);
+    EXPECT_TRUE(decode_png(host().get(full + crop).body) == png.window(x0, y0, x1, y1));
+    EXPECT_TRUE(decode_pfm(host().get(full + crop + "&format=pfm").body) ==
+                pfm.window(x0, y0, x1, y1));
+  }
+}
+
+TEST(RenderHandler, ThePngHoldsThePfmThroughTheTransferCurve) {
+  const std::string lit = "/render?key=a&width=64&height=48";
+  const auto light = decode_pfm(host().get(lit + "&format=pfm").body);
+  const auto linear = decode_png(host().get(lit + "&transfer=linear").body);
+  const auto srgb = decode_png(host().get(lit + "&transfer=srgb").body);
+  ASSERT_EQ(linear.rgb.size(), light.rgb.size());
+  ASSERT_EQ(srgb.rgb.size(), light.rgb.size());
+  for (std::size_t i = 0; i < light.rgb.size(); ++i) {
+    const double v = std::min(1.0, std::max(0.0, static_cast<double>(light.rgb[i])));
+    const double curve = v <= 0.0031308 ? 12.92 * v : 1.055 * std::pow(v, 1 / 2.4) - 0.055;
+    ASSERT_NEAR(linear.rgb[i], 255 * v, 0.5 + 1e-9);
+    ASSERT_NEAR(srgb.rgb[i], 255 * curve, 0.5 + 1e-4);
+  }
+}
+
+TEST(RenderHandler, TheThesisSceneStoresLinearValues) {
+  const std::string picture = "/render?key=a&width=37&height=23";
+  EXPECT_TRUE(host().get(picture).body == host().get(picture + "&transfer=linear").body);
+  EXPECT_FALSE(host().get(picture).body == host().get(picture + "&transfer=srgb").body);
+}
+
+TEST(RenderHandler, PfmIsBeforeAnyTransferCurve) {
+  const std::string picture = "/render?key=a&width=37&height=23&format=pfm";
+  const Response response = host().get(picture);
+  EXPECT_EQ(response.content_type, "image/x-portable-floatmap");
+  EXPECT_TRUE(host().get(picture + "&transfer=srgb").body == response.body);
+}
+
+TEST(RenderHandler, AKeyIsTheLightAtItsPlace) {
+  const Value keys = at(parse_json(thesis_text()), "keys");
+  for (const auto& [key, binding] : *keys.as<Value::Object>()) {
+    SCOPED_TRACE(key);
+    const Response pressed = get(small({{"key", key}}));
+    const Response placed = get(small({{"light", at(binding, "light")}}));
+    EXPECT_EQ(pressed.status, 200);
+    EXPECT_TRUE(pressed.body == placed.body);
+    EXPECT_FALSE(pressed.body == get(small()).body);
+  }
+}
+
+TEST(RenderHandler, ALightIsReadWithAndWithoutBrackets) {
+  const std::string picture = "/render?width=37&height=23&light=";
+  const std::string body = host().get(picture + "-20,20,-10").body;
+  for (const char* light : {"[-20,20,-10]", "%5B-20,20,-10%5D", "-20%2C20%2C-10", "-2e1,20.0,-10"})
+    EXPECT_TRUE(host().get(picture + light).body == body) << light;
+}
+
+TEST(RenderHandler, ASceneInTheRequestIsTheSceneOfThatName) {
+  const Value whole = parse_json(thesis_text());
+  for (const char* key : {"a", "d", "s", "w"}) {
+    const std::string named = get(small({{"scene", "thesis"}, {"key", key}})).body;
+    EXPECT_TRUE(get(small({{"scene", whole}, {"key", key}})).body == named);
+    EXPECT_TRUE(post(small({{"scene", whole}, {"key", key}})).body == named);
+  }
+}
+
+TEST(RenderHandler, DefaultKeysApplyToASceneThatNamesNone) {
+  const Value scene = parse_json(R"({"objects":[{"type":"sphere","center":[0,0,-5],"radius":1}]})");
+  std::vector<std::string> pictures{get(small({{"scene", scene}})).body};
+  for (const char* key : {"a", "d", "s", "w"})
+    pictures.push_back(get(small({{"scene", scene}, {"key", key}})).body);
+  std::sort(pictures.begin(), pictures.end());
+  EXPECT_EQ(std::unique(pictures.begin(), pictures.end()), pictures.end());
+}
+
+TEST(RenderHandler, APatchKeyChangesTheSceneByMergePatch) {
+  const Value scene = parse_json(
+      R"({"background":0.25,"keys":{"n":{"background":0.75,"options":{"transfer":"linear"}}}})");
+  const auto before = decode_png(get(small({{"scene", scene}})).body);
+  const auto after = decode_png(get(small({{"scene", scene}, {"key", "n"}})).body);
+  EXPECT_EQ(before.at(5, 5, 0), 137);  // sRGB of 0.25
+  EXPECT_EQ(after.at(5, 5, 0), 191);   // 0.75 * 255, linear
+}
+
+TEST(RenderHandler, APatchThatLeavesNoSceneIsAFaultOfTheKey) {
+  const Value scene = parse_json(R"({"keys":{"n":{"background":-1}}})");
+  const Response response = get(small({{"scene", scene}, {"key", "n"}}));
+  EXPECT_EQ(response.status, 422);
+  const std::string pointer = only_error(response).pointer;  // into the request
+  EXPECT_TRUE(pointer.starts_with("/key") || pointer.starts_with("/scene/keys/n/")) << pointer;
+}
+
+}  // namespace
+}  // namespace tia::test

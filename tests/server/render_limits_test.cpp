@@ -1,0 +1,94 @@
+// What a picture may ask for at most, and how many faults an answer names.
+#include "tests/server/support.h"
+
+namespace tia::test {
+namespace {
+
+using testing::HasSubstr;
+
+Host& host() {
+  static Host shared;
+  return shared;
+}
+
+TEST(RenderLimits, APictureOf16777216PixelsIsDrawn) {
+  for (const char* size :
+       {"width=4096&height=4096", "width=16777216&height=1", "width=1&height=16777216"}) {
+    SCOPED_TRACE(size);
+    EXPECT_EQ(host().head(std::string("/render?").append(size)).status, 200);
+    EXPECT_EQ(host().get(std::string("/render?").append(size) + "&crop=0,0,1,1").status, 200);
+  }
+}
+
+TEST(RenderLimits, OneRowMoreNamesTheLimitAndItsOption) {
+  const char* const json = R"({"width":4096,"height":4097})";
+  const Response post = host().post("/render", json);
+  EXPECT_EQ(post.status, 422);
+  EXPECT_EQ(host().get("/render?width=4096&height=4097").body, post.body);
+  EXPECT_EQ(host().head("/render?width=4096&height=4097").status, 422);
+  EXPECT_EQ(problem_of(post).type, "/problems/limit");
+  const ProblemError error = only_error(post);
+  EXPECT_EQ(error.pointer, "/width");
+  ASSERT_TRUE(error.got);
+  EXPECT_EQ(*error.got, Value(4096.0 * 4097));
+  EXPECT_THAT(error.allowed, HasSubstr("16777216"));
+  EXPECT_THAT(error.allowed, HasSubstr("TIA_MAX_PIXELS"));
+}
+
+TEST(RenderLimits, AWindowDoesNotMakeALargePictureSmall) {
+  EXPECT_EQ(host().get("/render?width=4096&height=4097&crop=0,0,1,1").status, 422);
+}
+
+TEST(RenderLimits, TheProductOfTwoLargestSidesDoesNotWrapRound) {
+  EXPECT_EQ(host().get("/render?width=16777216&height=16777216").status, 422);
+  EXPECT_EQ(host().get("/render?width=65536&height=65536").status, 422);  // 2^32
+}
+
+TEST(RenderLimits, MaxPixelsIsTheOptionsNotAConstant) {
+  Config config;
+  config.max_pixels = 48;
+  Host small(config);
+  EXPECT_EQ(small.get("/render?width=8&height=6").status, 200);
+  const Response beyond = small.get("/render?width=7&height=7");
+  EXPECT_EQ(beyond.status, 422);
+  EXPECT_THAT(only_error(beyond).allowed, HasSubstr("48"));
+}
+
+TEST(RenderLimits, AllFaultsAreNamedAtOnce) {
+  const Problem problem = problem_of(host().get("/render?width=0&height=abc&widh=8&format=gif"));
+  std::vector<std::string> pointers;
+  for (const ProblemError& error : problem.errors) pointers.push_back(error.pointer);
+  EXPECT_THAT(pointers, testing::UnorderedElementsAre("/width", "/height", "/widh", "/format"));
+  EXPECT_THAT(problem.detail, HasSubstr("4 faults"));
+}
+
+TEST(RenderLimits, TwentyFaultsAreNamedAndNoMore) {
+  std::string nineteen, many;
+  for (int i = 0; i < 500; ++i) {
+    if (i == 19) nineteen = many;
+    many += "&no" + std::to_string(i) + "=";
+  }
+  EXPECT_EQ(problem_of(host().get(std::string("/render?") + nineteen)).errors.size(), 19U);
+  EXPECT_EQ(problem_of(host().get(std::string("/render?") + many)).errors.size(), 20U);
+}
+
+TEST(RenderLimits, AnAnswerDoesNotEchoALongValue) {
+  const std::string body = R"({"scene":")" + std::string(500'000, 'x') + R"("})";
+  const Response response = host().post("/render", body);
+  EXPECT_EQ(response.status, 422);
+  EXPECT_EQ(only_error(response).pointer, "/scene");
+  EXPECT_LT(response.body.size(), 2000U);
+}
+
+TEST(RenderLimits, AStoppedRenderIs503Draining) {
+  std::stop_source stop;
+  Host stopped({}, stop.get_token());
+  EXPECT_EQ(stopped.get("/render?width=8&height=8").status, 200);
+  stop.request_stop();
+  const Response response = stopped.get("/render?width=8&height=8");
+  EXPECT_EQ(response.status, 503);
+  EXPECT_EQ(problem_of(response).type, "/problems/draining");
+}
+
+}  // namespace
+}  // namespace tia::test

@@ -1,0 +1,106 @@
+// Methods and paths: 404, 405 with Allow, 414.
+#include "tests/server/support.h"
+
+namespace tia::test {
+namespace {
+
+using testing::HasSubstr;
+
+Host& host() {
+  static Host shared;
+  return shared;
+}
+
+constexpr const char* methods[] = {"GET",   "HEAD",   "POST",    "PUT",
+                                   "PATCH", "DELETE", "OPTIONS", "TRACE"};
+
+struct Path {
+  const char* law;
+  const char* path;
+  const char* allow;
+};
+void PrintTo(const Path& path, std::ostream* out) { *out << path.path; }
+
+class Allow : public testing::TestWithParam<Path> {};
+
+TEST_P(Allow, NamesTheMethodsThatThePathTakes) {
+  const std::string allow = GetParam().allow;
+  for (const char* method : methods) {
+    SCOPED_TRACE(method);
+    const Response response = host().ask(method, GetParam().path, "{}");
+    const bool taken =
+        (std::string(", ") + allow + ",").find(std::string(", ") + method + ",") != allow.npos;
+    if (taken) {
+      EXPECT_EQ(response.status, 200) << response.body;
+      continue;
+    }
+    EXPECT_EQ(response.status, 405);
+    EXPECT_EQ(header(response, "Allow"), allow);
+    const Problem problem = problem_of(response);
+    EXPECT_EQ(problem.type, "/problems/method");
+    EXPECT_THAT(problem.detail, HasSubstr(method));
+    EXPECT_THAT(problem.detail, HasSubstr(allow));
+  }
+}
+
+std::string law_of(const testing::TestParamInfo<Path>& info) { return info.param.law; }
+INSTANTIATE_TEST_SUITE_P(Of, Allow,
+                         testing::Values(Path{"Page", "/", "GET, HEAD"},
+                                         Path{"Render", "/render", "GET, HEAD, POST"},
+                                         Path{"Scenes", "/scenes", "GET, HEAD"},
+                                         Path{"Scene", "/scenes/thesis", "GET, HEAD"},
+                                         Path{"Schema", "/schema/scene.json", "GET, HEAD"},
+                                         Path{"Health", "/healthz", "GET, HEAD"},
+                                         Path{"Version", "/version", "GET, HEAD"},
+                                         Path{"PageFile", "/style.css", "GET, HEAD"}),
+                         law_of);
+
+TEST(Routes, AnUnknownPathIs404ForEveryMethod) {
+  for (const char* path : {"/nowhere", "/renderer", "/render/", "/Render", "/docs/index.html",
+                           "/scenes/", "/scenes/a/b", "/schema", "/style.css/", "/web/style.css"})
+    for (const char* method : methods) {
+      SCOPED_TRACE(std::string(method) + " " + path);
+      const Response response = host().ask(method, path, "{}");
+      EXPECT_EQ(response.status, 404);
+      EXPECT_EQ(problem_of(response).type, "/problems/not-found");
+    }
+}
+
+TEST(Routes, NoPathLeadsToAFileOfTheMachine) {
+  for (const char* path : {"/../etc/passwd", "/..%2f..%2fetc/passwd", "/%2e%2e/%2e%2e/etc/passwd",
+                           "//etc/passwd", "/scenes/..%2f..%2fetc%2fpasswd", "/./style.css",
+                           "/scenes/%2e%2e", "/style.css%00.js", "/etc/passwd", "/.git/config"}) {
+    SCOPED_TRACE(path);
+    EXPECT_EQ(host().get(path).status, 404);
+  }
+}
+
+TEST(Routes, AnUnknownSceneIs404AndNamesTheKnownOnes) {
+  const Response response = host().get("/scenes/thesi");
+  EXPECT_EQ(response.status, 404);
+  EXPECT_EQ(problem_of(response).type, "/problems/not-found");
+  EXPECT_THAT(problem_of(response).detail, HasSubstr("thesis"));
+}
+
+// A URL of that many bytes, filled up with empty parameters.
+std::string url_of(std::size_t bytes) {
+  std::string target = "/render?width=8&height=8";
+  return target.append(bytes - target.size(), '&');
+}
+
+TEST(Routes, AUrlOf4KiBIsReadAndOneByteMoreIs414NamingThePostForm) {
+  EXPECT_EQ(host().get(url_of(4096)).status, 200);
+  const Response response = host().get(url_of(4097));
+  EXPECT_EQ(response.status, 414);
+  EXPECT_THAT(problem_of(response).detail, HasSubstr("4096"));
+  EXPECT_THAT(problem_of(response).detail, HasSubstr("POST /render"));
+}
+
+TEST(Routes, ALongPathIs414Too) {
+  EXPECT_EQ(host().get(std::string("/") + std::string(4095, 'a')).status, 404);
+  EXPECT_EQ(host().get(std::string("/") + std::string(4096, 'a')).status, 414);
+  EXPECT_EQ(host().ask("POST", std::string("/") + std::string(1 << 20, 'a')).status, 414);
+}
+
+}  // namespace
+}  // namespace tia::test

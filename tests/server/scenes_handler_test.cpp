@@ -1,0 +1,82 @@
+// /scenes, /schema/scene.json, /version, /healthz.
+#include "core/core.h"
+#include "tests/server/support.h"
+
+namespace tia::test {
+namespace {
+
+Host& host() {
+  static Host shared;
+  return shared;
+}
+
+Value json_of(const Response& response) {
+  EXPECT_EQ(response.status, 200);
+  return parse_json(response.body);
+}
+
+TEST(Scenes, TheListNamesEverySceneOfTheGallery) {
+  const Response response = host().get("/scenes");
+  EXPECT_EQ(response.content_type, "application/json");
+  const Value list = at(json_of(response), "scenes");
+  ASSERT_EQ(list.as<Value::Array>()->size(), host().gallery().scenes().size());
+  for (const Value& entry : *list.as<Value::Array>()) {
+    const Scene* scene = host().gallery().find(text_at(entry, "name"));
+    ASSERT_NE(scene, nullptr);
+    EXPECT_EQ(text_at(entry, "title"), scene->title);
+    EXPECT_EQ(host().get("/scenes/" + url_encode(text_at(entry, "name"))).status, 200);
+  }
+}
+
+TEST(Scenes, TheThesisIsAmongThem) {
+  EXPECT_EQ(text_at(json_of(host().get("/scenes/thesis")), "title"), "Two balls");
+}
+
+TEST(Scenes, ASceneIsItsCanonicalTextWhichIsAFixedPoint) {
+  for (const auto& [name, scene] : host().gallery().scenes()) {
+    SCOPED_TRACE(name);
+    const Response response = host().get("/scenes/" + name);
+    EXPECT_EQ(response.content_type, "application/json");
+    EXPECT_EQ(response.body, to_json(parse_json(response.body)));  // RFC 8785
+    const Scene again = read_scene(response.body);
+    EXPECT_EQ(again, scene);
+    EXPECT_EQ(canonical_text(again), response.body);
+  }
+}
+
+TEST(Scenes, CanonicalTextDoesNotDependOnOrderSpaceOrDefaults) {
+  const Scene terse = read_scene(R"({"title":"x","background":[0.5,0.5,0.5]})");
+  const Scene wordy = read_scene(
+      " { \"background\" : 5e-1 , \"lights\":[], \"objects\": [ ],\n\t\"title\":\"\\u0078\" } ");
+  EXPECT_EQ(canonical_text(terse), canonical_text(wordy));
+}
+
+TEST(Schema, IsJsonSchemaOfTheScenesOwnFields) {
+  const Response response = host().get("/schema/scene.json");
+  EXPECT_EQ(response.content_type, "application/schema+json");
+  const Value schema = json_of(response);
+  EXPECT_EQ(text_at(schema, "$schema"), "https://json-schema.org/draft/2020-12/schema");
+  EXPECT_EQ(text_at(schema, "type"), "object");
+  EXPECT_EQ(at(schema, "additionalProperties"), Value(false));
+  const Value scene = parse_json(host().get("/scenes/thesis").body);
+  for (const auto& [name, value] : *scene.as<Value::Object>())
+    EXPECT_FALSE(text_at(at(at(schema, "properties"), name), "description").empty()) << name;
+}
+
+TEST(Version, NamesTheVersionAndAllThatTheBytesDependOn) {
+  const Response response = host().get("/version");
+  EXPECT_EQ(response.content_type, "application/json");
+  const Value build = json_of(response);
+  EXPECT_EQ(text_at(build, "version"), version());
+  EXPECT_EQ(text_at(build, "bytes"), full_version());
+  EXPECT_NE(full_version().find("libdeflate"), std::string::npos);
+}
+
+TEST(Health, IsOkAndNeverStored) {
+  const Response response = host().get("/healthz");
+  EXPECT_EQ(text_at(json_of(response), "status"), "ok");
+  EXPECT_EQ(header(response, "Cache-Control"), "no-store");
+}
+
+}  // namespace
+}  // namespace tia::test
