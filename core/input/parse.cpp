@@ -31,7 +31,7 @@ class Builder final : public nlohmann::json_sax<Json> {
   bool end_array() override { return close(); }
 
   bool key(std::string& name) override {
-    open_.back()->as<Value::Object>()->emplace_back().first = std::move(name);
+    open_.back()->as<Value::Object>()->emplace_back(std::move(name), Value());
     return true;
   }
 

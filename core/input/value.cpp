@@ -31,8 +31,9 @@ Value merge_patch(Value target, const Value& patch) {
   if (target.as<Value::Object>() == nullptr) target = Value::Object{};
   auto& members = *target.as<Value::Object>();
   for (const auto& [key, change] : *changes) {
-    const auto same_key = [&](const Value::Member& m) { return m.first == key; };
-    const auto at = std::find_if(members.begin(), members.end(), same_key);
+    const auto at = std::find_if(members.begin(), members.end(), [&name = key](const auto& member) {
+      return member.first == name;
+    });
     const bool present = at != members.end();
     if (change.as<std::nullptr_t>() != nullptr) {
       if (present) members.erase(at);
