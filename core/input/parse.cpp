@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstdint>
 #include <nlohmann/json.hpp>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 #include "core/input/errors.h"
@@ -31,7 +33,9 @@ class Builder final : public nlohmann::json_sax<Json> {
   bool end_array() override { return close(); }
 
   bool key(std::string& name) override {
-    open_.back()->as<Value::Object>()->emplace_back(std::move(name), Value());
+    auto& members = *open_.back()->as<Value::Object>();
+    members.emplace_back(std::piecewise_construct, std::forward_as_tuple(std::move(name)),
+                         std::tuple());
     return true;
   }
 
