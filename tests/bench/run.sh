@@ -1,0 +1,105 @@
+#!/usr/bin/env bash
+# Measures Tia beside its yardsticks in one run and prints ratios, which travel between machines;
+# times do not. Takes about a minute; run it on a machine that does nothing else.
+# POV-Ray and Tachyon take part where they are installed (apt-get install povray tachyon).
+set -euo pipefail
+ROOT=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
+cd "$ROOT"
+. server/setup.sh
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+
+{
+  install_missing build
+  install_missing bench
+  cmake --preset release -DTIA_BENCH=ON
+  cmake --build --preset release --target tia tia_bench
+} > "$scratch/log" 2>&1 || { cat "$scratch/log"; exit 1; }
+
+# Lines "NAME VALUE", times in ms.
+measured=$scratch/measured
+note() { echo "$1 $2" >> "$measured"; }
+value() { awk -v name="$1" '$1 == name { print $2 }' "$measured"; }
+median() { sort -n | awk '{ v[NR] = $1 } END { print v[int((NR + 1) / 2)] }'; }
+repeat() { for _ in 1 2 3 4 5 6 7 8 9; do "$@"; done | median; }
+
+# The medians of all repetitions as trace:640:480:1 and the like, counters after a point. The
+# library writes JSON with one member a line.
+benchmarks() {
+  build/release/tests/tia_bench --benchmark_repetitions=9 --benchmark_min_time=0.1 \
+    --benchmark_enable_random_interleaving=true --benchmark_report_aggregates_only=true \
+    --benchmark_format=json 2> "$scratch/log" |
+    awk -F '"' '
+      { number = $3; gsub(/[:, ]/, "", number) }
+      $2 == "run_name" {
+        name = $4
+        gsub(/\/(real_time|iterations:[0-9]+)/, "", name)
+        gsub(/\/[a-z]+:/, ":", name)
+      }
+      $2 == "aggregate_name" { wanted = $4 == "median" }
+      wanted && $2 == "real_time" { print name, number / 1e6 }
+      wanted && $2 ~ /^(bytes|median_ms|p99_ms|work_ms)$/ { print name "." $2, number }
+    ' >> "$measured"
+}
+
+pov_ray() {
+  povray "+I$ROOT/tests/bench/peers/thesis.pov" +W640 +H480 -A -D -F +WT2 2>&1 |
+    sed -nE 's/.*Trace Time:.*\(([0-9.]+) seconds\).*/\1/p' | awk '{ print 1000 * $1 }'
+}
+tachyon_mt() {
+  tachyon "$ROOT/tests/bench/peers/thesis.dat" -numthreads 2 -format PPM -o "$scratch/t.ppm" |
+    sed -nE 's/.*Ray Tracing Time: *([0-9.]+) seconds.*/\1/p' | awk '{ print 1000 * $1 }'
+}
+peers() {
+  if command -v povray > /dev/null; then note pov-ray "$(repeat pov_ray)"; fi
+  if command -v tachyon > /dev/null; then note tachyon "$(repeat tachyon_mt)"; fi
+}
+
+# From the start of the process to the first picture's last byte, and the memory that it rests at.
+start() {
+  local from url pid
+  from=$(date +%s%N)
+  coproc build/release/tia serve --port 0
+  pid=$COPROC_PID
+  read -r url <&"${COPROC[0]}"
+  curl -s -o /dev/null "${url##* }/render?key=a"
+  echo $((($(date +%s%N) - from) / 1000)) | awk '{ print $1 / 1000 }'
+  awk '/VmRSS/ { print $2 / 1024 }' "/proc/$pid/status" > "$scratch/rss"
+  kill "$pid"
+  wait "$pid"
+}
+
+row() {  # row WHAT VALUE UNIT RATIO-OF TO TARGET
+  awk -v what="$1" -v value="$2" -v unit="$3" -v yard="$4" -v name="$5" -v target="$6" 'BEGIN {
+    if (value == "" || yard == "") exit
+    printf "| %s | %.4g %s | %.3g x %s | %s |\n", what, value, unit, value / yard, name, target }'
+}
+
+table() {
+  local trace1 trace2 base png stb bound
+  trace1=$(value trace:640:480:1) trace2=$(value trace:640:480:2) base=$(value baseline)
+  png=$(value png) stb=$(value png_of_stb)
+  bound=$(value key_to_png.work_ms | awk '{ print 1.5 * $1 + 0.5 }')
+  echo "| what | measured | ratio | target |"
+  echo "|---|---:|---:|---:|"
+  row "tracing, 2 threads" "$trace2" ms "$base" "scalar baseline ($base ms)" "1/6 = 0.167"
+  row "tracing, 1 thread" "$trace1" ms "$base" "scalar baseline" ""
+  row "tracing 1920x1080, 2 threads" "$(value trace:1920:1080:2)" ms "$trace2" "640x480" "7.5"
+  row "PNG" "$png" ms "$stb" "stb_image_write as it comes ($stb ms)" "1/4"
+  row "PNG" "$(value png.bytes)" bytes "$(value png_of_stb.bytes)" "stb's" "1"
+  row "key to PNG, keep-alive, median" "$(value key_to_png.median_ms)" ms "$bound" \
+    "1.5 (tracing + PNG) + 0.5 ms" "1"
+  row "key to PNG, keep-alive, 99 %" "$(value key_to_png.p99_ms)" ms \
+    "$(value key_to_png.median_ms)" "median" "2"
+  row "start to first picture" "$(value start)" ms 200 "200 ms" "1"
+  row "memory after it" "$(value rss)" MiB 30 "30 MiB" "1"
+  row "POV-Ray, tracing, 2 threads" "$(value pov-ray)" ms "$trace2" "Tia's" ""
+  row "Tachyon, tracing, 2 threads" "$(value tachyon)" ms "$trace2" "Tia's" ""
+}
+
+benchmarks
+peers
+note start "$(repeat start)"
+note rss "$(cat "$scratch/rss")"
+grep -m 1 'model name' /proc/cpuinfo | sed 's/.*: //'
+table

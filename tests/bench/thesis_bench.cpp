@@ -1,0 +1,139 @@
+// The thesis' picture with key a: tracing, PNG, and both over a connection that is kept open.
+// Ratios between rows of one run mean something; times alone drift with the machine.
+#include <benchmark/benchmark.h>
+#include <httplib.h>
+
+#include <algorithm>
+#include <chrono>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "server/http/http_server.h"
+#include "server/routes.h"
+#include "tests/bench/baseline.h"
+#include "tests/bench/stb_png.h"
+
+namespace tia::bench {
+namespace {
+
+using benchmark::State;
+
+Scene lit_scene() {
+  static const server::Gallery gallery;
+  return press(*gallery.find("thesis"), "a");
+}
+
+Pool& pool() {
+  static Pool two(2);
+  return two;
+}
+
+Image8 traced(int width, int height, int threads) {
+  const Scene scene = lit_scene();
+  const World world = compile(scene);
+  const View view = view_of(scene.camera, width, height);
+  DisplayFilm film(width, height, Transfer::linear);
+  render(world, view, {0, 0, width, height}, {.threads = threads}, pool(), {},
+         [&](const Block& block) { film.put(block); });
+  return film.image();
+}
+
+// ---- tracing: of the baseline to linear floats, of Tia to the picture's codes ------------------
+
+void baseline(State& state) {
+  const std::vector<Ball> balls{
+      {{0, 0, -20}, 4, 16, {1, 1, 1}, {}},
+      {{0, -10004, -20}, 10000, 1e8F, {0.2F, 0.2F, 0.2F}, {}},
+      {{-20, 20, -10}, 3, 9, {}, {1, 1, 1}},
+  };
+  std::vector<Vec3f> picture(640 * 480);
+  for (auto _ : state) {
+    render(balls, 640, 480, picture);
+    benchmark::DoNotOptimize(picture.data());
+  }
+}
+BENCHMARK(baseline)->UseRealTime();
+
+void trace(State& state) {
+  const int width = static_cast<int>(state.range(0)), height = static_cast<int>(state.range(1));
+  const int threads = static_cast<int>(state.range(2));
+  const Scene scene = lit_scene();
+  const World world = compile(scene);
+  const View view = view_of(scene.camera, width, height);
+  DisplayFilm film(width, height, Transfer::linear);
+  for (auto _ : state)
+    render(world, view, {0, 0, width, height}, {.threads = threads}, pool(), {},
+           [&](const Block& block) { film.put(block); });
+}
+BENCHMARK(trace)
+    ->ArgNames({"width", "height", "threads"})
+    ->Args({640, 480, 1})
+    ->Args({640, 480, 2})
+    ->Args({1920, 1080, 2})
+    ->UseRealTime();
+
+// ---- PNG --------------------------------------------------------------------------------------
+
+void png(State& state) {
+  const Image8 image = traced(640, 480, 2);
+  std::size_t bytes = 0;
+  for (auto _ : state) bytes = encode_png(image).size();
+  state.counters["bytes"] = static_cast<double>(bytes);
+}
+BENCHMARK(png)->UseRealTime();
+
+void png_of_stb(State& state) {
+  const Image8 image = traced(640, 480, 2);
+  std::size_t bytes = 0;
+  for (auto _ : state) bytes = stb_png_bytes(image);
+  state.counters["bytes"] = static_cast<double>(bytes);
+}
+BENCHMARK(png_of_stb)->UseRealTime();
+
+// ---- key to PNG over loopback -----------------------------------------------------------------
+
+double quantile(std::vector<double> values, double q) {
+  std::sort(values.begin(), values.end());
+  return values[static_cast<std::size_t>(q * static_cast<double>(values.size() - 1))];
+}
+
+// The time of a phase in a Server-Timing header, ms.
+double phase(const std::string& header, const std::string& name) {
+  const std::string start = name + ";dur=";
+  return std::stod(header.substr(header.find(start) + start.size()));
+}
+
+// A server of our own process, asked for one key after the other by the library's client.
+void key_to_png(State& state) {
+  const server::Config config;
+  const server::Gallery gallery;
+  server::Service service{config, {gallery, pool(), {}}, {}};
+  server::HttpServer http({"127.0.0.1", 0, 1 << 20},
+                          [&](const server::Request& r) { return server::answer(r, service); });
+  std::jthread running([&] { http.run(); });
+  httplib::Client client("127.0.0.1", http.port());
+  client.set_keep_alive(true);
+  client.set_tcp_nodelay(true);
+
+  std::vector<double> total, work;
+  std::size_t next = 0;
+  for (auto _ : state) {
+    const auto start = std::chrono::steady_clock::now();
+    const auto answer = client.Get(std::string("/render?key=") + "adsw"[next++ % 4]);
+    const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - start;
+    if (!answer || answer->status != 200) return state.SkipWithError("no picture came");
+    const std::string timing = answer->get_header_value("Server-Timing");
+    total.push_back(took.count());
+    work.push_back(phase(timing, "trace") + phase(timing, "encode"));
+  }
+  state.counters["median_ms"] = quantile(total, 0.5);
+  state.counters["p99_ms"] = quantile(total, 0.99);
+  state.counters["work_ms"] = quantile(work, 0.5);
+  client.stop();
+  http.stop();
+}
+BENCHMARK(key_to_png)->UseRealTime()->Iterations(400);
+
+}  // namespace
+}  // namespace tia::bench
