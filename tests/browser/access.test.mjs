@@ -2,23 +2,13 @@
 // themes, the accessibility rules that a machine can check.
 
 import assert from 'node:assert/strict';
-import { after, before, test } from 'node:test';
+import { test } from 'node:test';
 import axe from 'axe-core';
-import { STATUS, startChromium, told, visit } from './page.mjs';
-import { HANG_UP, throughProxy } from './proxy.mjs';
-import { startTia } from './tia.mjs';
+import { STATUS, told } from './page.mjs';
+import { HANG_UP } from './proxy.mjs';
+import { stage } from './stage.mjs';
 
-let tia;
-let browser;
-before(async () => ([tia, browser] = await Promise.all([startTia(), startChromium()])));
-after(async () => {
-  await browser?.close();
-  await tia?.stop();
-});
-
-const look = (body, options) => visit(browser, tia.base, body, options);
-const proxied = (body, options) =>
-  throughProxy(tia.base, (proxy) => visit(browser, proxy.base, (page) => body(page, proxy), options));
+const { look, proxied } = stage();
 const everywhere = (page) => page.getByRole('checkbox', { name: 'Keys work everywhere on the page' });
 
 // Puts the light far by a press on the picture: what was asked before it has been asked by then.

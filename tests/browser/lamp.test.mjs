@@ -5,10 +5,10 @@ import { execFile } from 'node:child_process';
 import { mkdtemp, readFile, rm } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
-import { after, before, test } from 'node:test';
+import { test } from 'node:test';
 import { promisify } from 'node:util';
-import { STATUS, answerTo, pathOf, shows, startChromium, told, visit } from './page.mjs';
-import { startTia } from './tia.mjs';
+import { STATUS, answerTo, pathOf, shows, told } from './page.mjs';
+import { stage } from './stage.mjs';
 
 const run = promisify(execFile);
 const BUTTONS = {
@@ -19,21 +19,14 @@ const BUTTONS = {
   Escape: 'Light off',
 };
 
-let tia;
-let browser;
-before(async () => ([tia, browser] = await Promise.all([startTia(), startChromium()])));
-after(async () => {
-  await browser?.close();
-  await tia?.stop();
-});
-
-const look = (body, options) => visit(browser, tia.base, body, options);
+const on = stage();
+const { look } = on;
 
 async function asksAndShows(page, action, path, words) {
   const answer = await answerTo(page, action);
   const { pathname, search } = new URL(answer.url());
   assert.equal(pathname + search, path);
-  const direct = await tia.get(path);
+  const direct = await on.tia.get(path);
   assert.ok((await answer.body()).equals(direct), 'the very bytes of the path');
   await told(page, words);
   assert.ok(await shows(page, direct), 'the very pixels on the page');
@@ -51,7 +44,7 @@ const fields = (page) => page.locator('#light input').evaluateAll((all) => all.m
 test('the page opens on the unlit picture, asked for once, with the picture in focus', () =>
   look(async (page, { asked }) => {
     assert.deepEqual(asked, ['/render']);
-    assert.ok(await shows(page, await tia.get('/render')));
+    assert.ok(await shows(page, await on.tia.get('/render')));
     assert.equal(await page.evaluate(() => document.activeElement.id), 'picture');
     assert.deepEqual(await fields(page), ['', '', '']);
     assert.deepEqual(await page.locator('#picture').evaluate((it) => [it.naturalWidth, it.naturalHeight]), [640, 480]);
@@ -88,7 +81,7 @@ test('a key fills the position in; a typed position at the same place shows the 
     assert.deepEqual(await fields(page), ['20', '20', '-10']);
     const again = () => page.getByRole('button', { name: 'Move the lamp' }).click();
     await asksAndShows(page, again, '/render?light=20,20,-10', 'Light at 20, 20, -10.');
-    assert.ok(await shows(page, await tia.get('/render?key=d')));
+    assert.ok(await shows(page, await on.tia.get('/render?key=d')));
   }));
 
 test('a typed position is sent once, by Enter as by leaving the field', () =>
@@ -175,12 +168,12 @@ test('the curl line runs in a shell as it stands and fetches the picture shown',
       for (const [file, path, action, words] of states) {
         await asksAndShows(page, action, path, words);
         const line = await page.locator('#curl').innerText();
-        assert.equal(line, `curl -o ${file} '${tia.base}${path}'`);
+        assert.equal(line, `curl -o ${file} '${on.tia.base}${path}'`);
         await page.getByRole('button', { name: 'Copy the curl line' }).click();
         await page.getByText(`Copied: ${line}`).waitFor();
         assert.equal(await page.evaluate(() => navigator.clipboard.readText()), line);
         await run('sh', ['-c', line], { cwd: folder });
-        assert.ok((await readFile(join(folder, file))).equals(await tia.get(path)), line);
+        assert.ok((await readFile(join(folder, file))).equals(await on.tia.get(path)), line);
         await page.locator('#picture').focus();
       }
     }, { permissions: ['clipboard-read', 'clipboard-write'] });

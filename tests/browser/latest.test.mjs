@@ -1,21 +1,12 @@
 // Latest wins: what the page asks for, and what it shows meanwhile, when pictures come slowly.
 
 import assert from 'node:assert/strict';
-import { after, before, test } from 'node:test';
-import { STATUS, shows, startChromium, told, visit } from './page.mjs';
-import { throughProxy } from './proxy.mjs';
-import { startTia } from './tia.mjs';
+import { test } from 'node:test';
+import { STATUS, shows, told } from './page.mjs';
+import { stage } from './stage.mjs';
 
-let tia;
-let browser;
-before(async () => ([tia, browser] = await Promise.all([startTia(), startChromium()])));
-after(async () => {
-  await browser?.close();
-  await tia?.stop();
-});
-
-const slowly = (body, options) =>
-  throughProxy(tia.base, (proxy) => visit(browser, proxy.base, (page) => body(page, proxy), options));
+const on = stage();
+const slowly = on.proxied;
 
 async function press(page, keys) {
   for (const key of keys) await page.keyboard.press(key);
@@ -31,7 +22,7 @@ test('under a slow server one picture is under way, the newest wish follows, tho
     await told(page, STATUS.w);
     assert.deepEqual(proxy.asked, ['/render', '/render?key=a', '/render?key=w']);
     assert.equal(proxy.most, 1);
-    assert.ok(await shows(page, await tia.get('/render?key=w')));
+    assert.ok(await shows(page, await on.tia.get('/render?key=w')));
   }));
 
 test('a quick hand over a fast server never has two pictures under way, and ends on its last key', () =>
@@ -40,7 +31,7 @@ test('a quick hand over a fast server never has two pictures under way, and ends
     await told(page, STATUS.w);
     assert.equal(proxy.most, 1);
     assert.equal(proxy.asked.at(-1), '/render?key=w');
-    assert.ok(await shows(page, await tia.get('/render?key=w')));
+    assert.ok(await shows(page, await on.tia.get('/render?key=w')));
   }));
 
 test('a key held down asks once', () =>
@@ -62,7 +53,7 @@ test('the old picture stays while the new one is on its way, and the wait is tol
     await proxy.arrived(3);
     await told(page, 'Rendering\u2026');
     assert.equal(await page.locator('#frame').getAttribute('aria-busy'), 'true');
-    assert.ok(await shows(page, await tia.get('/render?key=a')));
+    assert.ok(await shows(page, await on.tia.get('/render?key=a')));
     proxy.release();
     await told(page, STATUS.d);
     assert.equal(await page.locator('#frame').getAttribute('aria-busy'), 'false');
@@ -82,7 +73,7 @@ function holdDecoding() {
 
 test('the old picture stays until the new one is decoded', () =>
   slowly(async (page) => {
-    const unlit = await tia.get('/render');
+    const unlit = await on.tia.get('/render');
     await page.evaluate(() => {
       globalThis.holdDecoding();
       globalThis.decoding = false;
@@ -95,7 +86,7 @@ test('the old picture stays until the new one is decoded', () =>
     await told(page, STATUS.a);
     assert.notEqual(await page.locator('#picture').getAttribute('src'), source);
     assert.ok(!(await shows(page, unlit)));
-    assert.ok(await shows(page, await tia.get('/render?key=a')));
+    assert.ok(await shows(page, await on.tia.get('/render?key=a')));
   }, { init: holdDecoding }));
 
 // Looks at the picture in every frame and counts those in which it is not there.

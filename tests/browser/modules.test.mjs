@@ -1,19 +1,10 @@
 // The page's pure modules, called in the browser that runs them.
 
 import assert from 'node:assert/strict';
-import { after, before, test } from 'node:test';
-import { startChromium, visit } from './page.mjs';
-import { startTia } from './tia.mjs';
+import { test } from 'node:test';
+import { stage } from './stage.mjs';
 
-let tia;
-let browser;
-before(async () => ([tia, browser] = await Promise.all([startTia(), startChromium()])));
-after(async () => {
-  await browser?.close();
-  await tia?.stop();
-});
-
-const inPage = (body) => visit(browser, tia.base, async (page) => body(page));
+const { look: inPage } = stage();
 
 // Calls `name` of `module` with each of the argument lists.
 const calls = (page, module, name, lists) =>

@@ -1,24 +1,15 @@
 // When things go wrong: what the page says, and that it goes on.
 
 import assert from 'node:assert/strict';
-import { after, before, test } from 'node:test';
-import { STATUS, answerTo, shows, startChromium, told, visit } from './page.mjs';
-import { throughProxy } from './proxy.mjs';
+import { test } from 'node:test';
+import { STATUS, answerTo, shows, told, visit } from './page.mjs';
+import { stage } from './stage.mjs';
 import { startTia } from './tia.mjs';
 
 const PROBLEM = { 'Content-Type': 'application/problem+json' };
 
-let tia;
-let browser;
-before(async () => ([tia, browser] = await Promise.all([startTia(), startChromium()])));
-after(async () => {
-  await browser?.close();
-  await tia?.stop();
-});
-
-const look = (body) =>
-  throughProxy(tia.base, (proxy) =>
-    visit(browser, proxy.base, (page) => body(page, proxy), { failing: true }));
+const on = stage();
+const look = (body) => on.proxied(body, { failing: true });
 const problem = (page) => page.locator('#problem');
 const retry = (page) => page.getByRole('button', { name: 'Try again' });
 
@@ -45,7 +36,7 @@ test('what the server refuses is told in its words, the picture stays, the next 
     await saidTo(page, title, errors[0].pointer.split('/')[1], 'got 1e+300', 'allowed: ', 'Change the request');
     assert.ok(await retry(page).isHidden());
     await told(page, STATUS.Escape);
-    assert.ok(await shows(page, await tia.get('/render')));
+    assert.ok(await shows(page, await on.tia.get('/render')));
     assert.equal((await answerTo(page, () => page.keyboard.press('Enter'))).status(), 422, 'sent again');
     await page.locator('#picture').focus();
     await page.keyboard.press('a');
@@ -123,7 +114,7 @@ test('a server that is gone is told; back again it goes on where it stood', asyn
   const first = await startTia();
   let second;
   try {
-    await visit(browser, first.base, async (page) => {
+    await visit(on.browser, first.base, async (page) => {
       await page.keyboard.press('a');
       await told(page, STATUS.a);
       await first.stop();
