@@ -10,7 +10,7 @@ namespace tia {
 /// Returns: a PNG file, RGB, 8 bits a channel. Same image, same bytes.
 /// Source: W3C PNG (third edition). Filter Sub on every row and libdeflate level 2: a quarter of
 /// stb's own time and smaller.
-/// Domain: at least one pixel, at most 2^24.
+/// Domain: at least one pixel, at most 2^28.
 std::string encode_png(const Image8& image);
 
 /// The encoder's name and version, for the bytes depend on it: "libdeflate 1.14".

@@ -88,11 +88,14 @@ std::string nearest_name(std::string_view name, const std::vector<std::string_vi
 }
 
 std::string listed(const std::vector<std::string_view>& names) {
+  constexpr std::size_t most = 20, longest = 64;
   std::string text;
-  for (const std::string_view name : names) {
+  for (std::size_t i = 0; i < names.size() && i < most; ++i) {
     if (!text.empty()) text += ", ";
-    text += name;
+    text += names[i].substr(0, longest);
+    if (names[i].size() > longest) text += "…";
   }
+  if (names.size() > most) text += " and " + std::to_string(names.size() - most) + " more";
   return text;
 }
 

@@ -88,7 +88,7 @@ std::string describe(const Fault& fault);
 /// The known name nearest to the one given (fewest edits), or "" where none is near.
 std::string nearest_name(std::string_view name, const std::vector<std::string_view>& known);
 
-/// The names as a list in words: "a, d, s, w".
+/// The names as a list in words, "a, d, s, w": of many names the first 20, of long ones the start.
 std::string listed(const std::vector<std::string_view>& names);
 
 }  // namespace tia

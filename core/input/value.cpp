@@ -1,6 +1,7 @@
 #include "core/input/value.h"
 
 #include <algorithm>
+#include <unordered_map>
 
 namespace tia {
 namespace {
@@ -24,26 +25,32 @@ bool Value::operator==(const Value& other) const {
                     [](const auto* x, const auto* y) { return *x == *y; });
 }
 
-// RFC 7396, section 2, "MergePatch". Depth is bounded by what parse() lets in.
+// RFC 7396, section 2, "MergePatch", by an index of names: patches may be long. Depth is bounded by
+// what parse_json lets in.
 Value merge_patch(Value target, const Value& patch) {
   const auto* changes = patch.as<Value::Object>();
   if (changes == nullptr) return patch;
   if (target.as<Value::Object>() == nullptr) target = Value::Object{};
   auto& members = *target.as<Value::Object>();
+  std::unordered_map<std::string, std::size_t> index;
+  for (std::size_t i = 0; i < members.size(); ++i) index.emplace(members[i].first, i);
+  std::vector<bool> removed(members.size());
   for (const auto& [key, change] : *changes) {
-    const auto at = std::find_if(members.begin(), members.end(), [&name = key](const auto& member) {
-      return member.first == name;
-    });
-    const bool present = at != members.end();
+    const auto at = index.find(key);
+    const bool present = at != index.end();
     if (change.as<std::nullptr_t>() != nullptr) {
-      if (present) members.erase(at);
+      if (present) removed[at->second] = true;
     } else if (present) {
-      at->second = merge_patch(std::move(at->second), change);
+      Value& value = members[at->second].second;
+      value = merge_patch(std::move(value), change);
     } else {
       members.emplace_back(key, merge_patch(Value(), change));
     }
   }
-  return target;
+  Value::Object kept;
+  for (std::size_t i = 0; i < members.size(); ++i)
+    if (i >= removed.size() || !removed[i]) kept.push_back(std::move(members[i]));
+  return kept;
 }
 
 }  // namespace tia

@@ -11,7 +11,7 @@ struct RayTally {
 };
 
 /// How far a shadow ray starts above its surface: 1e-4 at the thesis' distances, in proportion to
-/// the distance elsewhere, so that scenes of any scale have neither acne nor leaks.
+/// the distance elsewhere, so that scenes of other scales have neither acne nor leaks.
 template <class Real>
 Real shadow_offset(Real t, const Vec3<Real>& p) {
   const Real extent = max_of(max_of(abs_of(p.x), abs_of(p.y)), abs_of(p.z));
@@ -30,7 +30,8 @@ Vec3<Real> shade(const World& world, const SurfacePoint<Real>& at, const Matte& 
     const Real distance = length(to_lamp);
     const Vec3<Real> l = to_lamp * (Real(1) / distance);
     const Real n_dot_l = dot(at.n, l);
-    const Mask<Real> lit = here & (n_dot_l > Real(0));
+    // Infinite or NaN where the lamp is nearer than float can tell.
+    const Mask<Real> lit = here & (n_dot_l > Real(0)) & (n_dot_l < Real(infinity));
     if (!any(lit)) continue;
     rays.shadow += count(lit & active);
     const Mask<Real> dark = occluded(world, Ray<Real>{start, l}, distance, lamp.object);

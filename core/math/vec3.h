@@ -1,4 +1,4 @@
-// Three-component vectors over any scalar: float, double or Wide (8 float lanes).
+// Three-component vectors over any scalar: float, double or Wide (registers of float lanes).
 // Points, directions and linear RGB colours are all Vec3; there is no matrix here.
 #pragma once
 

@@ -22,7 +22,7 @@ double sine_between(const Vec3d& a, const Vec3d& b) {
 }  // namespace
 
 void Camera::check(const Place& at, Faults& faults) const {
-  constexpr double parallel = 1e-9;
+  constexpr double parallel = 1e-9, widest = 1e9;
   const std::size_t before = faults.list().size();
   const auto fault = [&](FaultKind kind, const char* field, const Value& got, const char* allowed) {
     faults.add({kind, at.at(field).pointer(), got, allowed});
@@ -49,6 +49,9 @@ void Camera::check(const Place& at, Faults& faults) const {
                                        parallel * length(view) * length(*right) * length(up)))
     fault(FaultKind::out_of_range, "right", write_value(*right),
           "a view plane of some size that the eye does not lie in");
+  else if (right && std::max(length(*right), length(up)) > widest * length(view))
+    fault(FaultKind::out_of_range, "direction", write_value(view),
+          "at least 1e-9 of the view plane's size: so far from the eye it is");
 }
 
 // A float ray strays from the exact one: its eye by half a float's step; its direction by a few

@@ -76,9 +76,11 @@ Scene press(const Scene& scene, std::string_view key, std::string_view pointer) 
   try {
     return read_described<Scene>(patched);
   } catch (const InputError& error) {
-    throw InputError(
-        {FaultKind::conflict, std::string(pointer), Value(key),
-         "a key whose patch leaves a scene; this one's: " + std::string(error.what())});
+    const std::size_t more = error.faults().size() - 1;
+    throw InputError({FaultKind::conflict, std::string(pointer), Value(key),
+                      "a key whose patch leaves a scene; after this one " +
+                          describe(error.faults().front()) +
+                          (more > 0 ? "; and " + std::to_string(more) + " faults more" : "")});
   }
 }
 

@@ -42,7 +42,7 @@ Value Codec<KeyBinding>::schema(const Spec&) {
 void Scene::check_links(const Place& at, Faults& faults) const {
   check_material_names(at, faults);
   const Place all_lights = at.at("lights");
-  for (std::size_t i = 0; i < lights.size(); ++i) {
+  for (std::size_t i = 0; i < lights.size() && !faults.full(); ++i) {
     const Place light = all_lights.at(i);
     if (lights[i].position() || faults.within(light.pointer())) continue;
     faults.add(
@@ -56,7 +56,7 @@ void Scene::check_material_names(const Place& at, Faults& faults) const {
   for (const auto& [name, material] : materials) known.push_back(name);
 
   const Place all_objects = at.at("objects");
-  for (std::size_t i = 0; i < objects.size(); ++i) {
+  for (std::size_t i = 0; i < objects.size() && !faults.full(); ++i) {
     const auto& material = objects[i].material;
     const auto* name = material ? std::get_if<std::string>(&*material) : nullptr;
     if (name == nullptr || materials.contains(*name)) continue;

@@ -23,14 +23,10 @@ Long srgb_signal(Long light) {
 // Light of every magnitude, below 0 and above 1 too.
 float any_light(Random& random) {
   switch (random.below(6)) {
-    case 0:
-      return static_cast<float>(random.in(-1, 2));
-    case 1:
-      return static_cast<float>(std::exp(random.in(-20, 0)));
-    case 2:
-      return static_cast<float>(random.in(0, 0.01));
-    default:
-      return static_cast<float>(random.unit());
+    case 0: return static_cast<float>(random.in(-1, 2));
+    case 1: return static_cast<float>(std::exp(random.in(-20, 0)));
+    case 2: return static_cast<float>(random.in(0, 0.01));
+    default: return static_cast<float>(random.unit());
   }
 }
 

@@ -81,5 +81,12 @@ TEST(Listed, NamesStandWithCommas) {
   EXPECT_EQ(listed({}), "");
 }
 
+TEST(Listed, OfManyNamesTheFirstTwentyOfALongOneTheStart) {
+  const std::vector<std::string_view> many(25, "n");
+  EXPECT_EQ(listed(many), "n, n, n, n, n, n, n, n, n, n, n, n, n, n, n, n, n, n, n, n and 5 more");
+  const std::string name(100, 'n');
+  EXPECT_EQ(listed({name}), std::string(64, 'n') + "…");
+}
+
 }  // namespace
 }  // namespace tia

@@ -64,10 +64,8 @@ TEST(Thesis, LambertIsTheCosineAtEveryNormalAndDistance) {
     const double cosine = std::max(0.0, dot(n, l));
     if (std::fabs(dot(n, l)) < 1e-4) continue;  // the terminator
     expect_near(seen.light(), Vec3d{color.r, color.g, color.b} * cosine, 1e-5);
-    if (cosine == 0)
-      EXPECT_EQ(seen.light(), (Vec3f{0, 0, 0}));
-    else
-      ++lit;
+    if (cosine == 0) EXPECT_EQ(seen.light(), (Vec3f{0, 0, 0}));
+    else ++lit;
   }
   EXPECT_GT(lit, 1000);
 }

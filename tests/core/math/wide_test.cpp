@@ -37,10 +37,8 @@ void expect_lanes_agree(F f) {
     for (int k = 0; k < n; ++k) {
       const auto at = static_cast<std::size_t>(k);
       const float alone = f(a[at], b[at]), among = lane(wide, k);
-      if (std::isnan(alone))
-        EXPECT_TRUE(std::isnan(among)) << a[at] << ", " << b[at];
-      else
-        EXPECT_EQ(bits_of(among), bits_of(alone)) << a[at] << ", " << b[at];
+      if (std::isnan(alone)) EXPECT_TRUE(std::isnan(among)) << a[at] << ", " << b[at];
+      else EXPECT_EQ(bits_of(among), bits_of(alone)) << a[at] << ", " << b[at];
     }
   }
 }
@@ -111,10 +109,8 @@ TEST(Wide, ThroughDoubleAndBackKeepsEveryLane) {
     const Wide out = narrow<Wide>(widen(load(in)));
     for (int k = 0; k < n; ++k) {
       const float was = in[static_cast<std::size_t>(k)];
-      if (std::isnan(was))
-        EXPECT_TRUE(std::isnan(lane(out, k)));
-      else
-        EXPECT_EQ(bits_of(lane(out, k)), bits_of(was));
+      if (std::isnan(was)) EXPECT_TRUE(std::isnan(lane(out, k)));
+      else EXPECT_EQ(bits_of(lane(out, k)), bits_of(was));
     }
   }
 }

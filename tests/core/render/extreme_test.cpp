@@ -65,6 +65,13 @@ TEST(Extreme, NoSceneThatCanBeReadGivesNaNOrInfiniteOrNegativeLight) {
   EXPECT_GT(hits, 10'000);
 }
 
+TEST(Extreme, ALampNearerThanFloatCanTellGivesNoInfiniteLight) {
+  Scene scene;
+  scene.objects = {test::ball({0, 0, -1e-25}, 2e-26, test::matte({1, 1, 1}))};
+  scene.lights = {test::point_light({1e-25, 1e-25, 0})};
+  for (const float value : picture(scene, 64, 48).image.rgb) ASSERT_TRUE(std::isfinite(value));
+}
+
 TEST(Extreme, ViewPlanesSizeChangesNoBit) {
   // A power of two shifts exponents only; the ray has unit length after all.
   Scene scene = test::random_scene(160);

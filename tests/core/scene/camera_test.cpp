@@ -158,6 +158,8 @@ struct Refused {
 TEST(Camera, RefusesWhatGivesNoView) {
   using enum FaultKind;
   const std::vector<Refused> table = {
+      {R"({"direction":[0,0,-1e-30],"up":[0,1,0],"right":[1,0,0]})",
+       {{out_of_range, "/direction", "[0,0,-1e-30]", "of the view plane's size"}}},
       {R"({"look_at":[0,0,-1],"direction":[0,0,-1]})",
        {{conflict, "/direction", "[0,0,-1]", "look_at or direction"}}},
       {R"({"look_at":[0,0,-1],"right":[1,0,0]})",

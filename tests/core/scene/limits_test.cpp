@@ -22,12 +22,12 @@ TEST(Limits, OnePixelMoreIsRefusedNamingTheLimitAndItsOption) {
     return test::faults_of([=] { check_size(width, height, limits); });
   };
   test::expect_faults(refusal(16'777'217, 1, {}),
-                      {{limit, "/width", "16777217", "at most 16777216 pixels"}});
+                      {{limit, "/width", "\"16777217 x 1\"", "at most 16777216 pixels"}});
   test::expect_faults(refusal(1, 16'777'217, {}),
-                      {{limit, "/width", "16777217", "option TIA_MAX_PIXELS"}});
-  test::expect_faults(refusal(4097, 4096, {}), {{limit, "/width", "16781312", "16777216"}});
+                      {{limit, "/width", "\"1 x 16777217\"", "option TIA_MAX_PIXELS"}});
+  test::expect_faults(refusal(4097, 4096, {}), {{limit, "/width", "\"4097 x 4096\"", "16777216"}});
   test::expect_faults(refusal(101, 1, {.max_pixels = 100}),
-                      {{limit, "/width", "101", "at most 100 pixels"}});
+                      {{limit, "/width", "\"101 x 1\"", "at most 100 pixels"}});
 }
 
 TEST(Limits, LargestSizesDoNotOverflow) {
