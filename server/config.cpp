@@ -22,10 +22,8 @@ struct RowMaker {
   void operator()(std::string_view name, Member Config::*member, const Spec& spec) {
     const Value standard = write_value(Config{}.*member);
     const auto* text = standard.template as<std::string>();
-    std::string allowed = "text";
-    if constexpr (std::is_arithmetic_v<Member>) allowed = range_text(spec, std::integral<Member>);
-    rows.push_back({std::string(name), flag_of(name), variable_of(name), spec.about, allowed,
-                    text != nullptr ? *text : to_json(standard)});
+    rows.push_back({std::string(name), flag_of(name), variable_of(name), spec.about,
+                    TextForm<Member>::allowed(spec), text != nullptr ? *text : to_json(standard)});
   }
 };
 
@@ -35,6 +33,12 @@ std::string flag_of(std::string_view name) {
   std::string flag = "--" + std::string(name);
   std::replace(flag.begin(), flag.end(), '_', '-');
   return flag;
+}
+
+void Config::check(const Place& at, Faults& faults) const {
+  if (host.empty())
+    faults.add({FaultKind::out_of_range, at.at("host").pointer(), Value(host),
+                "an address, such as 127.0.0.1 or 0.0.0.0"});
 }
 
 int Config::processors() {

@@ -32,6 +32,9 @@ struct Config {
           Spec{.about = "largest picture", .unit = "pixels", .min = 1, .max = 1 << 28});
   }
 
+  /// An empty host.
+  void check(const Place& at, Faults& faults) const;
+
   /// Processors that this process may use, at most 64.
   static int processors();
 };

@@ -7,6 +7,7 @@
 #include "server/picture.h"
 #include "server/render_command.h"
 #include "server/serve_command.h"
+#include "server/text_form.h"
 
 namespace {
 
@@ -31,14 +32,17 @@ void add_options(CLI::App& app, std::vector<Setting>& settings) {
 struct ParameterFlags {
   CLI::App& app;
   std::vector<Setting>& settings;
+  void operator()(std::string_view, std::variant<std::string, tia::Scene> PictureRequest::*,
+                  const tia::Spec&) {}
   template <class Member>
   void operator()(std::string_view field, Member PictureRequest::*, const tia::Spec& spec) {
-    if (field == "scene") return;
     const std::string name(field);
     const auto take = [this_settings = &settings, name](const std::string& text) {
       this_settings->push_back({name, text, "--" + name});
     };
-    app.add_option_function<std::string>(flag_of(name), take, spec.about)->type_name("");
+    app.add_option_function<std::string>(flag_of(name), take,
+                                         spec.about + (": " + TextForm<Member>::allowed(spec)))
+        ->type_name("");
   }
 };
 
@@ -50,9 +54,9 @@ int run(int argc, char** argv) {
   app.set_version_flag("--version", "Tia " + tia::version());
   app.add_flag("--healthcheck", healthcheck, "ask the server on this machine whether it lives");
   add_options(app, settings);
-  app.add_subcommand("serve", "serve over HTTP (default)")->fallthrough();
+  add_options(*app.add_subcommand("serve", "serve over HTTP (default)"), settings);
   CLI::App* render = app.add_subcommand("render", "draw one picture to a file")->fallthrough();
-  render->add_option("scene", scene, "a gallery scene's name or a scene file NAME.json")
+  render->add_option("scene", scene, "a gallery scene's name, or a scene file: NAME.json or a path")
       ->required()
       ->type_name("");
   render->add_option("-o,--output", file, "NAME.png, NAME.pfm, or - for standard output")

@@ -2,7 +2,7 @@
 
 #include <fstream>
 #include <iostream>
-#include <iterator>
+#include <sstream>
 #include <stdexcept>
 
 #include "server/picture.h"
@@ -13,8 +13,9 @@ namespace {
 
 std::string read_file(const std::string& name) {
   std::ifstream file(name, std::ios::binary);
-  if (!file) throw std::runtime_error("cannot read " + name);
-  return {std::istreambuf_iterator<char>(file), {}};
+  std::ostringstream text;
+  if (!file || !(text << file.rdbuf())) throw std::runtime_error("cannot read " + name);
+  return text.str();
 }
 
 void write_file(const std::string& name, const std::string& bytes) {
@@ -28,13 +29,22 @@ void write_file(const std::string& name, const std::string& bytes) {
   if (!file) throw std::runtime_error("cannot write " + name);
 }
 
+// A path or a name with an ending is a file, a bare word a scene of the gallery.
+Value scene_named(const std::string& scene) {
+  if (scene.find_first_of("./") == scene.npos) return scene;
+  try {
+    return parse_json(read_file(scene));
+  } catch (const InputError& error) {
+    throw std::runtime_error(scene + ": " + error.what());
+  }
+}
+
 }  // namespace
 
 void render_to_file(const std::string& scene, const std::string& file,
                     const std::vector<Setting>& parameters, const Config& config) {
   Value::Object asked;
-  const bool is_file = scene.ends_with(".json");
-  asked.emplace_back("scene", is_file ? parse_json(read_file(scene)) : Value(scene));
+  asked.emplace_back("scene", scene_named(scene));
   if (file.ends_with(".pfm")) asked.emplace_back("format", "pfm");
   for (const Setting& each : parameters) {
     std::erase_if(asked, [&](const auto& member) { return member.first == each.name; });
@@ -43,7 +53,12 @@ void render_to_file(const std::string& scene, const std::string& file,
   const Gallery gallery;
   Pool pool(config.threads);
   const Studio studio{gallery, pool, Limits{.max_pixels = config.max_pixels}};
-  write_file(file, draw(read_described<PictureRequest>(asked), studio, {}).bytes);
+  const auto request = read_described<PictureRequest>(asked);
+  const std::string_view other = request.format == Format::pfm ? ".png" : ".pfm";
+  if (file.ends_with(other))
+    throw std::invalid_argument("--format " + std::string(name_of(request.format)) +
+                                " does not go with the file's name " + file);
+  write_file(file, draw(request, studio, {}).bytes);
 }
 
 }  // namespace tia::server

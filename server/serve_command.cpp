@@ -1,8 +1,11 @@
 #include "server/serve_command.h"
 
+#include <chrono>
+#include <condition_variable>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <mutex>
 #include <stop_token>
 #include <thread>
 
@@ -37,6 +40,17 @@ std::string reachable(const std::string& host) {
   return host == "0.0.0.0" ? "127.0.0.1" : host == "::" ? "::1" : host;
 }
 
+// Renders that still run then are given up with a 503.
+constexpr std::chrono::seconds drain_limit{20};
+
+bool stopped_within(std::chrono::seconds time, const std::stop_token& stop) {
+  std::mutex mutex;
+  std::unique_lock lock(mutex);
+  std::condition_variable_any never;
+  never.wait_for(lock, stop, time, [] { return false; });
+  return stop.stop_requested();
+}
+
 int wait_for(const sigset_t& signals) {
   int signal = 0;
   sigwait(&signals, &signal);
@@ -56,7 +70,9 @@ void serve(const Config& config) {
 
   const Gallery gallery;
   Pool pool(config.threads);
-  Service service{config, {gallery, pool, Limits{.max_pixels = config.max_pixels}}, {}};
+  std::stop_source giving_up;
+  Service service{
+      config, {gallery, pool, Limits{.max_pixels = config.max_pixels}}, giving_up.get_token()};
   HttpServer server({config.host, config.port, config.max_body_bytes},
                     [&](const Request& request) { return answer(request, service); });
   std::printf("Tia %s listening on http://%s:%d\n", version().c_str(), in_url(config.host).c_str(),
@@ -67,6 +83,10 @@ void serve(const Config& config) {
   wait_for(signals);
   std::thread([signals] { std::_Exit(128 + wait_for(signals)); }).detach();  // impatience
   server.stop();
+  const std::jthread patience([&](const std::stop_token& drained) {
+    if (!stopped_within(drain_limit, drained)) giving_up.request_stop();
+  });
+  listening.join();
 }
 
 bool is_healthy(const Config& config) {

@@ -27,16 +27,26 @@ struct TextForm {
     if constexpr (std::is_arithmetic_v<T>) return number_from_text(text);
     else return text;
   }
+  /// What is allowed, for people.
+  static std::string allowed(const Spec& spec) {
+    if constexpr (std::is_arithmetic_v<T>) return range_text(spec, std::integral<T>);
+    else if constexpr (Named<T>) return listed({Names<T>::names.begin(), Names<T>::names.end()});
+    else return "text";
+  }
 };
 template <class T>
 struct TextForm<std::optional<T>> : TextForm<T> {};
 template <>
 struct TextForm<Vec3d> {
   static Value read(std::string_view text, const Place&) { return list_from_text(text); }
+  static std::string allowed(const Spec& spec) { return "x,y,z, each " + range_text(spec, false); }
 };
 template <std::size_t N>
 struct TextForm<std::array<int, N>> {
   static Value read(std::string_view text, const Place&) { return list_from_text(text); }
+  static std::string allowed(const Spec& spec) {
+    return std::to_string(N) + " numbers, each " + range_text(spec, true);
+  }
 };
 template <class T>
 struct TextForm<std::variant<std::string, T>> {

@@ -134,11 +134,15 @@ class HttpServer::Listener {
     };
     const auto with_body = [this](const httplib::Request& from, httplib::Response& to,
                                   const httplib::ContentReader& read) {
+      // Without either there is no body (RFC 9112, 6.3), for which the library would wait in vain.
+      if (!from.has_header("Content-Length") && !from.has_header("Transfer-Encoding"))
+        return send(answer_(plain(from)), to);
       take_body(plain(from), from.is_multipart_form_data(), read, to);
     };
     server_.Get(any, bodiless).Options(any, bodiless);
     server_.Post(any, with_body).Put(any, with_body).Patch(any, with_body).Delete(any, with_body);
-    server_.set_error_handler([](const httplib::Request& from, httplib::Response& to) {
+    server_.set_error_handler([this](const httplib::Request& from, httplib::Response& to) {
+      if (to.status == 416) return send(answer_(plain(from)), to);  // a Range it cannot read
       if (to.status >= 400 && !to.has_header("Content-Type"))
         send(problem_response(to.status, plain(from)), to);
     });

@@ -16,11 +16,14 @@ TEST(CommandLine, VersionIsTheVersion) {
 }
 
 TEST(CommandLine, HelpNamesEveryOptionItsVariableItsRangeAndDefault) {
+  for (const Process::Words& words : {Process::Words{"--help"}, {"serve", "--help"}}) {
+    const Finished end = run(words);
+    EXPECT_EQ(end.status, 0);
+    for (const OptionRow& row : option_rows())
+      for (const std::string& part : {row.flag, row.variable, row.allowed, row.default_text})
+        EXPECT_THAT(end.out, HasSubstr(part));
+  }
   const Finished end = run({"--help"});
-  EXPECT_EQ(end.status, 0);
-  for (const OptionRow& row : option_rows())
-    for (const std::string& part : {row.flag, row.variable, row.allowed, row.default_text})
-      EXPECT_THAT(end.out, HasSubstr(part));
   for (const char* part : {"--healthcheck", "--version", "serve", "render"})
     EXPECT_THAT(end.out, HasSubstr(part));
 }
@@ -28,8 +31,9 @@ TEST(CommandLine, HelpNamesEveryOptionItsVariableItsRangeAndDefault) {
 TEST(CommandLine, HelpOfRenderNamesEveryParameter) {
   const Finished end = run({"render", "--help"});
   EXPECT_EQ(end.status, 0);
-  for (const char* part : {"scene", "--key", "--light", "--width", "--height", "--crop",
-                           "--integrator", "--transfer", "--format", "--seed", "--threads", "-o"})
+  for (const char* part :
+       {"scene", "--key", "--light", "--width", "--height", "--crop", "--integrator", "--transfer",
+        "--format", "--seed", "--threads", "-o", "an integer from 1 to 64", "png, pfm", "srgb"})
     EXPECT_THAT(end.out, HasSubstr(part));
 }
 
@@ -54,6 +58,7 @@ std::string law_of(const testing::TestParamInfo<Use>& info) { return info.param.
 const Use uses[] = {
     {"UnknownFlag", {"--prot", "0"}, "--prot"},
     {"UnknownCommand", {"paint"}, "paint"},
+    {"EmptyHost", {"--host", ""}, "--host"},
     {"TwoCommands", {"serve", "render"}, "render"},
     {"FlagWithoutValue", {"--port"}, "--port"},
     {"FlagTwice", {"--port", "1", "--port", "2"}, "--port"},

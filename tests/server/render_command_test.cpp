@@ -54,6 +54,20 @@ TEST_F(RenderCommand, ReadsASceneFile) {
   EXPECT_TRUE(drawn({thesis_file, "--key", "a"}) == served("key=a"));
 }
 
+TEST_F(RenderCommand, ASceneFileMayHaveAnyName) {
+  const std::string file = folder_.file("scene.txt");
+  std::ofstream(file) << file_bytes(thesis_file);
+  EXPECT_TRUE(drawn({file, "--key", "a"}) == served("key=a"));
+}
+
+TEST_F(RenderCommand, AFormatThatTheFilesNameContradictsExits2) {
+  const std::string file = folder_.file("picture.pfm");
+  const Finished end = run({"render", "thesis", "--format", "png", "-o", file});
+  EXPECT_EQ(end.status, 2);
+  EXPECT_THAT(end.err, HasSubstr("--format png"));
+  EXPECT_THAT(end.err, HasSubstr(file));
+}
+
 TEST_F(RenderCommand, WritesToStandardOutputForADash) {
   const Finished end = run({"render", "thesis", "--key", "a", "-o", "-"});
   EXPECT_EQ(end.status, 0);
@@ -73,6 +87,8 @@ TEST_F(RenderCommand, ASceneFileThatIsNoSceneExits2NamingThePlace) {
   EXPECT_THAT(said, HasSubstr("-1"));
   std::ofstream(file) << "{";
   EXPECT_THAT(refused({file}), HasSubstr("JSON"));
+  EXPECT_THAT(refused({file}), HasSubstr("bad.json"));
+  EXPECT_THAT(refused({folder_.file("")}), HasSubstr("cannot read"));
 }
 
 TEST_F(RenderCommand, AnUnknownSceneOrKeyExits2AndSaysWhichAreKnown) {

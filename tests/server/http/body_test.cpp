@@ -99,6 +99,13 @@ TEST_F(Body, ThatStopsComingIsNotTakenForAWholeOne) {
   EXPECT_TRUE(status == 0 || status == 400 || status == 408) << status;
 }
 
+TEST_F(Body, ThatIsNotAnnouncedIsNotWaitedFor) {  // as of curl -X POST
+  const auto start = Clock::now();
+  EXPECT_EQ(ask("POST /render HTTP/1.1\r\nHost: x\r\n\r\n").status, 415);
+  EXPECT_EQ(ask("PUT /render HTTP/1.1\r\nHost: x\r\n\r\n").status, 405);
+  EXPECT_LT(Clock::now() - start, seconds(4));
+}
+
 TEST_F(Body, OfALongCurlDIsReadAsJson) {  // declared as a form, beyond the library's 8 KiB
   const std::string type = "Content-Type: application/x-www-form-urlencoded\r\n";
   for (const std::size_t bytes : {std::size_t{100}, std::size_t{8192}, std::size_t{8193}, most}) {
