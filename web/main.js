@@ -18,6 +18,7 @@ const buttons = [...document.querySelectorAll('[data-key]')];
 let scene = null;
 let wanted = {};
 let shown = null;
+let sceneProblem = null; // what kept the scene away, until it comes
 
 const ask = latest(render);
 const showLight = bindLightForm(part.light, part.fault, (light) => want({ light }));
@@ -47,7 +48,7 @@ async function render(state) {
   part.frame.setAttribute('aria-busy', true);
   try {
     show(state, await fetchPicture(renderPath(state)));
-    showProblem(null);
+    showProblem(sceneProblem);
   } catch (problem) {
     showProblem(problem);
   } finally {
@@ -74,9 +75,11 @@ function describe() {
 async function loadScene() {
   try {
     scene = await fetchScene('thesis');
+    if (sceneProblem) showProblem(sceneProblem = null);
     if (wanted.key) showLight(lampOf(wanted));
     if (shown) describe();
   } catch (problem) {
+    sceneProblem = problem;
     showProblem(problem);
   }
 }

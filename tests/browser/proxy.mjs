@@ -31,6 +31,7 @@ class Between extends EventEmitter {
   most = 0; // pictures under way at one time, at most
   next = []; // answers { status, headers, body } to the next pictures
   always = null; // the answer to every picture
+  scene = null; // the answer to every request for a scene
   #underWay = 0;
   #gate = Promise.resolve();
   #open = () => {};
@@ -38,7 +39,8 @@ class Between extends EventEmitter {
   constructor(target) {
     super();
     this.server = http.createServer(async (request, response) => {
-      const stead = request.url.startsWith('/render') && (await this.#admit(request, response));
+      const stead = request.url.startsWith('/render') ? await this.#admit(request, response)
+        : request.url.startsWith('/scenes/') && this.scene;
       if (stead?.hangUp) response.destroy();
       else if (stead) response.writeHead(stead.status, stead.headers).end(stead.body);
       else forward(request, response, target);

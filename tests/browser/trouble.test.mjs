@@ -110,6 +110,21 @@ test('an answer that is no picture is told', () =>
     await told(page, STATUS.Escape);
   }));
 
+test('a scene that does not come is told until it comes, whatever picture does', () =>
+  look(async (page, proxy) => {
+    proxy.scene = refusal(500, { title: 'No scene today', status: 500, detail: 'It is lost.' });
+    await page.reload();
+    await told(page, STATUS.Escape);
+    await saidTo(page, 'No scene today');
+    await answerTo(page, () => page.keyboard.press('a'));
+    await page.locator('#status').filter({ hasText: 'Light to the left' }).waitFor();
+    await saidTo(page, 'No scene today');
+    proxy.scene = null;
+    await retry(page).click();
+    await told(page, STATUS.a);
+    await cleared(page);
+  }));
+
 test('a server that is gone is told; back again it goes on where it stood', async () => {
   const first = await startTia();
   let second;
