@@ -26,7 +26,11 @@ struct RootRay {
   explicit RootRay(const Ray<Real>& ray)
       : origin(widen(ray.origin)),
         direction(widen(ray.direction)),
-        inverse_a(P(2) - dot(direction, direction)) {}  // 1/a = 2 - a to within (1 - a)^2
+        inverse_a(near_inverse(dot(direction, direction))) {}
+
+ private:
+  // 1/a to within 3 (1 - a)^2; 0 where there is no direction, so that such a ray meets nothing.
+  static P near_inverse(const P& a) { return a * (P(3) - (a + a)); }
 };
 
 /// Hit: the nearest crossing so far; t is infinite where there is none. `object` is an index into

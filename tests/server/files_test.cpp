@@ -27,11 +27,15 @@ std::size_t descriptors(const Tia& tia) {
   return static_cast<std::size_t>(std::distance(begin(each), end(each)));
 }
 
+// The check of virtual calls, which an error's answer makes, needs descriptors of its own.
+#if defined(__SANITIZE_ADDRESS__)
+constexpr bool sanitized = true;
+#else
+constexpr bool sanitized = false;
+#endif
+
 // With no descriptor left to give, whatever opens a file fails.
 TEST(Files, EveryAnswerIsGivenWithoutOpeningOne) {
-#if defined(__SANITIZE_ADDRESS__)
-  GTEST_SKIP() << "the sanitizer opens files of its own";
-#endif
   Tia tia;
   Host host;
   Connection connection(tia.port());
@@ -41,9 +45,11 @@ TEST(Files, EveryAnswerIsGivenWithoutOpeningOne) {
   ASSERT_EQ(prlimit(tia.pid(), RLIMIT_NOFILE, &none, nullptr), 0);
   for (const char* target : targets) {
     SCOPED_TRACE(target);
+    const Response direct = host.get(target);
+    if (sanitized && direct.status >= 400) continue;
     connection.send(std::string("GET ") + target +
                     " HTTP/1.1\r\nHost: x\r\nX-Request-Id: " + Host::id + "\r\n\r\n");
-    const Response response = connection.receive(), direct = host.get(target);
+    const Response response = connection.receive();
     EXPECT_EQ(response.status, direct.status);
     EXPECT_TRUE(response.body == direct.body);
   }

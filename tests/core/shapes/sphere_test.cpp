@@ -192,6 +192,14 @@ TYPED_TEST(SphereRoots, NaNRayNeverHits) {
   }
 }
 
+TYPED_TEST(SphereRoots, RayWithoutDirectionNeverHits) {
+  const TypeParam zero(0);
+  const Ray<TypeParam> still{{zero, zero, zero}, {zero, zero, zero}};
+  EXPECT_EQ(root(Sphere{{0, 0, -5}, 1}, still), infinity) << "from outside";
+  EXPECT_EQ(root(Sphere{{0, 0, -5}, 10}, still), infinity) << "from inside";
+  EXPECT_EQ(root(Sphere{{0, 0, -5}, 5}, still), infinity) << "from the surface";
+}
+
 TYPED_TEST(SphereRoots, InfiniteRayNeverHits) {
   const double inf = infinity;
   const Sphere around{{0, 0, 0}, 10};
