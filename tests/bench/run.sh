@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Measures Tia beside its yardsticks in one run and prints ratios, which travel between machines;
-# times do not. Takes about a minute; run it on a machine that does nothing else.
+# Measures Tia beside its yardsticks in one run and prints ratios, which drift less than times do
+# between runs and machines. Takes 45 seconds; run it on a machine that does nothing else.
 # POV-Ray and Tachyon take part where they are installed (apt-get install povray tachyon).
 set -euo pipefail
 ROOT=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
