@@ -59,6 +59,12 @@ TEST(NearestName, IsTheOneWithFewestEdits) {
   EXPECT_EQ(nearest_name("name", known), "name");
 }
 
+TEST(NearestName, ASwapOfNeighboursIsOneEdit) {
+  EXPECT_EQ(nearest_name("widht", {"light", "width"}), "width");
+  EXPECT_EQ(nearest_name("hieght", {"light", "height"}), "height");
+  EXPECT_EQ(nearest_name("raduis", {"radii", "radius"}), "radius");
+}
+
 TEST(NearestName, IsNothingWhereNoneIsNear) {
   const std::vector<std::string_view> known{"center", "radius"};
   EXPECT_EQ(nearest_name("quaternion", known), "");
