@@ -8,5 +8,16 @@ inline constexpr double pi = 3.14159265358979323846;
 
 /// Domain: radians, |x| < 1e14. Returns: tan x within 1 ulp.
 double tan_of(double radians);
+/// Domain: radians, |x| < 1e14. Returns: within 1 ulp.
+double sin_of(double radians);
+double cos_of(double radians);
+/// Returns: the angle of the point (x, y), radians in [-pi, pi], within 1 ulp.
+double atan2_of(double y, double x);
+/// Domain: |x| <= 1. Returns: radians within 1 ulp.
+double acos_of(double x);
+
+/// Domain: degrees, |x| < 1e9. Returns: exact at multiples of 90 degrees, else within 2 ulp.
+double sin_degrees(double degrees);
+double cos_degrees(double degrees);
 
 }  // namespace tia
