@@ -172,6 +172,19 @@ struct Codec<std::array<int, N>> {
   }
 };
 
+template <std::size_t N>
+struct Codec<std::array<double, N>> {
+  static void read(const Value& v, const Place& at, const Spec& spec, Faults& faults,
+                   std::array<double, N>& out) {
+    std::array<double, N> n{};
+    if (detail::read_numbers(v, at, spec, false, faults, n)) out = n;
+  }
+  static Value write(const std::array<double, N>& v) { return Value::Array(v.begin(), v.end()); }
+  static Value schema(const Spec& spec) {
+    return detail::numbers_schema(spec, false, static_cast<int>(N));
+  }
+};
+
 // ---- containers -----------------------------------------------------------------------------
 
 template <class T>

@@ -4,7 +4,9 @@
 #include <string_view>
 
 #include "core/input/fields.h"
+#include "core/math/onb.h"
 #include "core/math/ray.h"
+#include "core/shapes/crossing.h"
 
 namespace tia {
 
@@ -12,6 +14,7 @@ namespace tia {
 /// Space/units: scene units, object space.
 struct Sphere {
   static constexpr std::string_view type = "sphere";
+  static constexpr bool solid = true;
   Vec3d center{};
   double radius = 0;
 
@@ -63,5 +66,41 @@ template <class Real>
 Vec3<Real> normal(const Sphere& sphere, const Vec3<Real>& p) {
   return normalize(p - lift<Real>(sphere.center));
 }
+
+// ---- the sphere as a form: it is its own, for nothing is to be prepared -------------------------
+
+inline Sphere prepare(const Sphere& sphere) { return sphere; }
+inline int elements(const Sphere&) { return 1; }
+inline Aabb bounds(const Sphere& s) {
+  const Vec3d reach{s.radius, s.radius, s.radius};
+  return {s.center - reach, s.center + reach};
+}
+
+/// The foot of the centre on the line, and half the chord to either side of it.
+template <class Emit>
+void crossings(const Sphere& sphere, const Line& line, Emit&& emit) {
+  const Vec3d to_center = sphere.center - line.origin;
+  const double middle = dot(to_center, line.direction);
+  const Vec3d aside = to_center - line.direction * middle;
+  const double square = sphere.radius * sphere.radius - dot(aside, aside);
+  if (!(square >= 0)) return;
+  const double half = std::sqrt(square);
+  emit(middle - half, 0);
+  emit(middle + half, 0);
+}
+
+inline Vec3d normal(const Sphere& sphere, const Vec3d& p, int) { return unit(p - sphere.center); }
+
+/// Longitude and latitude of a direction: u turns around y, from +z towards +x, in [0,1); v rises
+/// from the south pole, -y, to the north pole, in [0,1].
+inline Vec2d longitude_latitude(const Vec3d& way) {
+  const double aside = std::sqrt(way.x * way.x + way.z * way.z);
+  return {turn_of(way.x, way.z), atan2_of(aside, -way.y) / pi};
+}
+inline Vec2d uv(const Sphere& sphere, const Vec3d& p, int) {
+  return longitude_latitude(p - sphere.center);
+}
+
+static_assert(IsForm<Sphere>);
 
 }  // namespace tia

@@ -1,0 +1,112 @@
+#include "core/shapes/quadric.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "core/input/codec.h"
+#include "core/math/roots.h"
+
+namespace tia {
+namespace {
+
+// Sum: what is no more than the rounding of its terms counts as 0. So a line along a cylinder or
+// along a cone's side has no far second root, which rounding alone would make.
+class Sum {
+ public:
+  void add(double term) {
+    value_ += term;
+    terms_ += std::fabs(term);
+  }
+  double value() const {
+    constexpr double rounding = 8 * std::numeric_limits<double>::epsilon();
+    return std::fabs(value_) <= rounding * terms_ ? 0 : value_;
+  }
+
+ private:
+  double value_ = 0, terms_ = 0;
+};
+
+// Half the gradient of the second-degree part at v.
+Vec3d half_gradient(const std::array<double, 10>& k, const Vec3d& v) {
+  return {k[0] * v.x + (k[3] * v.y + k[4] * v.z) / 2, k[1] * v.y + (k[3] * v.x + k[5] * v.z) / 2,
+          k[2] * v.z + (k[4] * v.x + k[5] * v.y) / 2};
+}
+
+double second_degree(const std::array<double, 10>& k, const Vec3d& d) {
+  Sum sum;
+  sum.add(k[0] * d.x * d.x);
+  sum.add(k[1] * d.y * d.y);
+  sum.add(k[2] * d.z * d.z);
+  sum.add(k[3] * d.x * d.y);
+  sum.add(k[4] * d.x * d.z);
+  sum.add(k[5] * d.y * d.z);
+  return sum.value();
+}
+
+double half_slope(const std::array<double, 10>& k, const Vec3d& o, const Vec3d& d) {
+  const Vec3d along = half_gradient(k, d);
+  Sum sum;
+  sum.add(along.x * o.x);
+  sum.add(along.y * o.y);
+  sum.add(along.z * o.z);
+  sum.add(k[6] * d.x / 2);
+  sum.add(k[7] * d.y / 2);
+  sum.add(k[8] * d.z / 2);
+  return sum.value();
+}
+
+double value_at(const std::array<double, 10>& k, const Vec3d& p) {
+  return dot(half_gradient(k, p) + Vec3d{k[6], k[7], k[8]}, p) + k[9];
+}
+
+}  // namespace
+
+void Quadric::check(const Place& at, Faults& faults) const {
+  const auto zero = [](double c) { return c == 0; };
+  if (std::all_of(coefficients.begin(), coefficients.end() - 1, zero))
+    faults.add({FaultKind::out_of_range, at.at("coefficients").pointer(), write_value(coefficients),
+                "more than a constant: one of the first nine other than 0"});
+}
+
+QuadricSpans spans_of(const QuadricForm& quadric, const Line& line) {
+  constexpr double far = Aabb::far;
+  const auto& k = quadric.coefficients;
+  const double a = second_degree(k, line.direction);
+  const double b = half_slope(k, line.origin, line.direction);
+  const double c = value_at(k, line.origin);
+  const QuadraticRoots roots = quadratic_roots(a, b, c);
+  if (!std::isfinite(a + b + c)) return {};
+  if (roots.count == 2) {
+    if (a > 0) return {1, {roots.t0, roots.t1}};
+    return {2, {-far, roots.t0, roots.t1, far}};
+  }
+  if (roots.count == 1) {
+    if (b > 0) return {1, {-far, roots.t0}};
+    return {1, {roots.t0, far}};
+  }
+  if (a < 0 || (a == 0 && c < 0)) return {1, {-far, far}};
+  return {};
+}
+
+Chord chord(const QuadricForm& quadric, const Line& line) {
+  if (!quadric.region) return Chord::everything();
+  Chord found;
+  crossings(*quadric.region, line, [&](double t, int element) {
+    (found.in.t == Aabb::far ? found.in : found.out) = {t, element + 1};
+  });
+  return found;
+}
+
+Vec3d normal(const QuadricForm& quadric, const Vec3d& p, int element) {
+  if (element > 0) return normal(*quadric.region, p, element - 1);
+  const auto& k = quadric.coefficients;
+  const Vec3d gradient = half_gradient(k, p) * 2.0 + Vec3d{k[6], k[7], k[8]};
+  return gradient == Vec3d{0, 0, 0} ? Vec3d{0, 1, 0} : unit(gradient);
+}
+
+Vec2d uv(const QuadricForm& quadric, const Vec3d& p, int element) {
+  if (element > 0) return uv(*quadric.region, p, element - 1);
+  return longitude_latitude(quadric.region ? p - bounds(*quadric.region).center() : p);
+}
+
+}  // namespace tia

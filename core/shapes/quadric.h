@@ -1,0 +1,94 @@
+// The quadric: any surface of the second degree, alone or clipped to bounds.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string_view>
+
+#include "core/shapes/bounds.h"
+
+namespace tia {
+
+/// Quadric. Surface: the sum of coefficients times x2 y2 z2 xy xz yz x y z 1 is 0; inside where it
+/// is below 0. Bounds cut the surface open; as a solid it is closed by them.
+/// Space/units: scene units, object space.
+struct Quadric {
+  static constexpr std::string_view type = "quadric";
+  std::array<double, 10> coefficients{};
+  std::optional<Bounds> bounds;
+
+  template <class Visitor>
+  static void fields(Visitor&& visit) {
+    visit("coefficients", &Quadric::coefficients,
+          Spec{.about = "of x2 y2 z2 xy xz yz x y z 1; inside where the sum is below 0",
+               .min = -1e30,
+               .max = 1e30,
+               .required = true});
+    visit("bounds", &Quadric::bounds, Spec{.about = "what the surface is clipped to"});
+  }
+  void check(const Place& at, Faults& faults) const;
+  bool operator==(const Quadric&) const = default;
+};
+
+/// QuadricForm. Its elements: 0 the quadric itself, 1 and up the bounds'.
+struct QuadricForm {
+  static constexpr bool solid = true;
+  std::array<double, 10> coefficients{};
+  std::optional<Region> region;
+};
+
+inline QuadricForm prepare(const Quadric& quadric) {
+  QuadricForm form{quadric.coefficients, {}};
+  if (quadric.bounds) form.region = prepare(*quadric.bounds);
+  return form;
+}
+inline int elements(const QuadricForm& q) { return 1 + (q.region ? elements(*q.region) : 0); }
+inline Aabb bounds(const QuadricForm& q) {
+  return q.region ? bounds(*q.region) : Aabb::everything();
+}
+
+/// QuadricSpans: the up to two stretches of a line where the whole quadric is below 0.
+struct QuadricSpans {
+  int count = 0;
+  std::array<double, 4> ends{};  ///< in, out, in, out; ascending
+};
+QuadricSpans spans_of(const QuadricForm& quadric, const Line& line);
+
+/// The line's stretch within the bounds, all of it where there are none.
+Chord chord(const QuadricForm& quadric, const Line& line);
+
+/// The surface's crossings, those within the bounds. Where there are bounds they make no pairs:
+/// CSG wants spans.
+template <class Emit>
+void crossings(const QuadricForm& quadric, const Line& line, Emit&& emit) {
+  const Chord within = chord(quadric, line);
+  const QuadricSpans spans = spans_of(quadric, line);
+  for (int i = 0; i < 2 * spans.count; ++i) {
+    const double t = spans.ends[static_cast<std::size_t>(i)];
+    if (within.in.t <= t && t <= within.out.t) emit(t, 0);
+  }
+}
+
+/// The crossings of the solid: what is inside the quadric and the bounds, closed by these.
+template <class Emit>
+void spans(const QuadricForm& quadric, const Line& line, Emit&& emit) {
+  const Chord within = chord(quadric, line);
+  const QuadricSpans inside = spans_of(quadric, line);
+  for (int i = 0; i < inside.count; ++i) {
+    Chord both{{inside.ends[static_cast<std::size_t>(2 * i)], 0},
+               {inside.ends[static_cast<std::size_t>(2 * i + 1)], 0}};
+    if (within.in.t > both.in.t) both.in = within.in;
+    if (within.out.t < both.out.t) both.out = within.out;
+    emit_ends(both, emit);
+  }
+}
+
+/// At a singular point, a cone's tip, where there is none: +y.
+Vec3d normal(const QuadricForm& quadric, const Vec3d& p, int element);
+/// Returns: longitude and latitude, as a sphere has them, around the middle of the bounds (the
+/// origin if there are none); on the bounds' faces theirs.
+Vec2d uv(const QuadricForm& quadric, const Vec3d& p, int element);
+
+static_assert(IsForm<QuadricForm>);
+
+}  // namespace tia

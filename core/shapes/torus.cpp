@@ -1,0 +1,107 @@
+#include "core/shapes/torus.h"
+
+#include <algorithm>
+
+#include "core/input/codec.h"
+#include "core/math/onb.h"
+#include "core/math/roots.h"
+
+namespace tia {
+namespace {
+
+// All below is in units of the major radius.
+constexpr double margin = 1 + 1e-6;
+
+double distance_from_axis(const Vec3d& p) { return std::sqrt(p.x * p.x + p.z * p.z); }
+
+struct Stretch {
+  double low = 0, high = -1;
+};
+
+// The line's stretch within a ball and between two planes that just hold the torus, from outside
+// to outside.
+Stretch stretch_near(double tube, const Line& line) {
+  const double reach = (1 + tube) * margin, top = tube * margin;
+  const double middle = -dot(line.origin, line.direction);
+  const Vec3d foot = line.origin + line.direction * middle;
+  const double square = reach * reach - dot(foot, foot);
+  if (!(square > 0)) return {};
+  Stretch s{middle - std::sqrt(square), middle + std::sqrt(square)};
+  const double rise = line.direction.y, y = line.origin.y;
+  if (rise == 0) return std::fabs(y) <= top ? s : Stretch{};
+  const double one = (-top - y) / rise, other = (top - y) / rise;
+  s.low = std::max(s.low, std::min(one, other));
+  s.high = std::min(s.high, std::max(one, other));
+  return s;
+}
+
+// The torus' quartic along a line, t = 0 at its origin: (|p|^2 + 1 - tube^2)^2 - 4 (x^2 + z^2).
+// Its last coefficient as the product of the tube's circle and its mirror image, which keeps the
+// digits of a thin tube.
+// Source: Hanrahan, in Glassner (ed.), An Introduction to Ray Tracing (1989), ch. 3.
+std::array<double, 5> quartic(double tube, const Line& line) {
+  const Vec3d &o = line.origin, &d = line.direction;
+  const double r = distance_from_axis(o), b = dot(o, d);
+  const double shared = o.y * o.y - tube * tube;
+  const double inner = (r - 1) * (r - 1) + shared, outer = (r + 1) * (r + 1) + shared;
+  const double k = (inner + outer) / 2;
+  return {inner * outer, 4 * b * k - 8 * (o.x * d.x + o.z * d.z),
+          4 * b * b + 2 * k - 4 * (d.x * d.x + d.z * d.z), 4 * b, 1};
+}
+
+// One step of Newton towards the tube's circle, whose equation is better conditioned than the
+// quartic; none near a grazing line.
+double polished(double tube, const Line& line, double t) {
+  const Vec3d p = line.at(t);
+  const double r = distance_from_axis(p);
+  const double value = (r - 1) * (r - 1) + p.y * p.y - tube * tube;
+  const double drift = (p.x * line.direction.x + p.z * line.direction.z) / r;
+  const double slope = 2 * ((r - 1) * drift + p.y * line.direction.y);
+  const double step = value / slope;
+  return std::fabs(step) <= 1e-4 * tube ? t - step : t;
+}
+
+}  // namespace
+
+void Torus::check(const Place& at, Faults& faults) const {
+  if (!(minor_radius < major_radius))
+    faults.add({FaultKind::out_of_range, at.at("minor_radius").pointer(), minor_radius,
+                "below major_radius: a ring with a hole"});
+}
+
+Aabb bounds(const TorusForm& torus) {
+  const double minor = torus.tube * torus.major_radius, reach = torus.major_radius + minor;
+  return {{-reach, -minor, -reach}, {reach, minor, reach}};
+}
+
+TorusRoots roots(const TorusForm& torus, const Line& line) {
+  constexpr double coefficient_rounding = 1e-14;
+  Line scaled = line;
+  scaled.origin = {line.origin.x / torus.major_radius, line.origin.y / torus.major_radius,
+                   line.origin.z / torus.major_radius};
+  const Stretch s = stretch_near(torus.tube, scaled);
+  if (!(s.low < s.high)) return {};
+  const double start = (s.low + s.high) / 2, reach = (s.high - s.low) / 2;
+  scaled.origin = scaled.at(start);
+  TorusRoots found;
+  found.count = real_roots(quartic(torus.tube, scaled), -reach, reach, found.t,
+                           coefficient_rounding * torus.tube);
+  double least = -Aabb::far;
+  for (int i = 0; i < found.count; ++i) {
+    double& t = found.t[static_cast<std::size_t>(i)];
+    least = std::max(least, (polished(torus.tube, scaled, t) + start) * torus.major_radius);
+    t = least;
+  }
+  return found;
+}
+
+Vec3d normal(const TorusForm& torus, const Vec3d& p, int) {
+  const double share = 1 - torus.major_radius / distance_from_axis(p);
+  return unit({p.x * share, p.y, p.z * share});
+}
+
+Vec2d uv(const TorusForm& torus, const Vec3d& p, int) {
+  return {turn_of(p.x, p.z), turn_of(p.y, distance_from_axis(p) - torus.major_radius)};
+}
+
+}  // namespace tia
