@@ -2,19 +2,25 @@
 // line in radiance().
 #pragma once
 
+#include "core/integrators/features.h"
 #include "core/integrators/thesis.h"
 
 namespace tia {
 
-/// Returns: linear RGB along the ray, unclamped. Lanes outside `active` do not count as rays. The
-/// ray may meet no object but `objects`.
+/// Returns: linear RGB along a camera ray, unclamped, or a feature. Lanes that are not active come
+/// out meaningless and do not count as rays.
 template <class Real>
-Vec3<Real> radiance(IntegratorName name, const World& world, const std::vector<int>& objects,
-                    const Ray<Real>& ray, Mask<Real> active, RayTally& rays) {
+Vec3<Real> radiance(IntegratorName name, Scope& scope, const Ray<Real>& ray, Mask<Real> active) {
   switch (name) {
+    case IntegratorName::normal: return normal_feature(scope, ray, active);
+    case IntegratorName::depth: return depth_feature(scope, ray, active);
+    case IntegratorName::albedo: return albedo_feature(scope, ray, active);
+    case IntegratorName::object: return object_feature(scope, ray, active);
+    case IntegratorName::shadow: return shadow_feature(scope, ray, active);
+    case IntegratorName::cost: return cost_feature(scope, ray, active);
     case IntegratorName::thesis: break;
   }
-  return thesis(world, objects, ray, active, rays);
+  return thesis(scope, ray, active);
 }
 
 }  // namespace tia

@@ -27,18 +27,22 @@ struct RootRay {
       : origin(widen(ray.origin)),
         direction(widen(ray.direction)),
         inverse_a(near_inverse(dot(direction, direction))) {}
+  /// A ray of any length, as a transform leaves it.
+  RootRay(const Vec3<P>& from, const Vec3<P>& way)
+      : origin(from), direction(way), inverse_a(P(1) / dot(way, way)) {}
 
  private:
   // 1/a to within 3 (1 - a)^2; 0 where there is no direction, so that such a ray meets nothing.
   static P near_inverse(const P& a) { return a * (P(3) - (a + a)); }
 };
 
-/// Hit: the nearest crossing so far; t is infinite where there is none. `object` is an index into
-/// the world, kept in a lane of the scalar (exact up to 2^24 objects).
+/// Hit: the nearest crossing so far; t is infinite where there is none. `part` is an index into the
+/// world, `element` numbers the part's faces or triangles, `copy` the copies of repeated groups;
+/// each is kept in a lane of the scalar, exact up to 2^24.
 template <class Real>
 struct Hit {
   Real t = Real(infinity);
-  Real object = Real(-1);
+  Real part = Real(-1), element = Real(0), copy = Real(0);
 };
 
 }  // namespace tia

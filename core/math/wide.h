@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <type_traits>
 
 #include "core/math/registers.h"
 #include "core/math/vec3.h"
@@ -165,6 +166,26 @@ inline Wide iota<Wide>() {
 inline void store(float value, float* to) { *to = value; }
 inline void store(double value, float* to) { *to = static_cast<float>(value); }
 inline void store(const Wide& value, float* to) { value.store_unaligned(to); }
+
+inline void store(double value, double* to) { *to = value; }
+inline void store(const WideDouble& value, double* to) { value.store_unaligned(to); }
+
+/// What a lane holds, and all lanes from an array of it.
+template <class Real>
+using LaneOf = std::conditional_t<std::is_same_v<Real, double> || std::is_same_v<Real, WideDouble>,
+                                  double, float>;
+template <class Real>
+Real load(const LaneOf<Real>* from) {
+  return *from;
+}
+template <>
+inline Wide load<Wide>(const float* from) {
+  return Wide::load_unaligned(from);
+}
+template <>
+inline WideDouble load<WideDouble>(const double* from) {
+  return WideDouble::load_unaligned(from);
+}
 
 /// One lane's value. Domain: 0 <= lane < lanes.
 inline float lane(float value, int) { return value; }

@@ -12,17 +12,18 @@ struct DefaultKey {
 constexpr DefaultKey default_keys[] = {
     {"a", {-2, 2, 1}}, {"d", {2, 2, 1}}, {"s", {0, 4, 3}}, {"w", {0, 5, -3}}};
 
-const Vec3d& middle(const Sphere& sphere) { return sphere.center; }
-
-// look_at, else the point of the view axis that lies as deep as the objects do on average.
+// look_at, else the point of the view axis that lies as deep as the objects with bounds do on
+// average.
 Vec3d looked_at(const Scene& scene, const Vec3d& axis) {
   if (scene.camera.look_at) return *scene.camera.look_at;
-  double depth = 0;
+  double depth = 0, count = 0;
   for (const Object& object : scene.objects) {
-    const Vec3d p = std::visit([](const auto& shape) { return middle(shape); }, object.shape);
-    depth += dot(p - scene.camera.location, axis) / static_cast<double>(scene.objects.size());
+    const Aabb box = bounds_of(object);
+    if (box.empty() || !box.bounded()) continue;
+    depth += dot(box.center() - scene.camera.location, axis);
+    count += 1;
   }
-  return scene.camera.location + axis * (depth > 0 ? depth : 1);
+  return scene.camera.location + axis * (depth > 0 ? depth / count : 1);
 }
 
 const Light* key_light_of(const Scene& scene) {

@@ -10,6 +10,56 @@ const Value* only_light(const Value::Object& binding) {
   return binding.size() == 1 ? find(binding, "light") : nullptr;
 }
 
+/// Counts copies: groups in groups multiply, and each copy of a luminous ball is a light.
+class CopyCheck {
+ public:
+  CopyCheck(const Scene& scene, Faults& faults) : scene_(scene), faults_(faults) {}
+
+  void operator()(const std::vector<Object>& list, std::int64_t copies, bool luminous,
+                  const Place& at) {
+    for (std::size_t i = 0; i < list.size() && !faults_.full(); ++i)
+      check(list[i], copies, emits(list[i], luminous), at.at(i));
+  }
+
+ private:
+  static constexpr std::int64_t most_lights = 4096;
+
+  bool emits(const Object& object, bool inherited) const {
+    if (!object.material) return inherited;
+    const auto* own = std::get_if<Material>(&*object.material);
+    if (const auto* name = std::get_if<std::string>(&*object.material)) {
+      const auto found = scene_.materials.find(*name);
+      if (found == scene_.materials.end()) return false;
+      own = &found->second;
+    }
+    return !(std::get<Finish>(own->kind).emission == Color{});
+  }
+
+  void check(const Object& object, std::int64_t copies, bool luminous, const Place& at) {
+    if (luminous && copies > 1 && std::holds_alternative<Sphere>(object.shape)) {
+      lights_ += copies;
+      if (lights_ > most_lights)
+        faults_.add({FaultKind::limit, at.pointer(), std::nullopt,
+                     "at most " + std::to_string(most_lights) +
+                         " luminous balls, copies counted: each is a light"});
+    }
+    const auto* group = std::get_if<Group>(&object.shape);
+    if (group == nullptr) return;
+    const std::int64_t own = group->repeat ? group->repeat->copies() : 1;
+    if (own > Repeat::most) return;  // has its fault
+    if (copies * own > Repeat::most)
+      faults_.add({FaultKind::limit, at.at("repeat").at("count").pointer(),
+                   write_value(group->repeat->count),
+                   "with the groups around it at most " + std::to_string(Repeat::most) +
+                       " copies in all; those around it make " + std::to_string(copies)});
+    else (*this)(group->children, copies * own, luminous, at.at("children"));
+  }
+
+  const Scene& scene_;
+  Faults& faults_;
+  std::int64_t lights_ = 0;
+};
+
 }  // namespace
 
 void Codec<KeyBinding>::read(const Value& v, const Place& at, const Spec&, Faults& faults,
@@ -40,7 +90,9 @@ Value Codec<KeyBinding>::schema(const Spec&) {
 }
 
 void Scene::check_links(const Place& at, Faults& faults) const {
-  check_material_names(at, faults);
+  const Place all_objects = at.at("objects");
+  if (!faults.at(at.at("materials").pointer())) check_material_names(objects, all_objects, faults);
+  CopyCheck(*this, faults)(objects, 1, false, all_objects);
   const Place all_lights = at.at("lights");
   for (std::size_t i = 0; i < lights.size() && !faults.full(); ++i) {
     const Place light = all_lights.at(i);
@@ -50,17 +102,17 @@ void Scene::check_links(const Place& at, Faults& faults) const {
   }
 }
 
-void Scene::check_material_names(const Place& at, Faults& faults) const {
-  if (faults.at(at.at("materials").pointer())) return;
-  std::vector<std::string_view> known;
-  for (const auto& [name, material] : materials) known.push_back(name);
-
-  const Place all_objects = at.at("objects");
-  for (std::size_t i = 0; i < objects.size() && !faults.full(); ++i) {
-    const auto& material = objects[i].material;
+void Scene::check_material_names(const std::vector<Object>& list, const Place& at,
+                                 Faults& faults) const {
+  for (std::size_t i = 0; i < list.size() && !faults.full(); ++i) {
+    const Place object = at.at(i);
+    if (const auto* children = children_of(list[i]))
+      check_material_names(*children, object.at("children"), faults);
+    const auto& material = list[i].material;
     const auto* name = material ? std::get_if<std::string>(&*material) : nullptr;
     if (name == nullptr || materials.contains(*name)) continue;
-    const Place object = all_objects.at(i);
+    std::vector<std::string_view> known;
+    for (const auto& [each, its_material] : materials) known.push_back(each);
     faults.add({FaultKind::unknown_name, object.at("material").pointer(), Value(*name),
                 known.empty() ? "a material; the scene names none" : "one of " + listed(known),
                 nearest_name(*name, known)});

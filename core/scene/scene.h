@@ -13,37 +13,20 @@
 #include "core/film/tonemap.h"
 #include "core/input/codec.h"
 #include "core/lights/light.h"
-#include "core/materials/material.h"
 #include "core/scene/camera.h"
-#include "core/shapes/shape.h"
+#include "core/scene/object.h"
 
 namespace tia {
-
-/// The name of one of the scene's materials, or a material of its own.
-using MaterialRef = std::variant<std::string, Material>;
-
-struct Object {
-  std::string name;
-  Shape shape;
-  std::optional<MaterialRef> material;
-
-  template <class Visitor>
-  static void fields(Visitor&& visit) {
-    visit("name", &Object::name, Spec{.about = "what answers call it"});
-    visit.one_of(&Object::shape, Spec{.about = "the kind of shape", .required = true});
-    visit("material", &Object::material, Spec{.about = "a name from materials, or a material"});
-  }
-  bool operator==(const Object&) const = default;
-};
 
 /// KeyBinding: where a key puts the key light, or else a JSON merge patch of the scene (RFC 7396).
 using KeyBinding = std::variant<Vec3d, Value>;
 
 /// How light is gathered along a ray.
-enum class IntegratorName { thesis };
+enum class IntegratorName { thesis, normal, depth, albedo, object, shadow, cost };
 template <>
 struct Names<IntegratorName> {
-  static constexpr std::array<std::string_view, 1> names{"thesis"};
+  static constexpr std::array<std::string_view, 7> names{"thesis", "normal", "depth", "albedo",
+                                                         "object", "shadow", "cost"};
 };
 
 struct SceneOptions {
@@ -88,12 +71,13 @@ struct Scene {
     visit("keys", &Scene::keys, Spec{.about = "what each key does"});
     visit("options", &Scene::options, Spec{.about = "how the picture is made"});
   }
-  /// Names that point nowhere, lights without a place.
+  /// Names that point nowhere, lights without a place, more copies than can be told apart.
   void check_links(const Place& at, Faults& faults) const;
   bool operator==(const Scene&) const = default;
 
  private:
-  void check_material_names(const Place& at, Faults& faults) const;
+  void check_material_names(const std::vector<Object>& objects, const Place& at,
+                            Faults& faults) const;
 };
 
 template <>

@@ -2,28 +2,77 @@
 #pragma once
 
 #include <concepts>
+#include <type_traits>
 #include <variant>
 
+#include "core/shapes/box.h"
+#include "core/shapes/cone.h"
+#include "core/shapes/crossing.h"
+#include "core/shapes/csg.h"
+#include "core/shapes/disc.h"
+#include "core/shapes/group.h"
+#include "core/shapes/mesh.h"
+#include "core/shapes/plane.h"
+#include "core/shapes/quadric.h"
 #include "core/shapes/sphere.h"
+#include "core/shapes/torus.h"
+#include "core/shapes/triangle.h"
 
 namespace tia {
 
-/// What a kind must bring: its fields, the nearest root in each scalar and the outward normal.
+/// A kind that is a surface of its own: prepare() makes a form of its description.
+template <class S>
+concept IsSurface = requires(const S& s) {
+  { prepare(s) } -> IsForm;
+};
+/// A kind that holds other objects.
+template <class S>
+concept IsComposite = requires(const S& s) {
+  s.children;
+};
+/// What a kind must bring: its name and fields, and what it is made of. (A mesh is triangles, for
+/// which the tracer has an index.)
 template <class S>
 concept IsShape = Described<S> &&
-    requires(const S& s, const RootRay<float>& ray, const RootRay<double>& exact,
-             const RootRay<Wide>& wide, const Vec3<Wide>& p) {
+    (IsSurface<S> || IsComposite<S> || std::same_as<S, Mesh>)&&requires {
   { S::type } -> std::convertible_to<std::string_view>;
-  { intersect(s, ray) } -> std::same_as<float>;
-  { intersect(s, exact) } -> std::same_as<double>;
-  { intersect(s, wide) } -> std::same_as<Wide>;
-  { normal(s, p) } -> std::same_as<Vec3<Wide>>;
 };
 
 /// ShapeList: checks every kind once, where it is listed.
 template <IsShape... Kinds>
 using ShapeList = std::variant<Kinds...>;
 
-using Shape = ShapeList<Sphere>;
+using Shape =
+    ShapeList<Sphere, Plane, Disc, Box, Cylinder, Cone, Triangle, Mesh, Torus, Quadric, Csg, Group>;
+
+namespace detail {
+
+template <class... Forms>
+struct FormsOf {
+  using Variant = std::variant<Forms...>;
+};
+// Appends what each kind prepares to, once.
+template <class Done, class... Kinds>
+struct Collected : Done {};
+template <class... Forms, class Kind, class... Kinds>
+struct Collected<FormsOf<Forms...>, Kind, Kinds...> : Collected<FormsOf<Forms...>, Kinds...> {};
+template <class... Forms, IsSurface Kind, class... Kinds>
+struct Collected<FormsOf<Forms...>, Kind, Kinds...>
+    : std::conditional_t<
+          (std::same_as<decltype(prepare(std::declval<const Kind&>())), Forms> || ...),
+          Collected<FormsOf<Forms...>, Kinds...>,
+          Collected<FormsOf<Forms..., decltype(prepare(std::declval<const Kind&>()))>, Kinds...>> {
+};
+template <class List>
+struct FormList;
+template <class... Kinds>
+struct FormList<std::variant<Kinds...>> {
+  using Variant = typename Collected<FormsOf<>, Kinds...>::Variant;
+};
+
+}  // namespace detail
+
+/// Form: what the kinds of the list prepare to, several of them perhaps to the same.
+using Form = detail::FormList<Shape>::Variant;
 
 }  // namespace tia

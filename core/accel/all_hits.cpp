@@ -1,0 +1,96 @@
+#include "core/accel/all_hits.h"
+
+#include <algorithm>
+#include <tuple>
+
+namespace tia {
+namespace {
+
+class Collector {
+ public:
+  Collector(const World& world, std::vector<Meeting>& found) : world_(world), found_(found) {}
+
+  void through(const Space& space, Packet<double>& packet) {
+    for (const std::uint32_t i : space.rest) meet(space.items[i], packet);
+    traverse(space.bvh, packet.box, true, endless_, tests_,
+             [&](std::uint32_t i, bool, bool) { meet(space.items[i], packet); });
+  }
+
+ private:
+  void meet(const Item& item, Packet<double>& packet) {
+    const auto at = static_cast<std::size_t>(item.index);
+    switch (item.kind) {
+      case Item::ball: return meet_part(world_.balls[at].part, packet);
+      case Item::part: return meet_part(item.index, packet);
+      case Item::mesh: return meet_mesh(item.index, packet);
+      case Item::solid:
+        for (const Boundary& each : spans(world_.solids[at], world_.parts, packet.line(0)))
+          add(each.t, each.part, each.element, packet);
+        return;
+      case Item::copies: return meet(world_.copies[at], packet);
+    }
+  }
+  void add(double t, int part, int element, const Packet<double>& packet) {
+    if (t > 0 && t < Aabb::far)
+      found_.push_back({.t = t, .part = part, .element = element, .copy = packet.copy});
+  }
+  void meet_part(int part, Packet<double>& packet) {
+    crossings(world_.part(part), packet.line(0),
+              [&](double t, int element) { add(t, part, element, packet); });
+  }
+  void meet_mesh(int part, Packet<double>& packet) {
+    const Part& own = world_.part(part);
+    const MeshIndex& mesh = world_.meshes[static_cast<std::size_t>(own.mesh)];
+    Packet<double> inside = packet.seen_through(own.to_object);
+    const RayFrame<double> frame = frame_of(inside);
+    traverse(mesh.bvh, inside.box, true, endless_, tests_, [&](std::uint32_t i, bool, bool) {
+      const double t =
+          intersect<double>(mesh.corner(i, 0), mesh.corner(i, 1), mesh.corner(i, 2), frame);
+      add(t, part, static_cast<int>(i), packet);
+    });
+  }
+  void meet(const Copies& grid, Packet<double>& packet) {
+    const Packet<double> outside = packet.seen_through(grid.to_group);
+    const int before = packet.copy * static_cast<int>(grid.repeat.copies());
+    const Space& space = world_.spaces[static_cast<std::size_t>(grid.inside)];
+    traverse(grid, outside.box, true, endless_, tests_, [&](int copy, bool) {
+      Packet<double> inside = outside.inside_copy(grid.offset(copy), before + copy);
+      through(space, inside);
+    });
+  }
+
+  const World& world_;
+  std::vector<Meeting>& found_;
+  double endless_ = Aabb::far;
+  std::int64_t tests_ = 0;
+};
+
+// Two triangles of one mesh met at one place: their shared edge or corner.
+bool same_place(const World& world, const Meeting& a, const Meeting& b) {
+  constexpr double slack = 1e-12;
+  return a.part == b.part && a.copy == b.copy && world.part(a.part).mesh >= 0 &&
+         b.t - a.t <= slack * b.t;
+}
+
+}  // namespace
+
+std::vector<Meeting> all_hits(const World& world, const Ray<double>& ray) {
+  std::vector<Meeting> found;
+  Packet<double> packet(ray);
+  Collector(world, found).through(world.spaces.front(), packet);
+  std::sort(found.begin(), found.end(), [](const Meeting& a, const Meeting& b) {
+    return std::tie(a.t, a.part, a.copy, a.element) < std::tie(b.t, b.part, b.copy, b.element);
+  });
+  const auto one = [&](const Meeting& a, const Meeting& b) { return same_place(world, a, b); };
+  found.erase(std::unique(found.begin(), found.end(), one), found.end());
+  for (Meeting& each : found) {
+    each.point = ray.at(each.t);
+    const SurfaceFrame at = frame_at(world, each.point, each.part, each.element, each.copy);
+    each.normal = at.ng;
+    each.uv = at.uv;
+    each.front = dot(each.normal, ray.direction) < 0;
+  }
+  return found;
+}
+
+}  // namespace tia

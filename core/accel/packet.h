@@ -1,0 +1,116 @@
+// A ray, or a register's lanes of them, in the forms that boxes and surfaces are tried with.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "core/math/ray.h"
+#include "core/math/transform.h"
+#include "core/shapes/crossing.h"
+
+namespace tia {
+
+/// Box32: an Aabb rounded outwards to float, so that it holds all that the exact one holds.
+struct Box32 {
+  Vec3f min, max;
+};
+Box32 rounded_outwards(const Aabb& box);
+
+/// BoxRay: the ray as the slabs of boxes need it. A test never misses a box that the ray meets.
+/// Source: Ize, "Robust BVH Ray Traversal", JCGT 2 (2013).
+template <class Real>
+class BoxRay {
+ public:
+  /// `blur`: how far the origin may lie from the exact one, in each component.
+  BoxRay(const Vec3<Real>& origin, const Vec3<Real>& direction, const Real& blur)
+      : low_{origin.x + blur, origin.y + blur, origin.z + blur},
+        high_{origin.x - blur, origin.y - blur, origin.z - blur},
+        inverse_{away_from_zero(direction.x), away_from_zero(direction.y),
+                 away_from_zero(direction.z)},
+        backwards_{first_below_zero(direction.x), first_below_zero(direction.y),
+                   first_below_zero(direction.z)} {}
+
+  /// The lanes that are in the box somewhere from 0 to t_max.
+  Mask<Real> enters(const Box32& box, const Real& t_max) const {
+    // Far beyond the three roundings of a slab's t, and beyond the one of a hit's.
+    const Real shrink(1 - 0x1p-20F), grow(1 + 0x1p-20F);
+    Real near(0), far = t_max;
+    const auto slab = [&](float from, float to, Real low, Real high, Real inverse) {
+      const Real a = (Real(from) - low) * inverse, b = (Real(to) - high) * inverse;
+      near = max_of(min_of(a, b), near);
+      far = min_of(max_of(a, b) * grow, far);
+    };
+    slab(box.min.x, box.max.x, low_.x, high_.x, inverse_.x);
+    slab(box.min.y, box.max.y, low_.y, high_.y, inverse_.y);
+    slab(box.min.z, box.max.z, low_.z, high_.z, inverse_.z);
+    return near * shrink <= far;
+  }
+  /// Whether the first lane runs against an axis: which of two boxes to try first.
+  bool backwards(int axis) const { return backwards_[static_cast<std::size_t>(axis)]; }
+
+ private:
+  // A direction of 0 becomes one that is parallel enough, so that no 0 * infinity arises.
+  static Real away_from_zero(const Real& d) {
+    constexpr float tiny = 1e-30F;
+    const Real least = select(d < Real(0), Real(-tiny), Real(tiny));
+    return Real(1) / select(abs_of(d) < Real(tiny), least, d);
+  }
+  static bool first_below_zero(const Real& d) { return (bits(d < Real(0)) & 1U) != 0; }
+
+  Vec3<Real> low_, high_, inverse_;
+  std::array<bool, 3> backwards_;
+};
+
+/// Packet: rays in one space of the world. Space/units: t is that of the world's rays in every
+/// space, for directions are transformed with it.
+template <class Real>
+class Packet {
+ public:
+  using P = Precise<Real>;
+  static constexpr auto n = static_cast<std::size_t>(lanes<Real>);
+
+  explicit Packet(const Ray<Real>& ray) : root(ray), box(ray.origin, ray.direction, Real(0)) {}
+
+  /// The same rays in the space that `map` leads to.
+  Packet seen_through(const Affine& map) const {
+    return {map.point(root.origin), map.vector(root.direction), copy};
+  }
+  /// The same rays seen from a copy of the space that stands at `offset`.
+  Packet inside_copy(const Vec3d& offset, int number) const {
+    return {root.origin - static_cast<Vec3<P>>(offset), root.direction, number};
+  }
+  /// One lane's ray in double.
+  Line line(std::size_t lane) {
+    if (!unpacked_) unpack();
+    return {{lines_[0][lane], lines_[1][lane], lines_[2][lane]},
+            {lines_[3][lane], lines_[4][lane], lines_[5][lane]}};
+  }
+
+  RootRay<Real> root;
+  BoxRay<Real> box;
+  int copy = 0;  ///< which copy of repeated groups the rays are in
+
+ private:
+  Packet(const Vec3<P>& origin, const Vec3<P>& direction, int number)
+      : root(origin, direction),
+        box(narrowed(origin), narrowed(direction), blur_of(narrowed(origin))),
+        copy(number) {}
+
+  static Vec3<Real> narrowed(const Vec3<P>& v) {
+    return {narrow<Real>(v.x), narrow<Real>(v.y), narrow<Real>(v.z)};
+  }
+  static Real blur_of(const Vec3<Real>& origin) {
+    return max_of(max_of(abs_of(origin.x), abs_of(origin.y)), abs_of(origin.z)) * Real(0x1p-22F);
+  }
+  void unpack() {
+    const P* parts[] = {&root.origin.x,    &root.origin.y,    &root.origin.z,
+                        &root.direction.x, &root.direction.y, &root.direction.z};
+    for (std::size_t i = 0; i < 6; ++i) store(*parts[i], lines_[i].data());
+    unpacked_ = true;
+  }
+
+  bool unpacked_ = false;
+  std::array<std::array<double, n>, 6> lines_;
+};
+
+}  // namespace tia

@@ -1,0 +1,23 @@
+// Solid: CSG compiled to a list of steps over parts.
+#pragma once
+
+#include <vector>
+
+#include "core/accel/part.h"
+
+namespace tia {
+
+/// Solid: steps in postfix order over a stack of spans: put a part's spans on it, or merge the two
+/// on top.
+struct Solid {
+  struct Step {
+    int part = -1;  ///< -1: merge
+    Operation operation = Operation::union_;
+  };
+  std::vector<Step> steps;
+};
+
+/// What the line runs through in the solid. The reference is good until this thread's next call.
+const Spans& spans(const Solid& solid, const std::vector<Part>& parts, const Line& line);
+
+}  // namespace tia

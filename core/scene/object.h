@@ -1,0 +1,50 @@
+// Object: a shape with its place and its material. Groups and solids hold objects again.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "core/input/codec.h"
+#include "core/materials/material.h"
+#include "core/scene/placement.h"
+#include "core/shapes/shape.h"
+
+namespace tia {
+
+/// The name of one of the scene's materials, or a material of its own.
+using MaterialRef = std::variant<std::string, Material>;
+
+struct Object {
+  static constexpr std::string_view schema_name = "object";
+  std::string name;
+  Shape shape;
+  Placement transform;
+  std::optional<MaterialRef> material;
+
+  template <class Visitor>
+  static void fields(Visitor&& visit) {
+    visit("name", &Object::name, Spec{.about = "what answers call it"});
+    visit.one_of(&Object::shape, Spec{.about = "the kind of shape", .required = true});
+    visit("transform", &Object::transform,
+          Spec{.about = "steps that place it, the first step first"});
+    visit("material", &Object::material,
+          Spec{.about = "a name from materials, or a material; else its nearest ancestor's"});
+  }
+  /// Open shapes in solids, composites without children, copies of what has no bounds.
+  void check(const Place& at, Faults& faults) const;
+  bool operator==(const Object&) const = default;
+};
+
+/// The children of a group or a solid, or null.
+const std::vector<Object>* children_of(const Object& object);
+
+/// Whether an object has an inside, so that it can be an operand of CSG.
+bool is_solid(const Object& object);
+
+/// A box around an object in its parent's space; infinite where the object is, empty where there
+/// is nothing of it. Domain: an object that its check has passed.
+Aabb bounds_of(const Object& object);
+
+}  // namespace tia
