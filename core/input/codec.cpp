@@ -6,18 +6,16 @@ namespace tia::detail {
 
 std::optional<double> read_number(const Value& value, const Place& at, const Spec& spec,
                                   bool integer, Faults& faults) {
-  constexpr double exact = 9007199254740991;  // 2^53 - 1: beyond it integers are not exact
   const auto* number = value.as<double>();
   if (number == nullptr || (integer && *number != std::trunc(*number))) {
     wrong_type(value, at, range_text(spec, integer), faults);
     return std::nullopt;
   }
-  if (!in_range(*number, spec) || !std::isfinite(*number) ||
-      (integer && std::fabs(*number) > exact)) {
+  if (!in_range(*number, spec) || !std::isfinite(*number)) {
     faults.add({FaultKind::out_of_range, at.pointer(), value, range_text(spec, integer)});
     return std::nullopt;
   }
-  return *number;
+  return *number + 0.0;  // -0 becomes 0
 }
 
 Value::Object number_schema(const Spec& spec, bool integer) {
@@ -25,7 +23,28 @@ Value::Object number_schema(const Spec& spec, bool integer) {
   if (std::isfinite(spec.min))
     schema.emplace_back(spec.open_min ? "exclusiveMinimum" : "minimum", spec.min);
   if (std::isfinite(spec.max)) schema.emplace_back("maximum", spec.max);
+  if (spec.not_zero) schema.emplace_back("not", Value::Object{{"const", 0}});
   return schema;
+}
+
+std::string array_text(const Spec& spec) {
+  if (spec.min_items == 0) return "an array";
+  return "an array of at least " + std::to_string(spec.min_items);
+}
+
+const Value::Array* read_array(const Value& value, const Place& at, const Spec& spec,
+                               Faults& faults) {
+  const auto* list = value.as<Value::Array>();
+  if (list != nullptr && list->size() >= spec.min_items) return list;
+  wrong_type(value, at, array_text(spec), faults);
+  return nullptr;
+}
+
+void unknown_word(const Value& got, const Place& at, const std::vector<std::string_view>& names,
+                  Faults& faults) {
+  const auto* word = got.as<std::string>();
+  faults.add({word != nullptr ? FaultKind::unknown_name : FaultKind::wrong_type, at.pointer(), got,
+              "one of " + listed(names), word != nullptr ? nearest_name(*word, names) : ""});
 }
 
 }  // namespace tia::detail

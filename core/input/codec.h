@@ -1,5 +1,6 @@
-// Codec<T>: how a T stands in JSON: read (with every fault at its place), write (defaults left out)
-// and schema (JSON Schema 2020-12). One specialisation a type; described structs share one.
+// Codec<T>: how a T stands in JSON: read (with every fault at its place), write (defaults left
+// out), schema (JSON Schema 2020-12) and allowed (the same in words). One specialisation a type;
+// here numbers, words and vectors. Lists and described structs are in the files at the end.
 #pragma once
 
 #include <algorithm>
@@ -33,44 +34,86 @@ Value write_value(const T& value) {
   return Codec<T>::write(value);
 }
 
+/// Definitions: the schemas that others refer to ("$defs"), by name.
+using Definitions = std::map<std::string, Value>;
+
+/// NamedSchema: a type whose schema is written once and referred to, so that it may hold itself:
+///   static constexpr std::string_view schema_name = "object";
+template <class T>
+concept NamedSchema = requires {
+  T::schema_name;
+};
+
+/// The schema of a T, or the reference to it. Whatever it refers to is in `named` afterwards.
+/// A codec whose parts may have names takes `named` as well.
+template <class T>
+Value schema_of(const Spec& spec, Definitions& named) {
+  if constexpr (NamedSchema<T>) {
+    const std::string name(T::schema_name);
+    if (named.emplace(name, Value()).second) named[name] = Codec<T>::schema(Spec{}, named);
+    return Value::Object{{"$ref", "#/$defs/" + name}};
+  } else if constexpr (requires { Codec<T>::schema(spec, named); }) {
+    return Codec<T>::schema(spec, named);
+  } else {
+    return Codec<T>::schema(spec);
+  }
+}
+
+/// The schema of a T with all that it refers to.
+template <class T>
+Value::Object whole_schema() {
+  Definitions named;
+  Value schema = schema_of<T>({}, named);
+  Value::Object members = std::move(*schema.as<Value::Object>());
+  if (!named.empty()) members.emplace_back("$defs", Value::Object(named.begin(), named.end()));
+  return members;
+}
+
 namespace detail {
 
 inline void wrong_type(const Value& got, const Place& at, std::string allowed, Faults& faults) {
   faults.add({FaultKind::wrong_type, at.pointer(), got, std::move(allowed)});
 }
 
-/// A number in the field's range, or a fault and nothing.
+/// A number in the field's range, or a fault and nothing. Never -0, which canonical text lacks.
 std::optional<double> read_number(const Value& value, const Place& at, const Spec& spec,
                                   bool integer, Faults& faults);
 /// {"type": "number" or "integer", and the range}.
 Value::Object number_schema(const Spec& spec, bool integer);
 
-template <std::size_t N>
-bool read_numbers(const Value& value, const Place& at, const Spec& spec, bool integer,
-                  Faults& faults, std::array<double, N>& out) {
-  const auto* list = value.as<Value::Array>();
-  if (list == nullptr || list->size() != N) {
-    wrong_type(value, at, std::to_string(N) + " numbers, each " + range_text(spec, integer),
-               faults);
-    return false;
-  }
-  bool good = true;
-  for (std::size_t i = 0; i < N; ++i) {
-    const auto number = read_number((*list)[i], at.at(i), spec, integer, faults);
-    if (number) out[i] = *number;
-    good = good && number.has_value();
-  }
-  return good;
+/// The field's range within the type's own and within that in which doubles tell integers apart.
+template <std::integral Int>
+Spec narrowed(Spec spec) {
+  constexpr double exact = 9007199254740991;  // 2^53 - 1
+  using Limits = std::numeric_limits<Int>;
+  spec.min = std::max({spec.min, static_cast<double>(Limits::min()), -exact});
+  spec.max = std::min({spec.max, static_cast<double>(Limits::max()), exact});
+  return spec;
 }
 
-inline Value numbers_schema(const Spec& spec, bool integer, int n) {
-  return Value::Object{
-      {"type", "array"}, {"items", number_schema(spec, integer)}, {"minItems", n}, {"maxItems", n}};
-}
+/// "an array", "an array of at least 2".
+std::string array_text(const Spec& spec);
+/// The array that a value is and its length allows, or a fault and null.
+const Value::Array* read_array(const Value& value, const Place& at, const Spec& spec,
+                               Faults& faults);
+/// Adds the fault of a word that is none of the names.
+void unknown_word(const Value& got, const Place& at, const std::vector<std::string_view>& names,
+                  Faults& faults);
 
 }  // namespace detail
 
 // ---- numbers, words -------------------------------------------------------------------------
+
+template <>
+struct Codec<bool> {
+  static void read(const Value& v, const Place& at, const Spec& spec, Faults& faults, bool& out) {
+    if (const auto* is = v.as<bool>()) out = *is;
+    else detail::wrong_type(v, at, allowed(spec), faults);
+  }
+  static Value write(bool v) { return v; }
+  static Value schema(const Spec&) { return Value::Object{{"type", "boolean"}}; }
+  static std::string allowed(const Spec&) { return "true or false"; }
+};
 
 template <>
 struct Codec<double> {
@@ -79,188 +122,60 @@ struct Codec<double> {
   }
   static Value write(double v) { return v; }
   static Value schema(const Spec& spec) { return detail::number_schema(spec, false); }
+  static std::string allowed(const Spec& spec) { return range_text(spec, false); }
 };
 
 /// Integers are checked as doubles, against the type's own range too, before they are narrowed.
-template <std::signed_integral Int>
+template <std::integral Int>
 struct Codec<Int> {
-  static void read(const Value& v, const Place& at, Spec spec, Faults& faults, Int& out) {
-    spec.min = std::max(spec.min, static_cast<double>(std::numeric_limits<Int>::min()));
-    spec.max = std::min(spec.max, static_cast<double>(std::numeric_limits<Int>::max()));
-    if (const auto number = detail::read_number(v, at, spec, true, faults))
+  static void read(const Value& v, const Place& at, const Spec& spec, Faults& faults, Int& out) {
+    if (const auto number = detail::read_number(v, at, detail::narrowed<Int>(spec), true, faults))
       out = static_cast<Int>(*number);
   }
   static Value write(Int v) { return static_cast<double>(v); }
-  static Value schema(const Spec& spec) { return detail::number_schema(spec, true); }
+  static Value schema(const Spec& spec) {
+    return detail::number_schema(detail::narrowed<Int>(spec), true);
+  }
+  static std::string allowed(const Spec& spec) {
+    return range_text(detail::narrowed<Int>(spec), true);
+  }
 };
 
 template <>
 struct Codec<std::string> {
-  static void read(const Value& v, const Place& at, const Spec&, Faults& faults, std::string& out) {
+  static void read(const Value& v, const Place& at, const Spec& spec, Faults& faults,
+                   std::string& out) {
     if (const auto* text = v.as<std::string>()) out = *text;
-    else detail::wrong_type(v, at, "a string", faults);
+    else detail::wrong_type(v, at, allowed(spec), faults);
   }
   static Value write(const std::string& v) { return v; }
   static Value schema(const Spec&) { return Value::Object{{"type", "string"}}; }
+  static std::string allowed(const Spec&) { return "a string"; }
 };
 
 template <Named E>
 struct Codec<E> {
+  static std::vector<std::string_view> names() {
+    return {Names<E>::names.begin(), Names<E>::names.end()};
+  }
   static void read(const Value& v, const Place& at, const Spec&, Faults& faults, E& out) {
-    const std::vector<std::string_view> names(Names<E>::names.begin(), Names<E>::names.end());
     const auto* text = v.as<std::string>();
-    if (text == nullptr) return detail::wrong_type(v, at, "one of " + listed(names), faults);
-    for (std::size_t i = 0; i < names.size(); ++i)
-      if (names[i] == *text) return void(out = static_cast<E>(i));
-    faults.add({FaultKind::unknown_name, at.pointer(), v, "one of " + listed(names),
-                nearest_name(*text, names)});
+    for (std::size_t i = 0; text != nullptr && i < Names<E>::names.size(); ++i)
+      if (Names<E>::names[i] == *text) return void(out = static_cast<E>(i));
+    detail::unknown_word(v, at, names(), faults);
   }
   static Value write(E v) { return name_of(v); }
   static Value schema(const Spec&) {
-    Value::Array names;
-    for (const std::string_view name : Names<E>::names) names.emplace_back(name);
-    return Value::Object{{"enum", names}};
-  }
-};
-
-// ---- vectors, colours -----------------------------------------------------------------------
-
-template <>
-struct Codec<Vec3d> {
-  static void read(const Value& v, const Place& at, const Spec& spec, Faults& faults, Vec3d& out) {
-    std::array<double, 3> n{};
-    if (detail::read_numbers(v, at, spec, false, faults, n)) out = {n[0], n[1], n[2]};
-  }
-  static Value write(const Vec3d& v) { return Value::Array{v.x, v.y, v.z}; }
-  static Value schema(const Spec& spec) { return detail::numbers_schema(spec, false, 3); }
-};
-
-template <>
-struct Codec<Color> {
-  static Spec not_negative(Spec spec) {
-    spec.min = 0;
-    return spec;
-  }
-  static void read(const Value& v, const Place& at, const Spec& spec, Faults& faults, Color& out) {
-    std::array<double, 3> n{};
-    if (v.as<double>() != nullptr) {
-      if (const auto grey = detail::read_number(v, at, not_negative(spec), false, faults))
-        out = {*grey, *grey, *grey};
-    } else if (detail::read_numbers(v, at, not_negative(spec), false, faults, n)) {
-      out = {n[0], n[1], n[2]};
-    }
-  }
-  static Value write(const Color& c) { return Value::Array{c.r, c.g, c.b}; }
-  static Value schema(const Spec& spec) {
-    return Value::Object{
-        {"oneOf", Value::Array{detail::numbers_schema(not_negative(spec), false, 3),
-                               detail::number_schema(not_negative(spec), false)}}};
-  }
-};
-
-template <std::size_t N>
-struct Codec<std::array<int, N>> {
-  static void read(const Value& v, const Place& at, const Spec& spec, Faults& faults,
-                   std::array<int, N>& out) {
-    std::array<double, N> n{};
-    if (!detail::read_numbers(v, at, spec, true, faults, n)) return;
-    for (std::size_t i = 0; i < N; ++i) out[i] = static_cast<int>(n[i]);
-  }
-  static Value write(const std::array<int, N>& v) { return Value::Array(v.begin(), v.end()); }
-  static Value schema(const Spec& spec) {
-    return detail::numbers_schema(spec, true, static_cast<int>(N));
-  }
-};
-
-template <std::size_t N>
-struct Codec<std::array<double, N>> {
-  static void read(const Value& v, const Place& at, const Spec& spec, Faults& faults,
-                   std::array<double, N>& out) {
-    std::array<double, N> n{};
-    if (detail::read_numbers(v, at, spec, false, faults, n)) out = n;
-  }
-  static Value write(const std::array<double, N>& v) { return Value::Array(v.begin(), v.end()); }
-  static Value schema(const Spec& spec) {
-    return detail::numbers_schema(spec, false, static_cast<int>(N));
-  }
-};
-
-// ---- containers -----------------------------------------------------------------------------
-
-template <class T>
-struct Codec<std::optional<T>> {
-  static void read(const Value& v, const Place& at, const Spec& spec, Faults& faults,
-                   std::optional<T>& out) {
-    T value{};
-    const std::size_t before = faults.list().size();
-    read_value(v, at, spec, faults, value);
-    if (faults.list().size() == before) out = std::move(value);
-  }
-  static Value write(const std::optional<T>& v) { return v ? write_value(*v) : Value(); }
-  static Value schema(const Spec& spec) { return Codec<T>::schema(spec); }
-};
-
-template <class T>
-struct Codec<std::vector<T>> {
-  static void read(const Value& v, const Place& at, const Spec& spec, Faults& faults,
-                   std::vector<T>& out) {
-    const auto* list = v.as<Value::Array>();
-    if (list == nullptr) return detail::wrong_type(v, at, "an array", faults);
-    out.clear();
-    for (std::size_t i = 0; i < list->size() && !faults.full(); ++i)
-      read_value((*list)[i], at.at(i), spec, faults, out.emplace_back());
-  }
-  static Value write(const std::vector<T>& v) {
     Value::Array list;
-    for (const T& each : v) list.push_back(write_value(each));
-    return list;
+    for (const std::string_view name : names()) list.emplace_back(name);
+    return Value::Object{{"enum", list}};
   }
-  static Value schema(const Spec& spec) {
-    return Value::Object{{"type", "array"}, {"items", Codec<T>::schema(spec)}};
-  }
-};
-
-template <class T>
-struct Codec<std::map<std::string, T>> {
-  using Map = std::map<std::string, T>;
-  static void read(const Value& v, const Place& at, const Spec& spec, Faults& faults, Map& out) {
-    const auto* members = v.as<Value::Object>();
-    if (members == nullptr) return detail::wrong_type(v, at, "an object", faults);
-    out.clear();
-    for (const auto& [name, value] : *members) {
-      if (faults.full()) return;
-      read_value(value, at.at(name), spec, faults, out[name]);
-    }
-  }
-  static Value write(const Map& v) {
-    Value::Object members;
-    for (const auto& [name, value] : v) members.emplace_back(name, write_value(value));
-    return members;
-  }
-  static Value schema(const Spec& spec) {
-    return Value::Object{{"type", "object"}, {"additionalProperties", Codec<T>::schema(spec)}};
-  }
-};
-
-/// A name, or the thing itself.
-template <class T>
-struct Codec<std::variant<std::string, T>> {
-  using NameOr = std::variant<std::string, T>;
-  static void read(const Value& v, const Place& at, const Spec& spec, Faults& faults, NameOr& out) {
-    if (v.as<std::string>() != nullptr) read_value(v, at, spec, faults, out.template emplace<0>());
-    else if (v.as<Value::Object>() != nullptr)
-      read_value(v, at, spec, faults, out.template emplace<1>());
-    else detail::wrong_type(v, at, "a name or an object", faults);
-  }
-  static Value write(const NameOr& v) {
-    return std::visit([](const auto& is) { return write_value(is); }, v);
-  }
-  static Value schema(const Spec& spec) {
-    return Value::Object{
-        {"oneOf", Value::Array{Codec<std::string>::schema(spec), Codec<T>::schema(spec)}}};
-  }
+  static std::string allowed(const Spec&) { return "one of " + listed(names()); }
 };
 
 }  // namespace tia
 
-#include "core/input/described.h"  // IWYU pragma: export
+// IWYU pragma: begin_exports
+#include "core/input/containers.h"
+#include "core/input/described.h"
+// IWYU pragma: end_exports

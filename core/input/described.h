@@ -1,13 +1,30 @@
 // Codec of described structs: three visitors that walk T::fields, one that reads, one that writes,
-// one that makes the schema. Included by codec.h, for all of them name each other.
+// one that makes the schema; what does not depend on T is in the .cpp. Included by codec.h.
 #pragma once
 
-#include <algorithm>
+#include <functional>
 #include <utility>
 
 #include "core/input/codec.h"
 
 namespace tia {
+
+/// Checks that concern several fields: a described type may have
+/// `void check(const Place&, Faults&) const`, called when all that it holds is right. So may a kind
+/// of a tagged union.
+template <class T>
+concept Checked = requires(const T& t, const Place& at, Faults& faults) {
+  t.check(at, faults);
+};
+
+/// Checks of what one part says of another: a described type may have
+/// `void check_links(const Place&, Faults&) const`, called whatever else is wrong. What could not
+/// be read is as it is by default, and has its fault.
+template <class T>
+concept Linked = requires(const T& t, const Place& at, Faults& faults) {
+  t.check_links(at, faults);
+};
+
 namespace detail {
 
 template <class T>
@@ -28,75 +45,62 @@ void with_kind(const std::variant<Kinds...>*, std::size_t i, F f) {
   ((at++ == i ? f(std::in_place_type<Kinds>) : void()), ...);
 }
 
+// ---- reading --------------------------------------------------------------------------------
+
+/// MemberReader: the members of one JSON object and which of them are known.
+struct MemberReader {
+  const Value::Object& object;
+  const Place& at;
+  Faults& faults;
+  std::vector<std::string_view> known = {};
+  bool kind_known = true;
+  std::function<void()> check_kind = {};  ///< none where the kind has none or is not right
+
+  /// The member of that name, known from now on; null where there is none.
+  const Value* member(std::string_view name);
+  void add_missing(std::string_view name, const Spec& spec, const std::string& allowed);
+  /// Which of the kinds the key `type` picks, the first where none is asked for; or a fault.
+  std::optional<std::size_t> kind(const std::vector<std::string_view>& names, const Spec& spec);
+  /// Faults of members that are not known, else those of the kind's own check. Where the kind is
+  /// unknown it cannot be told which members belong.
+  void finish() const;
+};
+
 /// Reads the members of one JSON object into an Owner and, for a tagged kind, into its alternative.
 template <class Owner>
 class FieldReader {
  public:
-  FieldReader(const Value::Object& object, const Place& at, Faults& faults, Owner& out,
-              std::vector<std::string_view>& known)
-      : object_(object), at_(at), faults_(faults), out_(out), known_(known) {}
+  FieldReader(MemberReader& from, Owner& out) : from_(from), out_(out) {}
 
   template <class Base, class Member>
   void operator()(std::string_view name, Member Base::*member, const Spec& spec) {
-    known_.push_back(name);
-    if (const Value* value = find(object_, name))
-      read_value(*value, at_.at(name), spec, faults_, out_.*member);
-    else if (spec.required)
-      faults_.add({FaultKind::missing, at_.at(name).pointer(), std::nullopt, spec.about});
+    if (const Value* value = from_.member(name))
+      read_value(*value, from_.at.at(name), spec, from_.faults, out_.*member);
+    else if (spec.required) from_.add_missing(name, spec, Codec<Member>::allowed(spec));
   }
 
   /// The key `type` picks the alternative, whose fields stand in the same object.
   template <class Base, class Variant>
   void one_of(Variant Base::*member, const Spec& spec) {
-    known_.push_back("type");
     Variant& variant = out_.*member;
-    const auto names = type_names(&variant);
-    const Value* type = find(object_, "type");
-    std::size_t chosen = 0;  // the first of the list where no type is asked for
-    if (type != nullptr) {
-      const auto* text = type->template as<std::string>();
-      if (text == nullptr) return refuse(*type, FaultKind::wrong_type, names, "");
-      const auto found = std::find(names.begin(), names.end(), *text);
-      if (found == names.end())
-        return refuse(*type, FaultKind::unknown_name, names, nearest_name(*text, names));
-      chosen = static_cast<std::size_t>(found - names.begin());
-    } else if (spec.required) {
-      type_known_ = false;
-      return faults_.add(
-          {FaultKind::missing, at_.at("type").pointer(), std::nullopt, "one of " + listed(names)});
-    }
-    with_kind(&variant, chosen, [&]<class Kind>(std::in_place_type_t<Kind>) {
-      auto& kind = variant.template emplace<Kind>();
-      Kind::fields(FieldReader<Kind>(object_, at_, faults_, kind, known_));
+    const auto chosen = from_.kind(type_names(&variant), spec);
+    if (!chosen) return;
+    with_kind(&variant, *chosen, [&]<class Kind>(std::in_place_type_t<Kind>) {
+      [[maybe_unused]] const std::size_t before = from_.faults.count();
+      Kind& kind = variant.template emplace<Kind>();
+      Kind::fields(FieldReader<Kind>(from_, kind));
+      if constexpr (Checked<Kind>)
+        if (from_.faults.count() == before)
+          from_.check_kind = [&kind, &from = from_] { kind.check(from.at, from.faults); };
     });
   }
 
-  /// Without a type it cannot be told which fields belong.
-  void refuse_unknown_members() const {
-    if (!type_known_) return;
-    for (const auto& [name, value] : object_) {
-      if (faults_.full()) return;
-      if (std::find(known_.begin(), known_.end(), name) != known_.end()) continue;
-      faults_.add({FaultKind::unknown_name, at_.at(name).pointer(), Value(name),
-                   "one of " + listed(known_), nearest_name(name, known_)});
-    }
-  }
-
  private:
-  void refuse(const Value& type, FaultKind kind, const std::vector<std::string_view>& names,
-              std::string nearest) {
-    type_known_ = false;
-    faults_.add(
-        {kind, at_.at("type").pointer(), type, "one of " + listed(names), std::move(nearest)});
-  }
-
-  const Value::Object& object_;
-  const Place& at_;
-  Faults& faults_;
+  MemberReader& from_;
   Owner& out_;
-  std::vector<std::string_view>& known_;
-  bool type_known_ = true;
 };
+
+// ---- writing --------------------------------------------------------------------------------
 
 /// Writes an Owner's fields, leaving out those that equal a default-constructed Owner's.
 template <class Owner>
@@ -127,20 +131,31 @@ class FieldWriter {
   Owner default_{};
 };
 
-/// Collects JSON Schema properties; the kinds of a tagged union become alternatives.
+// ---- schema ---------------------------------------------------------------------------------
+
+/// ObjectSchema: JSON Schema properties; the kinds of a tagged union are alternatives.
+struct ObjectSchema {
+  Value::Object properties;
+  Value::Array required;
+  std::vector<ObjectSchema> alternatives;
+
+  void add(std::string_view name, const Value& schema, const Spec& spec,
+           const std::optional<Value>& standard);
+  void add_kind(std::string_view type, ObjectSchema kind, bool asked_for);
+  /// One object schema, or one for each alternative with the common fields in each.
+  Value finish() const;
+};
+
 template <class Owner>
 class FieldSchema {
  public:
+  FieldSchema(ObjectSchema& schema, Definitions& named) : schema_(schema), named_(named) {}
+
   template <class Base, class Member>
   void operator()(std::string_view name, Member Base::*member, const Spec& spec) {
-    Value::Object property = *Codec<Member>::schema(spec).template as<Value::Object>();
-    std::string about = spec.about;
-    if (*spec.unit != '\0') about += std::string(", in ") + spec.unit;
-    property.emplace_back("description", about);
-    if (spec.required) required.emplace_back(name);
-    else if constexpr (!is_optional<Member>)
-      property.emplace_back("default", write_value(Owner{}.*member));
-    properties.emplace_back(name, std::move(property));
+    std::optional<Value> standard;
+    if constexpr (!is_optional<Member>) standard = write_value(Owner{}.*member);
+    schema_.add(name, schema_of<Member>(spec, named_), spec, standard);
   }
 
   template <class Base, class Variant>
@@ -148,73 +163,31 @@ class FieldSchema {
     const Variant* const list = nullptr;
     for (std::size_t i = 0; i < std::variant_size_v<Variant>; ++i) {
       with_kind(list, i, [&]<class Kind>(std::in_place_type_t<Kind>) {
-        FieldSchema<Kind> kind;
-        Kind::fields(kind);
-        kind.properties.emplace_back("type", Value::Object{{"const", Kind::type}});
-        if (spec.required || i != 0) kind.required.emplace_back("type");
-        alternatives.push_back(std::move(kind.properties));
-        alternatives_required.push_back(std::move(kind.required));
+        ObjectSchema kind;
+        Kind::fields(FieldSchema<Kind>(kind, named_));
+        schema_.add_kind(Kind::type, std::move(kind), spec.required || i != 0);
       });
     }
   }
 
-  /// One object schema, or one for each alternative with the common fields in each.
-  Value finish() const {
-    if (alternatives.empty()) return object_schema(properties, required);
-    Value::Array each;
-    for (std::size_t i = 0; i < alternatives.size(); ++i) {
-      Value::Object all = alternatives[i];
-      Value::Array needs = alternatives_required[i];
-      all.insert(all.end(), properties.begin(), properties.end());
-      needs.insert(needs.end(), required.begin(), required.end());
-      each.push_back(object_schema(std::move(all), std::move(needs)));
-    }
-    return each.size() == 1 ? each.front() : Value::Object{{"oneOf", each}};
-  }
-
-  Value::Object properties;
-  Value::Array required;
-  std::vector<Value::Object> alternatives;
-  std::vector<Value::Array> alternatives_required;
-
  private:
-  static Value object_schema(Value::Object properties, Value::Array required) {
-    Value::Object schema{
-        {"type", "object"}, {"properties", std::move(properties)}, {"additionalProperties", false}};
-    if (!required.empty()) schema.emplace_back("required", std::move(required));
-    return schema;
-  }
+  ObjectSchema& schema_;
+  Definitions& named_;
 };
 
 }  // namespace detail
 
-/// Checks that concern several fields: a described type may have
-/// `void check(const Place&, Faults&) const`, called when all that it holds is right.
-template <class T>
-concept Checked = requires(const T& t, const Place& at, Faults& faults) {
-  t.check(at, faults);
-};
-
-/// Checks of what one part says of another: a described type may have
-/// `void check_links(const Place&, Faults&) const`, called whatever else is wrong. What could not
-/// be read is as it is by default, and has its fault.
-template <class T>
-concept Linked = requires(const T& t, const Place& at, Faults& faults) {
-  t.check_links(at, faults);
-};
-
 template <Described T>
 struct Codec<T> {
-  static void read(const Value& v, const Place& at, const Spec&, Faults& faults, T& out) {
+  static void read(const Value& v, const Place& at, const Spec& spec, Faults& faults, T& out) {
     const auto* object = v.as<Value::Object>();
-    if (object == nullptr) return detail::wrong_type(v, at, "an object", faults);
-    const std::size_t before = faults.list().size();
-    std::vector<std::string_view> known;
-    detail::FieldReader<T> reader(*object, at, faults, out, known);
-    T::fields(reader);
-    reader.refuse_unknown_members();
+    if (object == nullptr) return detail::wrong_type(v, at, allowed(spec), faults);
+    [[maybe_unused]] const std::size_t before = faults.count();
+    detail::MemberReader from{*object, at, faults};
+    T::fields(detail::FieldReader<T>(from, out));
+    from.finish();
     if constexpr (Checked<T>)
-      if (faults.list().size() == before) out.check(at, faults);
+      if (faults.count() == before) out.check(at, faults);
     if constexpr (Linked<T>) out.check_links(at, faults);
   }
   static Value write(const T& v) {
@@ -222,11 +195,12 @@ struct Codec<T> {
     T::fields(detail::FieldWriter<T>(v, object));
     return object;
   }
-  static Value schema(const Spec&) {
-    detail::FieldSchema<T> schema;
-    T::fields(schema);
+  static Value schema(const Spec&, Definitions& named) {
+    detail::ObjectSchema schema;
+    T::fields(detail::FieldSchema<T>(schema, named));
     return schema.finish();
   }
+  static std::string allowed(const Spec&) { return "an object"; }
 };
 
 /// Reads a whole described object. Errors: InputError with all faults (up to 20).

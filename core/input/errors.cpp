@@ -20,6 +20,20 @@ std::string Place::pointer() const {
   return text;
 }
 
+Value excerpt(const Value& got) {
+  constexpr std::size_t longest = 120;
+  const auto* string = got.as<std::string>();
+  const std::string text = string != nullptr ? *string : to_json(got);
+  return text.size() <= longest ? got : Value(text.substr(0, longest) + "…");
+}
+
+void Faults::add(Fault fault) {
+  ++count_;
+  if (full()) return;
+  if (fault.got) fault.got = excerpt(*fault.got);
+  list_.push_back(std::move(fault));
+}
+
 bool Faults::at(std::string_view pointer) const {
   return std::any_of(list_.begin(), list_.end(),
                      [&](const Fault& fault) { return fault.pointer == pointer; });

@@ -46,13 +46,16 @@ struct Place {
   std::string pointer() const;
 };
 
-/// Faults: collects all faults of an input, keeps the first 20.
+/// What came, cut short where its text is longer than 120 bytes: an answer must not echo a mesh.
+Value excerpt(const Value& got);
+
+/// Faults: collects all faults of an input, keeps the first 20, each with an excerpt of what came.
 class Faults {
  public:
   static constexpr std::size_t most = 20;
-  void add(Fault fault) {
-    if (!full()) list_.push_back(std::move(fault));
-  }
+  void add(Fault fault);
+  /// How many were added, those that were not kept included.
+  std::size_t count() const { return count_; }
   bool empty() const { return list_.empty(); }
   /// Whether something is wrong exactly at a place.
   bool at(std::string_view pointer) const;
@@ -66,6 +69,7 @@ class Faults {
 
  private:
   std::vector<Fault> list_;
+  std::size_t count_ = 0;
 };
 
 /// InputError: an input that cannot be used, with every fault found in it.

@@ -5,6 +5,7 @@
 namespace tia {
 
 bool in_range(double number, const Spec& spec) {
+  if (spec.not_zero && number == 0) return false;
   return (spec.open_min ? number > spec.min : number >= spec.min) && number <= spec.max;
 }
 
@@ -19,6 +20,7 @@ std::string range_text(const Spec& spec, bool integer) {
   } else if (spec.max < inf) {
     text += " not above " + number_text(spec.max);
   }
+  if (spec.not_zero) text += ", not 0";
   if (*spec.unit != '\0') text += std::string(" (") + spec.unit + ")";
   return text;
 }

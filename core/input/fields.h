@@ -22,6 +22,8 @@ struct Spec {
   double max = std::numeric_limits<double>::infinity();
   bool open_min = false;  ///< min itself is not allowed
   bool required = false;
+  bool not_zero = false;      ///< 0 itself is not allowed
+  std::size_t min_items = 0;  ///< the fewest elements of a list
 };
 
 /// Color: linear RGB, each >= 0. In JSON three numbers, or one number for a grey.

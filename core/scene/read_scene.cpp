@@ -7,11 +7,10 @@ Scene read_scene(std::string_view json) { return read_described<Scene>(parse_jso
 std::string canonical_text(const Scene& scene) { return to_json(write_value(scene)); }
 
 std::string scene_schema() {
-  Value schema = Codec<Scene>::schema({});
-  auto& members = *schema.as<Value::Object>();
+  Value::Object members = whole_schema<Scene>();
   members.emplace_back("$schema", "https://json-schema.org/draft/2020-12/schema");
   members.emplace_back("title", "Tia scene");
-  return to_json(schema);
+  return to_json(members);
 }
 
 }  // namespace tia

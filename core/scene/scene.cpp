@@ -77,11 +77,11 @@ Value Codec<KeyBinding>::write(const KeyBinding& v) {
   return Value::Object{{"light", write_value(std::get<Vec3d>(v))}};
 }
 
-Value Codec<KeyBinding>::schema(const Spec&) {
+Value Codec<KeyBinding>::schema(const Spec&, Definitions& named) {
   const Value::Array only{"light"};
   const Value light =
       Value::Object{{"type", "object"},
-                    {"properties", Value::Object{{"light", Codec<Vec3d>::schema(position)}}},
+                    {"properties", Value::Object{{"light", schema_of<Vec3d>(position, named)}}},
                     {"required", only},
                     {"additionalProperties", false}};
   const Value alone = Value::Object{{"required", only}, {"maxProperties", 1}};

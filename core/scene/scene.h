@@ -85,7 +85,7 @@ struct Codec<KeyBinding> {
   static void read(const Value& v, const Place& at, const Spec& spec, Faults& faults,
                    KeyBinding& out);
   static Value write(const KeyBinding& v);
-  static Value schema(const Spec& spec);
+  static Value schema(const Spec&, Definitions& named);
 };
 
 }  // namespace tia

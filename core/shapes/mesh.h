@@ -1,0 +1,43 @@
+// Triangles that share vertices, as the scene writes them.
+#pragma once
+
+#include "core/input/numbers.h"
+
+namespace tia {
+
+/// Mesh. Surface: the triangles whose corners are three indices each into the positions; open or
+/// closed. Normals, one a vertex, smooth the shading; uvs, two numbers a vertex, place textures.
+/// Space/units: scene units, object space.
+struct Mesh {
+  static constexpr std::string_view type = "mesh";
+  Numbers<float> positions;
+  Numbers<std::uint32_t> indices;
+  Numbers<float> normals, uvs;
+
+  template <class Visitor>
+  static void fields(Visitor&& visit) {
+    constexpr double far = 1e9;
+    visit("positions", &Mesh::positions,
+          Spec{.about = "x, y and z of each vertex",
+               .min = -far,
+               .max = far,
+               .required = true,
+               .min_items = 9});
+    visit("indices", &Mesh::indices,
+          Spec{.about = "the three vertices of each triangle", .required = true, .min_items = 3});
+    visit("normals", &Mesh::normals,
+          Spec{.about = "x, y and z of each vertex' normal, of any length but 0",
+               .min = -far,
+               .max = far});
+    visit("uvs", &Mesh::uvs, Spec{.about = "u and v of each vertex", .min = -far, .max = far});
+  }
+  std::size_t vertices() const { return positions.values.size() / 3; }
+  std::size_t triangles() const { return indices.values.size() / 3; }
+
+  /// Lists of the wrong length, indices beyond the positions, normals of no length. A place in a
+  /// list is that of its number, however the list is written.
+  void check(const Place& at, Faults& faults) const;
+  bool operator==(const Mesh&) const = default;
+};
+
+}  // namespace tia
