@@ -93,13 +93,12 @@ bool expect_on_surface(const Form& form, const Implicit& f, const Vec3l& exact, 
   EXPECT_TRUE(p.x >= box.min.x - slack && p.y >= box.min.y - slack && p.z >= box.min.z - slack &&
               p.x <= box.max.x + slack && p.y <= box.max.y + slack && p.z <= box.max.z + slack);
   const Vec2d place = uv(form, p, element);
-  if (unit_uv)
-    EXPECT_TRUE(0 <= place.u && place.u <= 1 && 0 <= place.v && place.v <= 1)
-        << place.u << " " << place.v;
+  EXPECT_TRUE(!unit_uv || (0 <= place.u && place.u <= 1 && 0 <= place.v && place.v <= 1))
+      << place.u << " " << place.v;
   const Vec3d n = normal(form, p, element);
   EXPECT_NEAR(length(n), 1, 1e-14);
   const auto g = gradient(f, exact, 1e-5L * size);
-  if (g) EXPECT_LT(length(n - normalize(*g)), 1e-4);
+  EXPECT_LT(g ? length(n - normalize(*g)) : 0, 1e-4);
   return g.has_value();
 }
 
@@ -119,8 +118,8 @@ void expect_pairs_hold(const std::vector<Crossing>& pairs, const Implicit& f, co
     for (std::size_t k = 0; k < pairs.size(); k += 2)
       inside = inside || (pairs[k].t < t && t < pairs[k + 1].t);
     const Long value = f(line.at(t));
-    if (std::fabs(value) > 1e-9L * size)
-      ASSERT_EQ(inside, value < 0) << "t " << t << ", value " << value;
+    if (std::fabs(value) <= 1e-9L * size) continue;
+    ASSERT_EQ(inside, value < 0) << "t " << t << ", value " << value;
   }
 }
 
