@@ -26,36 +26,43 @@ class Sum {
   double value_ = 0, terms_ = 0;
 };
 
-// Half the gradient of the second-degree part at v.
-Vec3d half_gradient(const std::array<double, 10>& k, const Vec3d& v) {
-  return {k[0] * v.x + (k[3] * v.y + k[4] * v.z) / 2, k[1] * v.y + (k[3] * v.x + k[5] * v.z) / 2,
-          k[2] * v.z + (k[4] * v.x + k[5] * v.y) / 2};
+using Ten = std::array<double, 10>;
+
+// The terms of the symmetric bilinear form that is the second-degree part where v = w.
+void add_bilinear(const Ten& k, const Vec3d& v, const Vec3d& w, Sum& sum) {
+  sum.add(k[0] * v.x * w.x);
+  sum.add(k[1] * v.y * w.y);
+  sum.add(k[2] * v.z * w.z);
+  sum.add(k[3] / 2 * v.x * w.y);
+  sum.add(k[3] / 2 * v.y * w.x);
+  sum.add(k[4] / 2 * v.x * w.z);
+  sum.add(k[4] / 2 * v.z * w.x);
+  sum.add(k[5] / 2 * v.y * w.z);
+  sum.add(k[5] / 2 * v.z * w.y);
 }
 
-double second_degree(const std::array<double, 10>& k, const Vec3d& d) {
+double second_degree(const Ten& k, const Vec3d& d) {
   Sum sum;
-  sum.add(k[0] * d.x * d.x);
-  sum.add(k[1] * d.y * d.y);
-  sum.add(k[2] * d.z * d.z);
-  sum.add(k[3] * d.x * d.y);
-  sum.add(k[4] * d.x * d.z);
-  sum.add(k[5] * d.y * d.z);
+  add_bilinear(k, d, d, sum);
   return sum.value();
 }
 
-double half_slope(const std::array<double, 10>& k, const Vec3d& o, const Vec3d& d) {
-  const Vec3d along = half_gradient(k, d);
+double half_slope(const Ten& k, const Vec3d& o, const Vec3d& d) {
   Sum sum;
-  sum.add(along.x * o.x);
-  sum.add(along.y * o.y);
-  sum.add(along.z * o.z);
+  add_bilinear(k, o, d, sum);
   sum.add(k[6] * d.x / 2);
   sum.add(k[7] * d.y / 2);
   sum.add(k[8] * d.z / 2);
   return sum.value();
 }
 
-double value_at(const std::array<double, 10>& k, const Vec3d& p) {
+// Half the gradient of the second-degree part.
+Vec3d half_gradient(const Ten& k, const Vec3d& v) {
+  return {k[0] * v.x + (k[3] * v.y + k[4] * v.z) / 2, k[1] * v.y + (k[3] * v.x + k[5] * v.z) / 2,
+          k[2] * v.z + (k[4] * v.x + k[5] * v.y) / 2};
+}
+
+double value_at(const Ten& k, const Vec3d& p) {
   return dot(half_gradient(k, p) + Vec3d{k[6], k[7], k[8]}, p) + k[9];
 }
 
