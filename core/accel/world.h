@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/math/ray.h"
+#include "core/scene/beam.h"
 #include "core/scene/scene.h"
 
 namespace tia {

@@ -166,6 +166,19 @@ inline void store(float value, float* to) { *to = value; }
 inline void store(double value, float* to) { *to = static_cast<float>(value); }
 inline void store(const Wide& value, float* to) { value.store_unaligned(to); }
 
+inline void store(double value, double* to) { *to = value; }
+inline void store(const WideDouble& value, double* to) { value.store_unaligned(to); }
+
+/// The lanes that store() wrote.
+template <class Real>
+Real load(const float* from) {
+  return static_cast<Real>(*from);
+}
+template <>
+inline Wide load<Wide>(const float* from) {
+  return Wide::load_unaligned(from);
+}
+
 /// One lane's value. Domain: 0 <= lane < lanes.
 inline float lane(float value, int) { return value; }
 inline double lane(double value, int) { return value; }
