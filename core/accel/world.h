@@ -11,6 +11,7 @@
 #include "core/accel/mesh_index.h"
 #include "core/accel/part.h"
 #include "core/accel/solid.h"
+#include "core/scene/beam.h"
 #include "core/scene/scene.h"
 
 namespace tia {

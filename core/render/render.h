@@ -9,6 +9,7 @@
 #include "core/accel/world.h"
 #include "core/film/image.h"
 #include "core/render/pool.h"
+#include "core/render/trace_block.h"
 
 namespace tia {
 
@@ -20,26 +21,21 @@ struct Window {
   bool operator==(const Window&) const = default;
 };
 
-/// RayCounts: exact numbers of rays by kind; a shadow ray for each lamp and hit with n.l > 0.
-struct RayCounts {
-  std::int64_t primary = 0, shadow = 0, reflection = 0, refraction = 0;
-  bool operator==(const RayCounts&) const = default;
-};
-
-/// The arithmetic of a render: `wide` is what pictures are made with, `narrow` gives the same bytes
-/// one ray at a time, `exact` traces in double, for tests and explanations.
-enum class Scalar { wide, narrow, exact };
-
 struct RenderOptions {
   IntegratorName integrator = IntegratorName::thesis;
   int threads = 1;
   int tile = Block::size;  ///< pixels a side, at most Block::size
   Scalar scalar = Scalar::wide;
+  int samples = 1;       ///< rays a pixel, 1 .. 65536; 1 goes through the centre of pixel and lens
+  double threshold = 0;  ///< what the standard error of a pixel may be, 0 .. 1; 0: any (Sampler)
+  std::int64_t seed = 0;
+  std::int64_t max_rays = 2'000'000'000;  ///< of all kinds, of the whole window
 };
 
 /// Traces the window and hands each finished block, in window coordinates, to `develop`, from
 /// several threads at once, each pixel in exactly one block.
-/// Errors: Stopped, between tiles, when `stop` is requested.
+/// Errors: Stopped when `stop` is requested; InputError of one `limit` fault at /samples when more
+/// than max_rays are traced. Both come between tiles, or within one that takes many rays.
 RayCounts render(const World& world, const View& view, const Window& window,
                  const RenderOptions& options, Pool& pool, const std::stop_token& stop,
                  const std::function<void(const Block&)>& develop);

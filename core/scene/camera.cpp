@@ -1,17 +1,15 @@
 #include "core/scene/camera.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/input/codec.h"
-#include "core/math/deterministic.h"
 
 namespace tia {
 namespace {
 
-Vec3d axis(const Camera& camera) {
-  if (camera.look_at) return *camera.look_at - camera.location;
-  return camera.direction.value_or(Vec3d{0, 0, -1});
-}
+constexpr double parallel = 1e-9;  // sine of the least angle between axes
+constexpr double widest = 1e9;     // the view's extent, per unit of the eye's distance from it
 
 // |a x b| as a share of |a| |b|: 0 where the two are parallel or one is zero.
 double sine_between(const Vec3d& a, const Vec3d& b) {
@@ -19,86 +17,166 @@ double sine_between(const Vec3d& a, const Vec3d& b) {
   return lengths > 0 ? length(cross(a, b)) / lengths : 0;
 }
 
-}  // namespace
+// Collects one camera's faults.
+class Check {
+ public:
+  Check(const Camera& camera, const Place& at, Faults& faults)
+      : camera_(camera), at_(at), faults_(faults) {}
 
-void Camera::check(const Place& at, Faults& faults) const {
-  constexpr double parallel = 1e-9, widest = 1e9;
-  const std::size_t before = faults.list().size();
-  const auto fault = [&](FaultKind kind, const char* field, const Value& got, const char* allowed) {
-    faults.add({kind, at.at(field).pointer(), got, allowed});
-  };
-  if (look_at && direction)
-    fault(FaultKind::conflict, "direction", write_value(*direction), "look_at or direction");
-  if (right && look_at)
-    fault(FaultKind::conflict, "look_at", write_value(*look_at),
-          "right goes with direction and up (the view plane)");
-  if (right && fov_degrees != Camera{}.fov_degrees)
-    fault(FaultKind::conflict, "fov_degrees", fov_degrees,
-          "right goes without fov_degrees: the view plane's size is the angle");
-  if (faults.list().size() != before) return;
+  void all() {
+    const std::size_t before = faults_.list().size();
+    spellings();
+    if (camera_.basis) grid();
+    projection();
+    lens();
+    if (faults_.list().size() != before) return;
+    if (camera_.basis) grid_extent();
+    else axes();
+    if (camera_.aperture > widest * camera_.focus_distance.value_or(1))
+      fault(FaultKind::out_of_range, "focus_distance", *camera_.focus_distance,
+            "at least 1e-9 of aperture");
+  }
 
-  const Vec3d view = axis(*this);
-  const char* const axis_field = look_at ? "look_at" : "direction";
+ private:
+  void spellings();
+  void grid();
+  void projection();
+  void lens();
+  void grid_extent();
+  void axes();
+  void view_plane();
+
+  bool orthographic() const { return camera_.projection == Projection::orthographic; }
+  bool has_own_fov() const { return camera_.fov_degrees != Camera{}.fov_degrees; }
+  void fault(FaultKind kind, const char* field, std::optional<Value> got, const char* allowed) {
+    faults_.add({kind, at_.at(field).pointer(), std::move(got), allowed});
+  }
+  template <class T>
+  void refuse(const char* field, const std::optional<T>& value, const char* allowed) {
+    if (value) fault(FaultKind::conflict, field, write_value(*value), allowed);
+  }
+  void require(const char* field, const std::optional<double>& value, const char* about) {
+    if (!value) fault(FaultKind::missing, field, std::nullopt, about);
+  }
+
+  const Camera& camera_;
+  const Place& at_;
+  Faults& faults_;
+};
+
+void Check::spellings() {
+  const Camera& c = camera_;
+  if (c.basis) {
+    constexpr auto alone = "basis goes without look_at, direction, up, right and fov_degrees";
+    refuse("look_at", c.look_at, alone);
+    refuse("direction", c.direction, alone);
+    if (c.up != Camera{}.up) fault(FaultKind::conflict, "up", write_value(c.up), alone);
+    refuse("right", c.right, alone);
+    if (has_own_fov()) fault(FaultKind::conflict, "fov_degrees", c.fov_degrees, alone);
+    return;
+  }
+  if (c.look_at) refuse("direction", c.direction, "look_at or direction");
+  if (c.right) {
+    refuse("look_at", c.look_at, "right goes with direction and up (the view plane)");
+    if (has_own_fov())
+      fault(FaultKind::conflict, "fov_degrees", c.fov_degrees,
+            "right goes without fov_degrees: the view plane's size is the angle");
+  }
+  refuse("distance", c.distance, "distance goes with basis");
+  refuse("pixel_size", c.pixel_size, "pixel_size goes with basis");
+}
+
+void Check::grid() {
+  require("pixel_size", camera_.pixel_size, "the side of a pixel's square, for basis");
+  if (orthographic())
+    refuse("distance", camera_.distance, "an orthographic basis goes without distance");
+  else require("distance", camera_.distance, "from the eye to the grid of pixels, for basis");
+}
+
+void Check::projection() {
+  const Camera& c = camera_;
+  if (!orthographic())
+    return refuse("height", c.height, "height goes with projection orthographic");
+  if (c.basis)
+    return refuse("height", c.height, "basis goes without height: pixel_size gives the extent");
+  if (c.right)
+    return refuse("height", c.height, "right goes without height: the view plane is the extent");
+  require("height", c.height, "the whole picture's height, for projection orthographic");
+  if (has_own_fov())
+    fault(FaultKind::conflict, "fov_degrees", c.fov_degrees,
+          "projection orthographic goes with height, without fov_degrees");
+}
+
+void Check::lens() {
+  const Camera& c = camera_;
+  constexpr auto allowed = "only projection perspective has a lens";
+  if (orthographic()) {
+    if (c.aperture > 0) fault(FaultKind::conflict, "aperture", c.aperture, allowed);
+    refuse("focus_distance", c.focus_distance, allowed);
+  } else if (c.aperture > 0) {
+    require("focus_distance", c.focus_distance,
+            "from the eye along the view to the plane that is sharp, for aperture");
+  }
+}
+
+// Pictures have up to 2^24 pixels, all perhaps in one row.
+void Check::grid_extent() {
+  constexpr double most = 100;
+  if (!orthographic() && *camera_.pixel_size > most * *camera_.distance)
+    fault(FaultKind::out_of_range, "distance", *camera_.distance, "at least 0.01 of pixel_size");
+}
+
+void Check::axes() {
+  const Camera& c = camera_;
+  const Vec3d view = axis_of(c);
   if (length(view) == 0)
-    fault(FaultKind::out_of_range, axis_field, write_value(look_at ? *look_at : view),
-          look_at ? "a point other than location" : "a direction of some length");
-  else if (sine_between(view, up) < parallel)
-    fault(FaultKind::out_of_range, "up", write_value(up), "not zero, not parallel to the view");
-  else if (right &&
-           (length(*right) == 0 || std::fabs(dot(view, cross(*right, up))) <
-                                       parallel * length(view) * length(*right) * length(up)))
-    fault(FaultKind::out_of_range, "right", write_value(*right),
+    fault(FaultKind::out_of_range, c.look_at ? "look_at" : "direction",
+          write_value(c.look_at ? *c.look_at : view),
+          c.look_at ? "a point other than location" : "a direction of some length");
+  else if (sine_between(view, c.up) < parallel)
+    fault(FaultKind::out_of_range, "up", write_value(c.up), "not zero, not parallel to the view");
+  else if (c.right) view_plane();
+}
+
+void Check::view_plane() {
+  const Vec3d view = axis_of(camera_), &right = *camera_.right, &up = camera_.up;
+  if (length(right) == 0 ||
+      std::fabs(dot(view, cross(right, up))) < parallel * length(view) * length(right) * length(up))
+    fault(FaultKind::out_of_range, "right", write_value(right),
           "a view plane of some size that the eye does not lie in");
-  else if (right && std::max(length(*right), length(up)) > widest * length(view))
+  else if (!orthographic() && std::max(length(right), length(up)) > widest * length(view))
     fault(FaultKind::out_of_range, "direction", write_value(view),
           "at least 1e-9 of the view plane's size: so far from the eye it is");
 }
 
-// A float ray strays from the exact one: its eye by half a float's step; its direction by a few
-// steps of the terms of its sum, whose length is no less than the eye's distance from the plane.
-Beam::Beam(const View& view, int x0, int y0, int x1, int y1) : origin_(view.origin) {
-  constexpr double step = 0x1p-23;
-  const Vec3d normal = normalize(cross(view.right, view.up));
-  const double terms = length(view.forward) + length(view.right) + length(view.up);
-  eye_blur_ = step * length(view.origin);
-  const auto corner = [&](int x, int y) {  // of the pixels, not their centres: a margin of half one
-    const double sx = 2.0 * x / view.width - 1, sy = 1 - 2.0 * y / view.height;
-    return normalize(view.forward + view.right * sx + view.up * sy);
+}  // namespace
+
+void Basis::check(const Place& at, Faults& faults) const {
+  constexpr double tolerance = 1e-6;
+  const std::size_t before = faults.list().size();
+  const auto fault = [&](const char* field, const Vec3d& got, const char* allowed) {
+    faults.add({FaultKind::out_of_range, at.at(field).pointer(), write_value(got), allowed});
   };
-  const Vec3d corners[] = {corner(x0, y0), corner(x1, y0), corner(x1, y1), corner(x0, y1)};
-  axis_ = normalize(corners[0] + corners[1] + corners[2] + corners[3]);
-  double chord = 0;  // 2 sin(spread / 2), which keeps its digits where the spread is tiny
-  for (const Vec3d& each : corners) chord = std::max(chord, length(each - axis_));
-  chord += 8 * step * terms / std::fabs(dot(view.forward, normal));
-  cos_spread_ = 1 - chord * chord / 2;
-  sin_spread_ = chord * std::sqrt(std::max(0.0, 1 - chord * chord / 4));
+  const auto near = [](double a, double b) { return std::fabs(a - b) <= tolerance; };
+  const auto unit = [&](const char* field, const Vec3d& axis) {
+    if (!near(length(axis), 1)) fault(field, axis, "a vector of length 1, to 1e-6");
+  };
+  unit("u", u);
+  unit("v", v);
+  unit("w", w);
+  if (faults.list().size() != before) return;
+  if (!near(dot(u, v), 0)) fault("v", v, "perpendicular to u, to 1e-6");
+  else if (!near(dot(u, w), 0) || !near(dot(v, w), 0))
+    fault("w", w, "perpendicular to u and v, to 1e-6");
+  else if (dot(cross(u, v), w) < 0) fault("w", w, "u x v: the basis is right-handed");
 }
 
-// The distance from the cone of a centre that lies beside it is aside * cos - depth * sin; where
-// the cone's nearest point is its apex, the eye, only a ball around the eye can meet it.
-bool Beam::may_meet(const Vec3d& center, double radius) const {
-  constexpr double slack = 1e-9;  // far beyond double's rounding
-  const Vec3d to_center = center - origin_;
-  const double reach = radius + eye_blur_ + slack * length(to_center);
-  if (length(to_center) <= reach || cos_spread_ <= 0) return true;
-  const double depth = dot(axis_, to_center);
-  const double aside = length(to_center - axis_ * depth);
-  if (depth * cos_spread_ + aside * sin_spread_ < 0) return false;
-  return aside * cos_spread_ - depth * sin_spread_ <= reach;
-}
+void Camera::check(const Place& at, Faults& faults) const { Check(*this, at, faults).all(); }
 
-View view_of(const Camera& camera, int width, int height) {
-  const Vec3d forward = axis(camera);
-  if (camera.right) {  // at distance 1, lest a plane of 1e-30 vanish from float
-    const double near = 1 / length(forward);
-    return {camera.location, forward * near, *camera.right * near, camera.up * near, width, height};
-  }
-  const Vec3d w = normalize(forward);
-  const Vec3d u = normalize(cross(w, camera.up));
-  const Vec3d v = cross(u, w);
-  const double half_height = tan_of(camera.fov_degrees / 2 * (pi / 180));
-  const double half_width = half_height * static_cast<double>(width) / static_cast<double>(height);
-  return {camera.location, w, u * half_width, v * half_height, width, height};
+Vec3d axis_of(const Camera& camera) {
+  if (camera.basis) return -camera.basis->w;
+  if (camera.look_at) return *camera.look_at - camera.location;
+  return camera.direction.value_or(Vec3d{0, 0, -1});
 }
 
 }  // namespace tia

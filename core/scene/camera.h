@@ -1,94 +1,100 @@
-// The camera as the scene writes it, and the view that every spelling of it becomes.
+// The camera as the scene writes it, in any of its spellings. What they all become is view.h's.
 #pragma once
 
+#include <array>
 #include <optional>
+#include <string_view>
 
 #include "core/input/errors.h"
 #include "core/input/fields.h"
-#include "core/math/ray.h"
+#include "core/math/vec3.h"
 
 namespace tia {
 
-/// Camera: `location` with `look_at` or `direction`, `up` and `fov_degrees`; or the slides' view
-/// plane, where `direction` runs to the plane's centre and `up` and `right` from there to its
-/// edges. Space/units: world space, scene units. Default: at the origin, looking along -z.
+enum class Projection { perspective, orthographic };
+template <>
+struct Names<Projection> {
+  static constexpr std::array<std::string_view, 2> names{"perspective", "orthographic"};
+};
+
+/// Basis: AlgoWiki's frame of the camera, right-handed and orthonormal: u right, v up, w towards
+/// the viewer.
+struct Basis {
+  Vec3d u{1, 0, 0}, v{0, 1, 0}, w{0, 0, 1};
+
+  template <class Visitor>
+  static void fields(Visitor&& visit) {
+    visit("u", &Basis::u, Spec{.about = "to the right", .required = true});
+    visit("v", &Basis::v, Spec{.about = "upwards", .required = true});
+    visit("w", &Basis::w, Spec{.about = "towards the viewer", .required = true});
+  }
+  /// Lengths other than 1, angles other than right ones, a left-handed frame, each beyond 1e-6.
+  void check(const Place& at, Faults& faults) const;
+  bool operator==(const Basis&) const = default;
+};
+
+/// Camera: `location` with one of three spellings of what it sees:
+/// - `look_at` or `direction`, `up`, and `fov_degrees` (orthographic: `height`);
+/// - the slides' view plane: `direction` runs to the plane's centre, `up` and `right` from there to
+///   its edges (orthographic: these are the picture's half extents);
+/// - AlgoWiki's `basis` and a grid of squares of `pixel_size` at `distance` (orthographic: none).
+/// Space/units: world space, scene units. Default: at the origin, looking along -z.
 struct Camera {
   Vec3d location{};
   std::optional<Vec3d> look_at, direction;
   Vec3d up{0, 1, 0};
   std::optional<Vec3d> right;
   double fov_degrees = 25;
+  std::optional<Basis> basis;
+  std::optional<double> distance, pixel_size;
+  Projection projection = Projection::perspective;
+  std::optional<double> height;
+  double aperture = 0;
+  std::optional<double> focus_distance;
 
   template <class Visitor>
-  static void fields(Visitor&& visit) {
-    constexpr double far = 1e9;
-    visit("location", &Camera::location, Spec{.about = "the eye", .min = -far, .max = far});
-    visit("look_at", &Camera::look_at,
-          Spec{.about = "the point in the picture's centre", .min = -far, .max = far});
-    visit("direction", &Camera::direction,
-          Spec{.about = "the way the eye looks; with right, up to the view plane's centre",
-               .min = -far,
-               .max = far});
-    visit("up", &Camera::up,
-          Spec{.about = "what is up; with right, half the view plane's height",
-               .min = -far,
-               .max = far});
-    visit("right", &Camera::right,
-          Spec{.about = "half the view plane's width", .min = -far, .max = far});
-    visit("fov_degrees", &Camera::fov_degrees,
-          Spec{.about = "vertical field of view",
-               .unit = "degrees",
-               .min = 0,
-               .max = 179,
-               .open_min = true});
-  }
-  /// Conflicting spellings, zero lengths, an `up` along the view.
+  static void fields(Visitor&& visit);
+  /// Conflicting spellings, what a spelling lacks, zero lengths, an `up` along the view.
   void check(const Place& at, Faults& faults) const;
   bool operator==(const Camera&) const = default;
 };
 
-/// View: the eye and the plane it looks through. The ray of a raster point (sx, sy) in [-1,1]^2,
-/// sy upwards, runs along forward + sx * right + sy * up.
-struct View {
-  Vec3d origin, forward, right, up;
-  int width = 0, height = 0;
+/// The way from the eye to what it looks at; its length is of no meaning but to a view plane.
+/// Domain: a camera whose spellings do not conflict.
+Vec3d axis_of(const Camera& camera);
 
-  /// The ray through the centre of pixel (x, y), row 0 on top, as the sum of what its column and
-  /// its row give. Exactly symmetric about both axes.
-  /// Source: algorithm of the thesis, xx = (2x+1-W)/W * tan(fov/2) * W/H, yy likewise.
-  template <class Real>
-  Ray<Real> ray(Real x, Real y) const {
-    return {lift<Real>(origin), normalize(column(x) + row(y))};
-  }
-  template <class Real>
-  Vec3<Real> column(Real x) const {
-    const Real w = Real(static_cast<float>(width));
-    return lift<Real>(forward) + lift<Real>(right) * ((x + x + Real(1) - w) / w);
-  }
-  template <class Real>
-  Vec3<Real> row(Real y) const {
-    const Real h = Real(static_cast<float>(height));
-    return lift<Real>(up) * ((h - (y + y) - Real(1)) / h);
-  }
-};
-
-/// Beam: a cone around all rays from the eye through one rectangle of the picture, those of float
-/// with all their roundings included. What is culled with it is only what no ray of it can meet, so
-/// that no pixel depends on it.
-class Beam {
- public:
-  /// The rays of the pixels x0 <= x < x1, y0 <= y < y1.
-  Beam(const View& view, int x0, int y0, int x1, int y1);
-  /// False only if no ray of the beam meets the ball.
-  bool may_meet(const Vec3d& center, double radius) const;
-
- private:
-  Vec3d origin_, axis_;
-  double cos_spread_ = 1, sin_spread_ = 0;  // of the angle between the axis and the outermost ray
-  double eye_blur_ = 0;                     // how far a float eye may lie from the exact one
-};
-
-/// Domain: a camera that its check has passed.
-View view_of(const Camera& camera, int width, int height);
+template <class Visitor>
+void Camera::fields(Visitor&& visit) {
+  constexpr double far = 1e9;
+  const auto point = [](const char* about) {
+    return Spec{.about = about, .min = -far, .max = far};
+  };
+  const auto size = [](const char* about) {
+    return Spec{.about = about, .min = 0, .max = far, .open_min = true};
+  };
+  visit("location", &Camera::location, point("the eye"));
+  visit("look_at", &Camera::look_at, point("the point in the picture's centre"));
+  visit("direction", &Camera::direction,
+        point("the way the eye looks; with right, up to the view plane's centre"));
+  visit("up", &Camera::up, point("what is up; with right, half the view plane's height"));
+  visit("right", &Camera::right, point("half the view plane's width"));
+  visit("fov_degrees", &Camera::fov_degrees,
+        Spec{.about = "vertical field of view",
+             .unit = "degrees",
+             .min = 0,
+             .max = 179,
+             .open_min = true});
+  visit("basis", &Camera::basis,
+        Spec{.about = "the camera's own axes, instead of look_at, direction, up and right"});
+  visit("distance", &Camera::distance, size("with basis: from the eye to the grid of pixels"));
+  visit("pixel_size", &Camera::pixel_size, size("with basis: the side of a pixel's square"));
+  visit("projection", &Camera::projection,
+        Spec{.about = "rays from the eye, or parallel ones from the plane of location"});
+  visit("height", &Camera::height, size("orthographic: the whole picture's height"));
+  visit("aperture", &Camera::aperture,
+        Spec{.about = "the lens' diameter; 0 is a pinhole, all sharp", .min = 0, .max = far});
+  visit("focus_distance", &Camera::focus_distance,
+        size("from the eye along the view to the plane that is sharp"));
+}
 
 }  // namespace tia

@@ -1,6 +1,7 @@
 #include "core/scene/keys.h"
 
 #include "core/scene/read_scene.h"
+#include "core/scene/view.h"
 
 namespace tia {
 namespace {

@@ -11,4 +11,15 @@ void check_size(int width, int height, const Limits& limits) {
                         " pixels (option TIA_MAX_PIXELS)"});
 }
 
+void check_rays(std::int64_t pixels, std::int64_t samples, const Limits& limits) {
+  if (samples <= 0 || pixels <= limits.max_rays / samples) return;
+  throw too_many_rays(std::to_string(pixels) + " pixels of " + std::to_string(samples) + " samples",
+                      limits.max_rays);
+}
+
+InputError too_many_rays(const std::string& got, std::int64_t max_rays) {
+  return InputError({FaultKind::limit, "/samples", Value(got),
+                     "at most " + std::to_string(max_rays) + " rays (option TIA_MAX_RAYS)"});
+}
+
 }  // namespace tia

@@ -9,10 +9,15 @@ namespace tia {
 
 /// Limits: what one request may ask for.
 struct Limits {
-  std::int64_t max_pixels = 16'777'216;  ///< pixels of the whole picture
+  std::int64_t max_pixels = 16'777'216;   ///< pixels of the whole picture
+  std::int64_t max_rays = 2'000'000'000;  ///< rays of all kinds, of the window that is drawn
 };
 
 /// Errors: InputError of one `limit` fault that names the limit and the option that sets it.
 void check_size(int width, int height, const Limits& limits);
+/// Of the rays that a window takes at least: its pixels times the samples of each.
+void check_rays(std::int64_t pixels, std::int64_t samples, const Limits& limits);
+/// What a request for too many rays is refused with, before tracing or while it goes on.
+InputError too_many_rays(const std::string& got, std::int64_t max_rays);
 
 }  // namespace tia

@@ -33,6 +33,8 @@ struct SceneOptions {
   static constexpr double last_seed = 9007199254740991;  // 2^53 - 1
   std::optional<IntegratorName> integrator;              ///< none: the server's
   Transfer transfer = Transfer::srgb;
+  std::optional<int> samples;       ///< none: 1
+  std::optional<double> threshold;  ///< none: off
   std::int64_t seed = 0;
 
   template <class Visitor>
@@ -40,6 +42,13 @@ struct SceneOptions {
     visit("integrator", &SceneOptions::integrator, Spec{.about = "how light is gathered"});
     visit("transfer", &SceneOptions::transfer,
           Spec{.about = "curve from linear light to stored codes"});
+    visit("samples", &SceneOptions::samples,
+          Spec{.about = "rays a pixel; 1 goes through its centre", .min = 1, .max = 65536});
+    visit("threshold", &SceneOptions::threshold,
+          Spec{.about = "more rays where a pixel's own disagree: the standard error that its mean "
+                        "may keep; 0 is off",
+               .min = 0,
+               .max = 1});
     visit("seed", &SceneOptions::seed,
           Spec{.about = "the random stream", .min = 0, .max = last_seed});
   }

@@ -1,0 +1,36 @@
+// Maps from the unit square to where samples are wanted.
+#pragma once
+
+#include "core/math/wide.h"
+
+namespace tia {
+
+template <class Real>
+struct DiscPoint {
+  Real x, y;
+};
+
+/// A point of the unit disc for a point of the unit square; equal areas go to equal areas, near
+/// points to near ones.
+/// Source: Shirley, Chiu, "A low distortion map between disk and square", 1997. Its angles are at
+/// most pi/4, where Taylor's sums for sine and cosine end below float's rounding.
+template <class Real>
+DiscPoint<Real> square_to_disc(Real u, Real v) {
+  const Real a = u + u - Real(1), b = v + v - Real(1);
+  const Mask<Real> flat = abs_of(a) > abs_of(b);
+  const Real radius = select(flat, a, b), aside = select(flat, b, a);
+  const Real share = aside / select(radius == Real(0), Real(1), radius);
+  const Real angle = Real(0.785398163F) * share, square = angle * angle;
+  const Real sine =
+      angle *
+      (Real(1) - square * (Real(1.0F / 6) -
+                           square * (Real(1.0F / 120) -
+                                     square * (Real(1.0F / 5040) - square * Real(1.0F / 362880)))));
+  const Real cosine =
+      Real(1) -
+      square * (Real(0.5F) - square * (Real(1.0F / 24) -
+                                       square * (Real(1.0F / 720) - square * Real(1.0F / 40320))));
+  return {radius * select(flat, cosine, sine), radius * select(flat, sine, cosine)};
+}
+
+}  // namespace tia

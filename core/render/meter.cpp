@@ -1,0 +1,24 @@
+#include "core/render/meter.h"
+
+#include <utility>
+
+#include "core/render/pool.h"
+#include "core/scene/limits.h"
+
+namespace tia {
+
+void RayMeter::add(RayTally& rays) {
+  const RayTally more = std::exchange(rays, {});
+  primary_ += more.primary;
+  shadow_ += more.shadow;
+  const std::int64_t spent = more.primary + more.shadow;
+  if (all_.fetch_add(spent) + spent <= max_rays_) return;
+  throw too_many_rays("a picture of more", max_rays_);
+}
+
+void RayMeter::add_many(RayTally& rays) {
+  if (stop_.stop_requested()) throw Stopped();
+  add(rays);
+}
+
+}  // namespace tia

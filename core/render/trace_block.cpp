@@ -1,0 +1,217 @@
+#include "core/render/trace_block.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace tia {
+namespace {
+
+// One block's rays and what they may meet.
+template <class Real>
+class Tracer {
+ public:
+  Tracer(const Shot& shot, int x0, int y0, const Block& block)
+      : eye(shot.view), shot_(shot), scope_{shot.world, {}} {
+    if (shot.world.few_balls)
+      scope_.balls = candidates(
+          shot.world, Beam(shot.view, x0, y0, x0 + block.width, y0 + block.height));
+  }
+
+  Vec3<Real> light(const Ray<Real>& ray, Mask<Real> active) {
+    return radiance(shot_.integrator, scope_, ray, active);
+  }
+  RayTally& rays() { return scope_.rays; }
+
+  Eye<Real> eye;
+
+ private:
+  const Shot& shot_;
+  Scope scope_;
+};
+
+// ---- one ray a pixel ----------------------------------------------------------------------------
+
+template <class Real>
+[[gnu::flatten]] void trace_centers(const Shot& shot, int x0, int y0, Block& block) {
+  constexpr int n = lanes<Real>;
+  Tracer<Real> tracer(shot, x0, y0, block);
+  const Real lane_index = iota<Real>();
+  const Real width(static_cast<float>(block.width));
+  std::array<Vec3<Real>, Block::size / n> columns;
+  for (int x = 0; x < block.width; x += n)
+    columns[static_cast<std::size_t>(x / n)] =
+        shot.view.column(Real(static_cast<float>(x0 + x)) + lane_index);
+
+  for (int y = 0; y < block.height; ++y) {
+    const Vec3<Real> row = shot.view.row(Real(static_cast<float>(y0 + y)));
+    for (int x = 0; x < block.width; x += n) {
+      const Real in_block = Real(static_cast<float>(x)) + lane_index;
+      const Ray<Real> ray = tracer.eye.ray(columns[static_cast<std::size_t>(x / n)] + row);
+      const Vec3<Real> light = tracer.light(ray, in_block < width);
+      const auto i = static_cast<std::size_t>(y * Block::size + x);
+      store(light.x, &block.r[i]);
+      store(light.y, &block.g[i]);
+      store(light.z, &block.b[i]);
+    }
+  }
+  shot.meter.add(tracer.rays());
+}
+
+// ---- many rays a pixel --------------------------------------------------------------------------
+
+// What a pixel's rays have brought so far. The deviations are those of the light, clamped to [0,1],
+// from the first ray's: so their squares do not vanish in the rounding of the sums.
+struct Estimate {
+  Vec3d light{}, deviations{}, squares{};
+  Vec3f first{};
+  int count = 0;
+
+  bool settled(const Sampler& sampler) const {
+    return sampler.settled(deviations.x, squares.x, count) &&
+           sampler.settled(deviations.y, squares.y, count) &&
+           sampler.settled(deviations.z, squares.z, count);
+  }
+};
+
+// Several pixels of a block, one in each lane; the first one again in the lanes left over.
+template <class Real>
+struct Pixels {
+  static constexpr auto size = static_cast<std::size_t>(lanes<Real>);
+  std::size_t count = 0;
+  std::array<Estimate*, size> estimates{};
+  typename Aims<Real>::Pixels x{}, y{};
+
+  Mask<Real> active() const { return iota<Real>() < Real(static_cast<float>(count)); }
+  Vec3<Real> first() const {
+    return {lanes_of([&](std::size_t i) { return estimates[i]->first.x; }),
+            lanes_of([&](std::size_t i) { return estimates[i]->first.y; }),
+            lanes_of([&](std::size_t i) { return estimates[i]->first.z; })};
+  }
+  Vec3<Real> center(const View& view) const {
+    return view.column(lanes_of([&](std::size_t i) { return static_cast<float>(x[i]); })) +
+           view.row(lanes_of([&](std::size_t i) { return static_cast<float>(y[i]); }));
+  }
+  // Calls to(estimate, vector) with each pixel's lane of a vector.
+  template <class To>
+  void scatter(const Vec3<Precise<Real>>& from, To to) const {
+    std::array<double, size> vx, vy, vz;
+    store(from.x, vx.data());
+    store(from.y, vy.data());
+    store(from.z, vz.data());
+    for (std::size_t i = 0; i < count; ++i) to(*estimates[i], Vec3d{vx[i], vy[i], vz[i]});
+  }
+
+ private:
+  template <class F>
+  static Real lanes_of(F value) {
+    std::array<LaneOf<Real>, size> each;
+    for (std::size_t i = 0; i < size; ++i) each[i] = value(i);
+    return load<Real>(each.data());
+  }
+};
+
+// The sums of one round of some pixels.
+template <class Real>
+struct Sums {
+  using P = Precise<Real>;
+  Vec3<P> light{P(0), P(0), P(0)}, deviations = light, squares = light;
+
+  void add(const Vec3<Real>& sample) { light = light + widen(sample); }
+  void add_deviation(const Vec3<Real>& clamped, const Vec3<Real>& first) {
+    const Vec3<P> deviation = widen(clamped - first);
+    deviations = deviations + deviation;
+    squares = squares + deviation * deviation;
+  }
+};
+
+template <class Real>
+Vec3<Real> clamped(const Vec3<Real>& v) {
+  const auto clamp = [](const Real& x) { return min_of(max_of(x, Real(0)), Real(1)); };
+  return {clamp(v.x), clamp(v.y), clamp(v.z)};
+}
+
+template <class Real>
+[[gnu::flatten]] void trace_round(const Shot& shot, int round, Tracer<Real>& tracer,
+                                  const Pixels<Real>& pixels) {
+  const Aims<Real> aims(shot.sampler, round, pixels.x, pixels.y, shot.view.has_lens());
+  const Vec3<Real> center = pixels.center(shot.view);
+  const Mask<Real> active = pixels.active();
+  const int count = shot.sampler.strata(round).count();
+  Vec3<Real> first = pixels.first();
+  Sums<Real> sums;
+  for (int i = 0; i < count; ++i) {
+    const Vec3<Real> light = tracer.light(tracer.eye.ray(center, aims(i)), active);
+    sums.add(light);
+    if (shot.sampler.adaptive()) {
+      const Vec3<Real> shown = clamped(light);
+      if (round == 0 && i == 0) first = shown;
+      sums.add_deviation(shown, first);
+    }
+    shot.meter.add_if_many(tracer.rays());
+  }
+  pixels.scatter(sums.light, [&](Estimate& e, const Vec3d& v) {
+    e.light = e.light + v;
+    e.count += count;
+  });
+  if (!shot.sampler.adaptive()) return;
+  pixels.scatter(widen(first), [](Estimate& e, const Vec3d& v) { e.first = Vec3f(v); });
+  pixels.scatter(sums.deviations,
+                 [](Estimate& e, const Vec3d& v) { e.deviations = e.deviations + v; });
+  pixels.scatter(sums.squares, [](Estimate& e, const Vec3d& v) { e.squares = e.squares + v; });
+}
+
+// The pixels' means.
+void develop(const std::vector<Estimate>& estimates, Block& block) {
+  for (std::size_t i = 0; i < estimates.size(); ++i) {
+    const Estimate& estimate = estimates[i];
+    const int x = static_cast<int>(i) % block.width, y = static_cast<int>(i) / block.width;
+    const auto at = static_cast<std::size_t>(y * Block::size + x);
+    block.r[at] = static_cast<float>(estimate.light.x / estimate.count);
+    block.g[at] = static_cast<float>(estimate.light.y / estimate.count);
+    block.b[at] = static_cast<float>(estimate.light.z / estimate.count);
+  }
+}
+
+template <class Real>
+void trace_samples(const Shot& shot, int x0, int y0, Block& block) {
+  Tracer<Real> tracer(shot, x0, y0, block);
+  std::vector<Estimate> estimates(static_cast<std::size_t>(block.width * block.height));
+  std::vector<int> unsettled(estimates.size());
+  std::iota(unsettled.begin(), unsettled.end(), 0);
+  for (int round = 0; round < shot.sampler.rounds() && !unsettled.empty(); ++round) {
+    for (std::size_t begin = 0; begin < unsettled.size(); begin += Pixels<Real>::size) {
+      Pixels<Real> pixels;
+      pixels.count = std::min(Pixels<Real>::size, unsettled.size() - begin);
+      for (std::size_t i = 0; i < Pixels<Real>::size; ++i) {
+        const int pixel = unsettled[begin + (i < pixels.count ? i : 0)];
+        pixels.estimates[i] = &estimates[static_cast<std::size_t>(pixel)];
+        pixels.x[i] = static_cast<std::uint32_t>(x0 + pixel % block.width);
+        pixels.y[i] = static_cast<std::uint32_t>(y0 + pixel / block.width);
+      }
+      trace_round(shot, round, tracer, pixels);
+    }
+    std::erase_if(unsettled, [&](int pixel) {
+      return estimates[static_cast<std::size_t>(pixel)].settled(shot.sampler);
+    });
+  }
+  shot.meter.add(tracer.rays());
+  develop(estimates, block);
+}
+
+template <class Real>
+void trace(const Shot& shot, int x0, int y0, Block& block) {
+  if (shot.sampler.centered()) trace_centers<Real>(shot, x0, y0, block);
+  else trace_samples<Real>(shot, x0, y0, block);
+}
+
+}  // namespace
+
+void trace_block(const Shot& shot, Scalar scalar, int x0, int y0, Block& block) {
+  switch (scalar) {
+    case Scalar::narrow: return trace<float>(shot, x0, y0, block);
+    case Scalar::exact: return trace<double>(shot, x0, y0, block);
+    case Scalar::wide: return trace<Wide>(shot, x0, y0, block);
+  }
+}
+
+}  // namespace tia

@@ -1,0 +1,27 @@
+// Traces one block of a picture, in any of the three scalars.
+#pragma once
+
+#include "core/film/image.h"
+#include "core/render/meter.h"
+#include "core/render/sampler.h"
+
+namespace tia {
+
+/// The arithmetic of a render: `wide` is what pictures are made with, `narrow` gives the same bytes
+/// one ray at a time, `exact` traces in double, for tests and explanations.
+enum class Scalar { wide, narrow, exact };
+
+/// What all blocks of a picture share.
+struct Shot {
+  const World& world;
+  const View& view;
+  IntegratorName integrator;
+  const Sampler& sampler;
+  RayMeter& meter;
+};
+
+/// Fills the block's pixels, whose corner is pixel (x0, y0) of the picture, and counts their rays.
+/// Errors: the meter's.
+void trace_block(const Shot& shot, Scalar scalar, int x0, int y0, Block& block);
+
+}  // namespace tia
