@@ -1,6 +1,28 @@
 #include "core/accel/trace.h"
 
+#include <array>
+
+#include "core/accel/search.h"
+
 namespace tia {
+
+template <class Real>
+Hit<Real> closest_hit(const World& world, const Ray<Real>& ray, Mask<Real> active,
+                      std::int64_t& tests) {
+  Nearest<Real> query;
+  Packet<Real> packet(ray);
+  Search<Real, Nearest<Real>>(world, query, tests).through(world.spaces.front(), packet, active);
+  return query.hit;
+}
+
+template <class Real>
+Mask<Real> occluded(const World& world, const Ray<Real>& ray, const Real& t_max, const Lamp& lamp,
+                    Mask<Real> active, std::int64_t& tests) {
+  AnyHit<Real> query{t_max, lamp.part, lamp.copy};
+  Packet<Real> packet(ray);
+  Search<Real, AnyHit<Real>>(world, query, tests).through(world.spaces.front(), packet, active);
+  return query.blocked();
+}
 
 SurfaceFrame frame_at(const World& world, const Vec3d& p, int part, int element,
                       std::int64_t copy) {
@@ -21,5 +43,40 @@ SurfaceFrame frame_at(const World& world, const Vec3d& p, int part, int element,
       },
       own.form);
 }
+
+template <class Real>
+SurfacePoint<Real> surface_by_lanes(const World& world, const Ray<Real>& ray, const Hit<Real>& hit,
+                                    int part, Mask<Real> here) {
+  constexpr auto n = static_cast<std::size_t>(lanes<Real>);
+  std::array<std::array<LaneOf<Real>, n>, 9> parts{};
+  Packet<Real> packet(ray);
+  for (unsigned left = bits(here); left != 0; left &= left - 1) {
+    const int i = std::countr_zero(left);
+    const auto at = static_cast<std::size_t>(i);
+    const Vec3d p = packet.line(at).at(lane(hit.t, i));
+    const auto [n_of, ng, uv] = frame_at(world, p, part, static_cast<int>(lane(hit.element, i)),
+                                         static_cast<std::int64_t>(lane(hit.copy, i)));
+    const double all[] = {p.x, p.y, p.z, n_of.x, n_of.y, n_of.z, ng.x, ng.y, ng.z};
+    for (std::size_t k = 0; k < 9; ++k) parts[k][at] = static_cast<LaneOf<Real>>(all[k]);
+  }
+  const auto vector = [&](std::size_t k) -> Vec3<Real> {
+    return {load<Real>(parts[k].data()), load<Real>(parts[k + 1].data()),
+            load<Real>(parts[k + 2].data())};
+  };
+  return {vector(0), vector(3), vector(6)};
+}
+
+// ---- the three scalars ----------------------------------------------------------------------
+
+#define TIA_TRACE(Real)                                                                          \
+  template Hit<Real> closest_hit(const World&, const Ray<Real>&, Mask<Real>, std::int64_t&);     \
+  template Mask<Real> occluded(const World&, const Ray<Real>&, const Real&, const Lamp&,         \
+                               Mask<Real>, std::int64_t&);                                       \
+  template SurfacePoint<Real> surface_by_lanes(const World&, const Ray<Real>&, const Hit<Real>&, \
+                                               int, Mask<Real>);
+TIA_TRACE(Wide)
+TIA_TRACE(float)
+TIA_TRACE(double)
+#undef TIA_TRACE
 
 }  // namespace tia

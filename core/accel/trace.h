@@ -1,168 +1,17 @@
 // What a ray meets first, whether anything stands in its way, and the surface there.
 #pragma once
 
-#include <array>
+#include <bit>
 
-#include "core/accel/copies.h"
 #include "core/accel/world.h"
 
 namespace tia {
-
-// ---- queries: what a search through the world is for ----------------------------------------
-
-/// The nearest hit with t > 0; at equal t the object, copy and element that comes first.
-template <class Real>
-struct Nearest {
-  Hit<Real> hit{};
-
-  const Real& limit() const { return hit.t; }
-  bool skips(int, int) const { return false; }
-  void offer(const Real& t, const Real& part, const Real& element, int copy, Mask<Real> here) {
-    const Real number(static_cast<float>(copy));
-    const auto first = [](const Real& a, const Real& b, Mask<Real> after) -> Mask<Real> {
-      return a < b || (a == b && after);
-    };
-    const Mask<Real> earlier =
-        first(part, hit.part, first(number, hit.copy, element < hit.element));
-    const Mask<Real> nearer = here && first(t, hit.t, t < Real(infinity) && earlier);
-    hit.t = select(nearer, t, hit.t);
-    hit.part = select(nearer, part, hit.part);
-    hit.element = select(nearer, element, hit.element);
-    hit.copy = select(nearer, number, hit.copy);
-  }
-};
-
-/// Whether anything but one part of one copy stands between the ray's origin and t_max.
-template <class Real>
-struct AnyHit {
-  Real t_max;  ///< below 0 where something does: then nothing is left to look for
-  int own = -1, own_copy = 0;
-
-  const Real& limit() const { return t_max; }
-  Mask<Real> blocked() const { return t_max < Real(0); }
-  bool skips(int part, int copy) const { return part == own && copy == own_copy; }
-  void offer(const Real& t, const Real&, const Real&, int, Mask<Real> here) {
-    t_max = select(here && t < t_max, Real(-1), t_max);
-  }
-};
-
-// ---- the search -----------------------------------------------------------------------------
-
-/// Tries the rays on everything of a space that may answer the query.
-template <class Real, class Query>
-class Search {
- public:
-  Search(const World& world, Query& query, std::int64_t& tests)
-      : world_(world), query_(query), tests_(tests) {}
-
-  void through(const Space& space, Packet<Real>& packet, Mask<Real> active) {
-    for (const std::uint32_t i : space.rest) meet(space.items[i], packet, active);
-    traverse(space.bvh, packet.box, active, query_.limit(), tests_,
-             [&](std::uint32_t i, Mask<Real> here, bool alone) {
-               const Box32& box = space.boxes[i];
-               if (!alone) here = here && packet.box.enters(box, query_.limit());
-               if (any(here)) meet(space.items[i], packet, here);
-             });
-  }
-
- private:
-  static constexpr auto n = static_cast<std::size_t>(lanes<Real>);
-  using Lanes = std::array<LaneOf<Real>, n>;
-
-  void meet(const Item& item, Packet<Real>& packet, Mask<Real> here) {
-    ++tests_;
-    switch (item.kind) {
-      case Item::ball: return meet(world_.balls[at(item)], packet, here);
-      case Item::part: return meet_part(item.index, packet, here);
-      case Item::mesh: return meet_mesh(item.index, packet, here);
-      case Item::solid: return meet(world_.solids[at(item)], packet, here);
-      case Item::copies: return meet(world_.copies[at(item)], packet, here);
-    }
-  }
-  static std::size_t at(const Item& item) { return static_cast<std::size_t>(item.index); }
-  static Real number(int i) { return Real(static_cast<float>(i)); }
-
-  void meet(const Ball& ball, Packet<Real>& packet, Mask<Real> here) {
-    if (query_.skips(ball.part, packet.copy)) return;
-    const Real t = intersect(ball.sphere, packet.root);
-    query_.offer(t, number(ball.part), Real(0), packet.copy, here);
-  }
-
-  // Lane by lane in double.
-  template <class F>
-  void meet_lanes(Packet<Real>& packet, Mask<Real> here, F crossing_of) {
-    Lanes t, part, element;
-    t.fill(infinity);
-    part.fill(0);
-    element.fill(0);
-    for (unsigned left = bits(here); left != 0; left &= left - 1) {
-      const auto lane = static_cast<std::size_t>(std::countr_zero(left));
-      const Boundary hit = crossing_of(packet.line(lane));
-      t[lane] = static_cast<LaneOf<Real>>(hit.t);
-      part[lane] = static_cast<LaneOf<Real>>(hit.part);
-      element[lane] = static_cast<LaneOf<Real>>(hit.element);
-    }
-    const Real at = load<Real>(t.data());
-    query_.offer(at, load<Real>(part.data()), load<Real>(element.data()), packet.copy,
-                 here && at > Real(0));
-  }
-  void meet_part(int part, Packet<Real>& packet, Mask<Real> here) {
-    if (query_.skips(part, packet.copy)) return;
-    meet_lanes(packet, here, [&](const Line& line) -> Boundary {
-      const Crossing hit = nearest_crossing(world_.part(part), line);
-      return {hit.t, part, hit.element};
-    });
-  }
-  void meet(const Solid& solid, Packet<Real>& packet, Mask<Real> here) {
-    meet_lanes(packet, here, [&](const Line& line) -> Boundary {
-      for (const Boundary& each : spans(solid, world_.parts, line))
-        if (each.t > 0) return each;
-      return {Aabb::far, 0, 0};
-    });
-  }
-
-  void meet_mesh(int part, Packet<Real>& packet, Mask<Real> here) {
-    const Part& own = world_.part(part);
-    const MeshIndex& mesh = world_.meshes[static_cast<std::size_t>(own.mesh)];
-    Packet<Real> inside = packet.seen_through(own.to_object);
-    const RayFrame<Precise<Real>> frame = frame_of(inside);
-    traverse(mesh.bvh, inside.box, here, query_.limit(), tests_,
-             [&](std::uint32_t triangle, Mask<Real> entered, bool) {
-               ++tests_;
-               const Real t = intersect<Real>(mesh.corner(triangle, 0), mesh.corner(triangle, 1),
-                                              mesh.corner(triangle, 2), frame);
-               query_.offer(t, number(part), number(static_cast<int>(triangle)), packet.copy,
-                            entered);
-             });
-  }
-
-  void meet(const Copies& grid, Packet<Real>& packet, Mask<Real> here) {
-    const Packet<Real> outside = packet.seen_through(grid.to_group);
-    const int before = packet.copy * static_cast<int>(grid.repeat.copies());
-    const Space& space = world_.spaces[static_cast<std::size_t>(grid.inside)];
-    traverse(grid, outside.box, here, query_.limit(), tests_, [&](int copy, Mask<Real> entered) {
-      Packet<Real> inside = outside.inside_copy(grid.offset(copy), before + copy);
-      through(space, inside, entered);
-    });
-  }
-
-  const World& world_;
-  Query& query_;
-  std::int64_t& tests_;
-};
-
-// ---- what integrators ask -------------------------------------------------------------------
 
 /// The nearest hit with t > 0 of the lanes that are active; at equal t the object that comes first
 /// in the scene.
 template <class Real>
 Hit<Real> closest_hit(const World& world, const Ray<Real>& ray, Mask<Real> active,
-                      std::int64_t& tests) {
-  Nearest<Real> query;
-  Packet<Real> packet(ray);
-  Search<Real, Nearest<Real>>(world, query, tests).through(world.spaces.front(), packet, active);
-  return query.hit;
-}
+                      std::int64_t& tests);
 
 /// The same in a world of few balls, of which the ray may meet none but those listed.
 template <class Real>
@@ -180,21 +29,20 @@ Hit<Real> closest_hit(const World& world, const std::vector<int>& balls, const R
   return nearest;
 }
 
-/// Whether anything but the lamp's own ball stands between the ray's origin and t_max.
+/// Whether anything but the lamp's own ball stands between the ray's origin and t_max; of lanes
+/// that are not active it says nothing.
 template <class Real>
 Mask<Real> occluded(const World& world, const Ray<Real>& ray, const Real& t_max, const Lamp& lamp,
-                    Mask<Real> active, std::int64_t& tests) {
-  AnyHit<Real> query{t_max, lamp.part, lamp.copy};
-  if (!world.few_balls) {
-    Packet<Real> packet(ray);
-    Search<Real, AnyHit<Real>>(world, query, tests).through(world.spaces.front(), packet, active);
-    return query.blocked();
-  }
+                    Mask<Real> active, std::int64_t& tests);
+
+/// The same in a world of few balls.
+template <class Real>
+Mask<Real> occluded(const World& world, const Ray<Real>& ray, const Real& t_max, const Lamp& lamp) {
   const RootRay<Real> root_ray(ray);
+  Mask<Real> blocked(false);
   for (const Ball& ball : world.balls)
-    if (!query.skips(ball.part, 0))
-      query.offer(intersect(ball.sphere, root_ray), Real(0), Real(0), 0, active);
-  return query.blocked();
+    if (ball.part != lamp.part) blocked = blocked | (intersect(ball.sphere, root_ray) < t_max);
+  return blocked;
 }
 
 /// SurfacePoint: the costly half of a hit, for the winner only.
@@ -211,28 +59,10 @@ struct SurfaceFrame {
 };
 SurfaceFrame frame_at(const World& world, const Vec3d& p, int part, int element, std::int64_t copy);
 
-/// The lanes of `here` one by one.
+/// The lanes of `here` one by one, not turned to the viewer.
 template <class Real>
 SurfacePoint<Real> surface_by_lanes(const World& world, const Ray<Real>& ray, const Hit<Real>& hit,
-                                    int part, Mask<Real> here) {
-  constexpr auto n = static_cast<std::size_t>(lanes<Real>);
-  std::array<std::array<LaneOf<Real>, n>, 9> parts{};
-  Packet<Real> packet(ray);
-  for (unsigned left = bits(here); left != 0; left &= left - 1) {
-    const int i = std::countr_zero(left);
-    const auto at = static_cast<std::size_t>(i);
-    const Vec3d p = packet.line(at).at(lane(hit.t, i));
-    const auto [n_of, ng, uv] = frame_at(world, p, part, static_cast<int>(lane(hit.element, i)),
-                                         static_cast<std::int64_t>(lane(hit.copy, i)));
-    const double all[] = {p.x, p.y, p.z, n_of.x, n_of.y, n_of.z, ng.x, ng.y, ng.z};
-    for (std::size_t k = 0; k < 9; ++k) parts[k][at] = static_cast<LaneOf<Real>>(all[k]);
-  }
-  const auto vector = [&](std::size_t k) -> Vec3<Real> {
-    return {load<Real>(parts[k].data()), load<Real>(parts[k + 1].data()),
-            load<Real>(parts[k + 2].data())};
-  };
-  return {vector(0), vector(3), vector(6)};
-}
+                                    int part, Mask<Real> here);
 
 /// Domain: lanes outside `here`, whose rays have not hit `part`, come out meaningless.
 template <class Real>
