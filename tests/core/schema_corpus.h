@@ -78,9 +78,8 @@ class Corpus {
     const Value* first = find(schema, "prefixItems");
     Value::Array made(least + pick(most - least + 1));
     for (std::size_t i = 0; i < made.size(); ++i) {
-      made[i] = make(*find(schema, "items"), depth + 1);
-      if (first != nullptr && i < array(*first).size() && !object(array(*first)[i]).empty())
-        made[i] = make(array(*first)[i], depth + 1);
+      const bool own = first != nullptr && i < array(*first).size();
+      made[i] = make(own ? array(*first)[i] : *find(schema, "items"), depth + 1);
     }
     return made;
   }
@@ -123,10 +122,13 @@ class Corpus {
     if (random_.chance(0.25)) return void(part = any_value());
     if (auto* members = part.as<Value::Object>()) change_members(*members);
     else if (auto* items = part.as<Value::Array>()) change_items(*items);
-    else if (part.as<double>() != nullptr)
-      part = *std::next(numbers_.begin(), static_cast<std::ptrdiff_t>(pick(numbers_.size())));
+    else if (part.as<double>() != nullptr) part = random_.chance(0.2) ? 0 : any_bound();
     else if (auto* word = part.as<std::string>()) change_text(*word);
     else part = any_value();
+  }
+
+  double any_bound() {
+    return *std::next(numbers_.begin(), static_cast<std::ptrdiff_t>(pick(numbers_.size())));
   }
 
   void change_members(Value::Object& members) {

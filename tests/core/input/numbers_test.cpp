@@ -115,7 +115,7 @@ TEST(Numbers, AreAtLeastSoMany) {
   EXPECT_EQ(read<float>("[1,2]", two).values.size(), 2U);
   expect_refused<float>("[1]", two, {{wrong_type, "", "[1]", "an array of at least 2"}});
   expect_refused<float>(R"({"float32":"AACAPw=="})", two,
-                        {{wrong_type, "/float32", "\"4 bytes\"", "at least 2"}});
+                        {{wrong_type, "/float32", "\"4 bytes\"", "at least 2 numbers of 4 bytes"}});
 }
 
 TEST(Numbers, AreLeftAsTheyWereByAFault) {
