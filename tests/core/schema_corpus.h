@@ -177,8 +177,9 @@ struct Agreement {
   std::vector<std::string> disputed;  ///< the documents on which they differ, with the faults
 };
 
-/// Lets both judge `count` documents and as many changed ones. Faults with one of the texts of
-/// `beyond_schema` in what they allow are those that only the reader can see, and do not count.
+/// Lets both judge `count` documents and as many changed ones, until they differ on ten. Faults
+/// with one of the texts of `beyond_schema` in what they allow are those that only the reader can
+/// see, and do not count.
 template <class T>
 Agreement judge(const Value& schema_document, int count,
                 const std::vector<std::string>& beyond_schema) {
@@ -203,7 +204,7 @@ Agreement judge(const Value& schema_document, int count,
     }
     ++(accepts ? agreement.both_accept : agreement.both_refuse);
   };
-  for (int i = 0; i < count; ++i) {
+  for (int i = 0; i < count && agreement.disputed.size() < 10; ++i) {
     Value document = corpus.document();
     judge_one(document);
     judge_one(corpus.changed(std::move(document)));
