@@ -52,15 +52,6 @@ std::string_view type_of(FaultKind kind) {
   return "internal";
 }
 
-// What came, cut short where it is long: an answer must not echo a body.
-Value excerpt(const Value& got) {
-  constexpr std::size_t longest = 120;
-  if (const auto* text = got.as<std::string>())
-    return text->size() <= longest ? got : Value(text->substr(0, longest) + "…");
-  const std::string text = to_json(got);
-  return text.size() <= longest ? got : Value(text.substr(0, longest) + "…");
-}
-
 Value error_entry(const Fault& fault) {
   Value::Object entry{{"pointer", fault.pointer}, {"allowed", fault.allowed}};
   if (fault.got) entry.emplace_back("got", excerpt(*fault.got));
