@@ -67,7 +67,7 @@ void read_base64(const Value& v, const Place& at, const Spec& spec, Faults& faul
   if (faults.count() != before) return;
   if (bytes.size() / sizeof(T) < spec.min_items)
     return detail::wrong_type(Value(std::to_string(bytes.size()) + " bytes"), at,
-                              detail::array_text(spec), faults);
+                              detail::array_text(spec) + " numbers of 4 bytes", faults);
   out.reserve(bytes.size() / sizeof(T));
   for (std::size_t i = 0; i < bytes.size() && !faults.full(); i += sizeof(T)) {
     const T number = number_at<T>(&bytes[i]);
@@ -75,7 +75,7 @@ void read_base64(const Value& v, const Place& at, const Spec& spec, Faults& faul
     if (!in_range(exact, spec) || !std::isfinite(exact))
       faults.add({FaultKind::out_of_range, at.pointer(),
                   Value(in_words(exact) + " at index " + std::to_string(i / sizeof(T))),
-                  "each " + Codec<typename Numbers<T>::Number>::allowed(spec)});
+                  "bytes of numbers, each " + Codec<typename Numbers<T>::Number>::allowed(spec)});
     out.push_back(number + typename Numbers<T>::Number{});  // -0 becomes 0
   }
 }

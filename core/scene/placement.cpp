@@ -48,8 +48,8 @@ struct Codec<MatrixRows> {
   static Value write(const MatrixRows& v) { return write_value(v.row); }
   static Value schema(const Spec& spec, Definitions& named) {
     Value::Object rows = *schema_of<Rows>(spec, named).as<Value::Object>();
-    const Value any = Value::Object{}, const_last = Value::Object{{"const", write_value(last)}};
-    rows.emplace_back("prefixItems", Value::Array{any, any, any, const_last});
+    const Value row = *find(rows, "items"), fixed = Value::Object{{"const", write_value(last)}};
+    rows.emplace_back("prefixItems", Value::Array{row, row, row, fixed});
     return rows;
   }
 };

@@ -159,6 +159,54 @@ TEST(Codec, FixedListsOfIntegersHaveTheirLength) {
                        {out_of_range, "/3", "4294967296", "an integer from 0 to 1000000000"});
 }
 
+TEST(Codec, FixedListsMayHoldLists) {
+  using Rows = std::array<std::array<double, 2>, 2>;
+  EXPECT_EQ(read<Rows>("[[0,1],[2,3]]"), (Rows{{{0, 1}, {2, 3}}}));
+  EXPECT_EQ(to_json(write_value(Rows{{{0, 1}, {2, 3}}})), "[[0,1],[2,3]]");
+  expect_refused<Rows>("[[0,1],[2,91]]", angle, {out_of_range, "/1/1", "91", "from -90 to 90"});
+  expect_refused<Rows>("[0,1,2,3]", {},
+                       {wrong_type, "", "[0,1,2,3]", "2 lists, each 2 numbers, each a number"});
+  using Coefficients = std::array<double, 10>;
+  EXPECT_EQ(read<Coefficients>("[0,1,2,3,4,5,6,7,8,9]")[9], 9);
+  expect_refused<Coefficients>("[1]", {}, {wrong_type, "", "[1]", "10 numbers, each a number"});
+}
+
+TEST(Codec, TruthIsTrueOrFalse) {
+  EXPECT_TRUE(read<bool>("true"));
+  EXPECT_FALSE(read<bool>("false"));
+  EXPECT_EQ(to_json(write_value(true)), "true");
+  for (const char* json : {"1", "\"true\"", "null"})
+    expect_refused<bool>(json, {}, {wrong_type, "", json, "true or false"});
+}
+
+TEST(Codec, ZeroItselfMayBeRefused) {
+  constexpr Spec factor{.min = -2, .max = 2, .not_zero = true};
+  EXPECT_EQ(read<double>("-2", factor), -2);
+  EXPECT_EQ(read<double>("5e-324", factor), 5e-324);
+  for (const char* zero : {"0", "-0.0", "1e-999"})
+    expect_refused<double>(zero, factor, {out_of_range, "", "0", "a number from -2 to 2, not 0"});
+}
+
+TEST(Codec, NumbersAreOneOrThree) {
+  using OneOrThree = std::variant<double, Vec3d>;
+  EXPECT_EQ(read<OneOrThree>("2"), OneOrThree(2.0));
+  EXPECT_EQ(read<OneOrThree>("[1,2,3]"), OneOrThree(Vec3d{1, 2, 3}));
+  EXPECT_EQ(to_json(write_value(OneOrThree(2.0))), "2");
+  EXPECT_EQ(to_json(write_value(OneOrThree(Vec3d{1, 2, 3}))), "[1,2,3]");
+  expect_refused<OneOrThree>("true", {}, {wrong_type, "", "true", "or one number for all 3"});
+}
+
+TEST(Codec, MinusZeroIsReadAsZero) {
+  EXPECT_FALSE(std::signbit(read<double>("-0.0")));
+  EXPECT_FALSE(std::signbit(read<Vec3d>("[0,-0.0,0]").y));
+}
+
+TEST(Codec, ListsMayNeedSoManyElements) {
+  EXPECT_EQ(read<std::vector<int>>("[1,2]", {.min_items = 2}).size(), 2U);
+  expect_refused<std::vector<int>>("[1]", {.min_items = 2},
+                                   {wrong_type, "", "[1]", "an array of at least 2"});
+}
+
 TEST(Codec, OptionalIsLeftEmptyByAFault) {
   EXPECT_EQ(read<std::optional<int>>("5"), 5);
   std::optional<int> out;

@@ -1,0 +1,215 @@
+// Documents made from a JSON Schema and from a fixed seed: right ones, and ones with a mistake.
+#pragma once
+
+#include <set>
+
+#include "tests/core/json_schema.h"
+#include "tests/core/support.h"
+
+namespace tia::test {
+
+/// Corpus: makes values that a schema accepts, and changes them so that it may no longer.
+class Corpus {
+ public:
+  Corpus(const JsonSchema& schema, std::uint64_t seed) : schema_(schema), random_(seed) {
+    collect_numbers(schema.document());
+  }
+  Value document() { return make(schema_.document(), 0); }
+  /// The document with one thing changed: a member dropped, renamed or added, a value of another
+  /// type, a number at or beyond some bound of the schema, an item more or less.
+  Value changed(Value document) {
+    std::vector<Value*> parts;
+    collect_parts(document, parts);
+    change(*parts[pick(parts.size())]);
+    return document;
+  }
+
+ private:
+  static constexpr int deepest = 9;  // from there on the first alternative and the fewest items
+
+  std::size_t pick(std::size_t n) {
+    return static_cast<std::size_t>(random_.below(static_cast<int>(n)));
+  }
+
+  Value make(const Value& reference, int depth) {
+    const auto& schema = object(schema_.resolved(reference));
+    if (const Value* only = find(schema, "const")) return *only;
+    if (const Value* words = find(schema, "enum")) return array(*words)[pick(array(*words).size())];
+    if (const Value* examples = find(schema, "examples"))
+      return array(*examples)[pick(array(*examples).size())];
+    if (const Value* alternatives = find(schema, "oneOf")) {
+      const auto& list = array(*alternatives);
+      return make(list[depth < deepest ? pick(list.size()) : 0], depth + 1);
+    }
+    const Value* type = find(schema, "type");
+    if (type == nullptr) return random_.chance(0.5) ? Value(1) : Value("any");
+    if (text(*type) == "object") return make_object(schema, depth);
+    if (text(*type) == "array") return make_array(schema, depth);
+    if (text(*type) == "string") return random_.chance(0.5) ? "" : "text";
+    if (text(*type) == "boolean") return random_.chance(0.5);
+    return make_number(schema, text(*type) == "integer");
+  }
+
+  Value make_object(const Value::Object& schema, int depth) {
+    Value::Object made;
+    const Value* required = find(schema, "required");
+    const auto needs = [&](const Value& name) {
+      return required != nullptr && std::find(array(*required).begin(), array(*required).end(),
+                                              name) != array(*required).end();
+    };
+    if (const Value* properties = find(schema, "properties"))
+      for (const auto& [name, property] : object(*properties))
+        if (needs(Value(name)) || (depth < deepest && random_.chance(0.3)))
+          made.emplace_back(name, make(property, depth + 1));
+    const Value* others = find(schema, "additionalProperties");
+    if (others != nullptr && others->as<bool>() == nullptr)
+      for (int i = depth < deepest ? random_.below(3) : 0; i > 0; --i)
+        made.emplace_back("name " + std::to_string(i), make(*others, depth + 1));
+    return made;
+  }
+
+  Value make_array(const Value::Object& schema, int depth) {
+    const auto bound = [&](const char* word, std::size_t otherwise) {
+      const Value* is = find(schema, word);
+      return is != nullptr ? static_cast<std::size_t>(number(*is)) : otherwise;
+    };
+    const std::size_t least = bound("minItems", 0);
+    const std::size_t most = depth < deepest ? bound("maxItems", least + 3) : least;
+    const Value* first = find(schema, "prefixItems");
+    Value::Array made(least + pick(most - least + 1));
+    for (std::size_t i = 0; i < made.size(); ++i) {
+      const bool own = first != nullptr && i < array(*first).size();
+      made[i] = make(own ? array(*first)[i] : *find(schema, "items"), depth + 1);
+    }
+    return made;
+  }
+
+  // Often small, so that values agree with each other; at times a bound itself.
+  Value make_number(const Value::Object& schema, bool integer) {
+    const Value *least = find(schema, "minimum"), *above = find(schema, "exclusiveMinimum");
+    const Value* most = find(schema, "maximum");
+    const double low = least != nullptr ? number(*least) : above != nullptr ? number(*above) : -1e9;
+    const double high = most != nullptr ? number(*most) : 1e9;
+    if (least != nullptr && low != 0 && random_.chance(0.02)) return low;
+    if (most != nullptr && random_.chance(0.02)) return high;
+    double made = random_.in(std::max(low, -5.0), std::min(high, 5.0));
+    if (random_.chance(0.5) || integer) made = std::ceil(made);
+    made = std::min(made, high);
+    return made > low && made != 0 ? made : std::min(high, std::max(low, 0.0) + 1);
+  }
+
+  // Every number of the schema and its neighbours.
+  void collect_numbers(const Value& part) {
+    if (const auto* bound = part.as<double>())
+      for (const double n : {*bound, std::nextafter(*bound, -INFINITY),
+                             std::nextafter(*bound, INFINITY), *bound - 1, *bound + 1, -*bound})
+        numbers_.insert(n);
+    if (const auto* items = part.as<Value::Array>())
+      for (const Value& item : *items) collect_numbers(item);
+    if (const auto* members = part.as<Value::Object>())
+      for (const auto& [name, member] : *members) collect_numbers(member);
+  }
+
+  void collect_parts(Value& value, std::vector<Value*>& parts) {
+    parts.push_back(&value);
+    if (auto* items = value.as<Value::Array>())
+      for (Value& item : *items) collect_parts(item, parts);
+    if (auto* members = value.as<Value::Object>())
+      for (auto& [name, member] : *members) collect_parts(member, parts);
+  }
+
+  void change(Value& part) {
+    if (random_.chance(0.25)) return void(part = any_value());
+    if (auto* members = part.as<Value::Object>()) change_members(*members);
+    else if (auto* items = part.as<Value::Array>()) change_items(*items);
+    else if (part.as<double>() != nullptr) part = random_.chance(0.2) ? 0 : any_bound();
+    else if (auto* word = part.as<std::string>()) change_text(*word);
+    else part = any_value();
+  }
+
+  double any_bound() {
+    return *std::next(numbers_.begin(), static_cast<std::ptrdiff_t>(pick(numbers_.size())));
+  }
+
+  void change_members(Value::Object& members) {
+    const std::size_t at = members.empty() ? 0 : pick(members.size());
+    if (members.empty() || random_.chance(0.3)) return void(members.emplace_back("unheard of", 1));
+    if (random_.chance(0.5)) members.erase(members.begin() + static_cast<std::ptrdiff_t>(at));
+    else members[at].first += 's';
+  }
+
+  void change_items(Value::Array& items) {
+    if (items.empty()) return void(items.push_back(any_value()));
+    if (random_.chance(0.5)) items.pop_back();
+    else items.push_back(items[pick(items.size())]);
+  }
+
+  void change_text(std::string& word) {
+    if (word.empty() || random_.chance(0.3)) word += 'x';
+    else if (random_.chance(0.5)) word.pop_back();
+    else word[pick(word.size())] = random_.chance(0.5) ? 'B' : '!';
+  }
+
+  Value any_value() {
+    const Value values[] = {Value(),
+                            true,
+                            0,
+                            -1,
+                            0.5,
+                            1e300,
+                            "text",
+                            "",
+                            Value::Array{},
+                            Value::Array{1, 2, 3},
+                            Value::Object{},
+                            Value::Object{{"type", "sphere"}}};
+    return values[pick(std::size(values))];
+  }
+
+  const JsonSchema& schema_;
+  Random random_;
+  std::set<double> numbers_;
+};
+
+/// Agreement: how a type's reader and its schema judged a corpus.
+struct Agreement {
+  int both_accept = 0, both_refuse = 0;
+  std::vector<std::string> disputed;  ///< the documents on which they differ, with the faults
+};
+
+/// Lets both judge `count` documents and as many changed ones, until they differ on ten. Faults
+/// with one of the texts of `beyond_schema` in what they allow are those that only the reader can
+/// see, and do not count.
+template <class T>
+Agreement judge(const Value& schema_document, int count,
+                const std::vector<std::string>& beyond_schema) {
+  const JsonSchema schema(schema_document);
+  Corpus corpus(schema, 7);
+  Agreement agreement;
+  const auto seen_by_schema = [&](const Fault& fault) {
+    return std::none_of(beyond_schema.begin(), beyond_schema.end(), [&](const std::string& words) {
+      return fault.allowed.find(words) != std::string::npos;
+    });
+  };
+  const auto judge_one = [&](const Value& document) {
+    Faults faults;
+    T read{};
+    read_value(document, Place{}, Spec{}, faults, read);
+    const auto& list = faults.list();
+    const bool accepts = std::none_of(list.begin(), list.end(), seen_by_schema);
+    if (accepts != schema.valid(document)) {
+      std::string text = to_json(document);
+      for (const Fault& fault : list) text += "\n  " + describe(fault);
+      return agreement.disputed.push_back(text);
+    }
+    ++(accepts ? agreement.both_accept : agreement.both_refuse);
+  };
+  for (int i = 0; i < count && agreement.disputed.size() < 10; ++i) {
+    Value document = corpus.document();
+    judge_one(document);
+    judge_one(corpus.changed(std::move(document)));
+  }
+  return agreement;
+}
+
+}  // namespace tia::test
