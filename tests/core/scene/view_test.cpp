@@ -158,9 +158,8 @@ TEST(View, AllRaysOfOnePointOfThePictureMeetInThePlaneOfFocus) {
           ray_of<double>(view, x, y, {dx, dy, radius * std::cos(turn), radius * std::sin(turn)});
       EXPECT_NEAR(length(ray.origin - camera.location), radius * camera.aperture / 2, 1e-12);
       EXPECT_NEAR(dot(ray.origin - camera.location, normal), 0, 1e-12) << "in the lens";
-      const Vec3d met =
-          ray.at(depth / dot(ray.direction, normal) - dot(ray.origin - camera.location, normal));
-      EXPECT_LT(length(met - sharp), 1e-11 * (1 + depth));
+      const Vec3d met = ray.at(depth / dot(ray.direction, normal));
+      EXPECT_LT(length(met - sharp), 1e-11 * *camera.focus_distance);
     }
   }
 }
@@ -187,8 +186,8 @@ struct Spots {
 };
 
 TEST(View, CircleOfConfusionHasTheRadiusOfSimilarTriangles) {
-  // The cone from the lens, radius A/2, to its tip at f cuts the plane z in A/2 |z - f| / f. Where
-  // the tip's plane is compared by distance seen (divided by z), this is A/2 |z - f| / z at f.
+  // The cone from the lens, radius A/2, to its tip at f cuts the plane z in A/2 |z - f| / f; seen
+  // from the lens' centre in the plane of focus that is f/z of it, A/2 |z - f| / z.
   for (const auto& [aperture, focus, depth] :
        {std::tuple{1.0, 10.0, 5.0}, {1.0, 10.0, 20.0}, {0.2, 3.0, 300.0}}) {
     const double radius = aperture / 2 * std::fabs(depth - focus) / focus;
