@@ -27,7 +27,6 @@ Sampler::Sampler(int samples, double threshold, std::int64_t seed)
 }
 
 Aim<float> Sampler::aim(int x, int y, int sample) const {
-  if (centered()) return {0, 0, 0, 0};
   int round = 0;
   while (round + 1 < rounds() && sample >= before(round + 1)) ++round;
   const std::array<std::uint32_t, 1> px{static_cast<std::uint32_t>(x)};

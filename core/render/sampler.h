@@ -83,24 +83,26 @@ class Aims {
         x_(x),
         y_(y),
         before_(static_cast<std::uint32_t>(sampler.before(round))),
-        has_lens_(has_lens) {
+        has_lens_(has_lens),
+        centered_(sampler.centered()) {
     if (has_lens) shuffles_ = drawn(before_, shuffling).a;
   }
 
-  /// The rays of the round's i-th sample. Domain: 0 <= i < the round's count.
-  Aim<Real> operator()(int i) const {
+  /// The rays of the round's i-th sample. Domain: 0 <= i < the round's count. Cost: least in order.
+  Aim<Real> operator()(int i) {
+    if (centered_) return {Real(0), Real(0), Real(0), Real(0)};
     const auto index = static_cast<std::uint32_t>(i);
-    const RandomWords<n> words = drawn(before_ + index, jitter);
+    const bool odd = draw_pair(before_ + index);
     const Strata::Cell& cell = strata_[index];
     Aim<Real> aim{};
-    aim.dx = Real(cell.x - 0.5F) + units(words.a) * Real(cell.width);
-    aim.dy = Real(cell.y - 0.5F) + units(words.b) * Real(cell.height);
-    if (has_lens_) on_lens(index, words, aim);
+    aim.dx = Real(cell.x - 0.5F) + units(odd ? pair_.c : pair_.a) * Real(cell.width);
+    aim.dy = Real(cell.y - 0.5F) + units(odd ? pair_.d : pair_.b) * Real(cell.height);
+    if (has_lens_) aim_on_lens(index, aim);
     return aim;
   }
 
  private:
-  enum Dimension : std::uint32_t { jitter, shuffling };
+  enum Dimension : std::uint32_t { in_pixel, on_lens, shuffling };
 
   RandomWords<n> drawn(std::uint32_t sample, Dimension dimension) const {
     RandomWords<n> words;
@@ -111,18 +113,25 @@ class Aims {
     philox(words, key_);
     return words;
   }
+  // Two samples share four words; the odd one has the latter two.
+  bool draw_pair(std::uint32_t sample) {
+    const std::uint32_t even = sample & ~1U;
+    if (even != pair_of_) pair_ = drawn(pair_of_ = even, in_pixel);
+    return sample != even;
+  }
   static Real units(const Pixels& words) {
     std::array<LaneOf<Real>, n> each;
     for (std::size_t i = 0; i < n; ++i) each[i] = unit_float(words[i]);
     return load<Real>(each.data());
   }
-  void on_lens(std::uint32_t index, const RandomWords<n>& words, Aim<Real>& aim) const {
+  void aim_on_lens(std::uint32_t index, Aim<Real>& aim) const {
+    const RandomWords<n> words = drawn(before_ + index, on_lens);
     std::array<LaneOf<Real>, n> u, v;
     const auto count = static_cast<std::uint32_t>(strata_.count());
     for (std::size_t i = 0; i < n; ++i) {
       const Strata::Cell& cell = strata_[shuffled(index, count, shuffles_[i])];
-      u[i] = cell.x + unit_float(words.c[i]) * cell.width;
-      v[i] = cell.y + unit_float(words.d[i]) * cell.height;
+      u[i] = cell.x + unit_float(words.a[i]) * cell.width;
+      v[i] = cell.y + unit_float(words.b[i]) * cell.height;
     }
     const DiscPoint<Real> point = square_to_disc(load<Real>(u.data()), load<Real>(v.data()));
     aim.lens_x = point.x;
@@ -134,7 +143,9 @@ class Aims {
   const Pixels &x_, &y_;
   Pixels shuffles_{};
   std::uint32_t before_;
-  bool has_lens_;
+  bool has_lens_, centered_;
+  RandomWords<n> pair_;
+  std::uint32_t pair_of_ = 1;  // none: its number is even
 };
 
 }  // namespace tia

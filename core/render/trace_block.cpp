@@ -13,8 +13,8 @@ class Tracer {
   Tracer(const Shot& shot, int x0, int y0, const Block& block)
       : eye(shot.view), shot_(shot), scope_{shot.world, {}} {
     if (shot.world.few_balls)
-      scope_.balls = candidates(
-          shot.world, Beam(shot.view, x0, y0, x0 + block.width, y0 + block.height));
+      scope_.balls =
+          candidates(shot.world, Beam(shot.view, x0, y0, x0 + block.width, y0 + block.height));
   }
 
   Vec3<Real> light(const Ray<Real>& ray, Mask<Real> active) {
@@ -29,12 +29,14 @@ class Tracer {
   Scope scope_;
 };
 
-// ---- one ray a pixel ----------------------------------------------------------------------------
+// ---- one ray a pixel of a perspective view: what most pictures are
+// -------------------------------
 
 template <class Real>
 [[gnu::flatten]] void trace_centers(const Shot& shot, int x0, int y0, Block& block) {
   constexpr int n = lanes<Real>;
   Tracer<Real> tracer(shot, x0, y0, block);
+  const Vec3<Real> origin = lift<Real>(shot.view.origin);
   const Real lane_index = iota<Real>();
   const Real width(static_cast<float>(block.width));
   std::array<Vec3<Real>, Block::size / n> columns;
@@ -46,7 +48,7 @@ template <class Real>
     const Vec3<Real> row = shot.view.row(Real(static_cast<float>(y0 + y)));
     for (int x = 0; x < block.width; x += n) {
       const Real in_block = Real(static_cast<float>(x)) + lane_index;
-      const Ray<Real> ray = tracer.eye.ray(columns[static_cast<std::size_t>(x / n)] + row);
+      const Ray<Real> ray{origin, normalize(columns[static_cast<std::size_t>(x / n)] + row)};
       const Vec3<Real> light = tracer.light(ray, in_block < width);
       const auto i = static_cast<std::size_t>(y * Block::size + x);
       store(light.x, &block.r[i]);
@@ -133,7 +135,7 @@ Vec3<Real> clamped(const Vec3<Real>& v) {
 template <class Real>
 [[gnu::flatten]] void trace_round(const Shot& shot, int round, Tracer<Real>& tracer,
                                   const Pixels<Real>& pixels) {
-  const Aims<Real> aims(shot.sampler, round, pixels.x, pixels.y, shot.view.has_lens());
+  Aims<Real> aims(shot.sampler, round, pixels.x, pixels.y, shot.view.has_lens());
   const Vec3<Real> center = pixels.center(shot.view);
   const Mask<Real> active = pixels.active();
   const int count = shot.sampler.strata(round).count();
@@ -200,7 +202,8 @@ void trace_samples(const Shot& shot, int x0, int y0, Block& block) {
 
 template <class Real>
 void trace(const Shot& shot, int x0, int y0, Block& block) {
-  if (shot.sampler.centered()) trace_centers<Real>(shot, x0, y0, block);
+  if (shot.sampler.centered() && !shot.view.orthographic())
+    trace_centers<Real>(shot, x0, y0, block);
   else trace_samples<Real>(shot, x0, y0, block);
 }
 

@@ -9,6 +9,12 @@ namespace {
 
 using test::Random;
 
+// A ray through any point of a pixel.
+Ray<double> anywhere_in(const View& view, int x, int y, Random& random) {
+  const double dx = random.in(-0.5, 0.5), dy = random.in(-0.5, 0.5);
+  return Eye<double>(view).ray(view.column<double>(x) + view.row<double>(y), {dx, dy, 0, 0});
+}
+
 TEST(Beam, NeverLeavesOutABallThatOneOfItsRaysMeets) {
   Random random(40);
   int met = 0;
@@ -23,7 +29,7 @@ TEST(Beam, NeverLeavesOutABallThatOneOfItsRaysMeets) {
     if (beam.may_meet(ball.center, ball.radius)) continue;
     for (int y = y0; y < y1; ++y)
       for (int x = x0; x < x1; ++x)
-        met += intersect(ball, RootRay<double>(view.ray<double>(x, y))) < 1e30;
+        met += intersect(ball, RootRay<double>(anywhere_in(view, x, y, random))) < 1e30;
   }
   EXPECT_EQ(met, 0);
 }
@@ -33,7 +39,7 @@ TEST(Beam, MeetsABallOfOnePixelsRayHoweverSmall) {
   for (int i = 0; i < 3000; ++i) {
     const View view = view_of(test::random_camera(random), 640, 480);
     const int x = random.below(640), y = random.below(480);
-    const Vec3d center = view.ray<double>(x, y).at(random.in(0.1, 1000));
+    const Vec3d center = anywhere_in(view, x, y, random).at(random.in(0.1, 1000));
     const int x0 = x / 32 * 32, y0 = y / 32 * 32;
     EXPECT_TRUE(Beam(view, x0, y0, x0 + 32, y0 + 32).may_meet(center, 1e-6));
     EXPECT_TRUE(Beam(view, x, y, x + 1, y + 1).may_meet(center, 1e-6));
@@ -48,6 +54,21 @@ TEST(Beam, MeetsTheBallAroundItsEye) {
     const Vec3d center = view.origin + random.vector(0, 0.999 * radius);
     EXPECT_TRUE(Beam(view, 0, 0, 8, 8).may_meet(center, radius));
   }
+}
+
+TEST(Beam, MeetsEverythingWhereRaysLeaveMoreThanOnePoint) {
+  Camera lens, parallel;
+  lens.aperture = lens.focus_distance.emplace(1);
+  parallel.projection = Projection::orthographic;
+  parallel.height = 1;
+  for (const Camera& camera : {lens, parallel})
+    EXPECT_TRUE(Beam(view_of(camera, 640, 480), 0, 0, 8, 8).may_meet({0, 0, 20}, 1e-3));
+}
+
+TEST(Beam, OfAViewTooNarrowForDoubleLeavesNothingOut) {
+  Camera camera;
+  camera.fov_degrees = 1e-200;
+  EXPECT_TRUE(Beam(view_of(camera, 640, 480), 0, 0, 8, 8).may_meet({0, 0, -20}, 1));
 }
 
 TEST(Beam, LeavesOutWhatLiesBehindOrFarAside) {

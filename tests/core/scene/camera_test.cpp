@@ -4,6 +4,7 @@
 
 #include "core/input/codec.h"
 #include "core/math/deterministic.h"
+#include "core/scene/view.h"
 #include "tests/core/faults.h"
 #include "tests/core/random_scene.h"
 
@@ -183,10 +184,104 @@ TEST(Camera, RefusesWhatGivesNoView) {
       {R"({"right":[0,3,0]})", {{out_of_range, "/right", "[0,3,0]", "a view plane of some size"}}},
       {R"({"right":[0,1,-1]})",
        {{out_of_range, "/right", "[0,1,-1]", "a view plane of some size"}}},
+      {R"({"height":4})", {{conflict, "/height", "4", "goes with projection orthographic"}}},
+      {R"({"distance":1,"pixel_size":2})",
+       {{conflict, "/distance", "1", "goes with basis"},
+        {conflict, "/pixel_size", "2", "goes with basis"}}},
+      {R"({"aperture":0.1})", {{missing, "/focus_distance", "", "that is sharp, for aperture"}}},
+      {R"({"aperture":1e9,"focus_distance":0.5})",
+       {{out_of_range, "/focus_distance", "0.5", "at least 1e-9 of aperture"}}},
   };
   for (const Refused& each : table) {
     SCOPED_TRACE(each.json);
     test::expect_faults(test::faults_of([&] { camera_of(each.json); }), each.faults);
+  }
+}
+
+TEST(Camera, OrthographicTakesHeightOrAPlaneAndNoAngleOrLens) {
+  using enum FaultKind;
+  const std::vector<Refused> table = {
+      {R"({"projection":"orthographic","height":3})", {}},
+      {R"({"projection":"orthographic","right":[1,0,0]})", {}},
+      {R"({"projection":"orthographic","height":3,"aperture":0})", {}},
+      {R"({"projection":"orthographic"})", {{missing, "/height", "", "whole picture's height"}}},
+      {R"({"projection":"orthographic","height":3,"right":[1,0,0]})",
+       {{conflict, "/height", "3", "right goes without height"}}},
+      {R"({"projection":"orthographic","height":3,"fov_degrees":30})",
+       {{conflict, "/fov_degrees", "30", "with height, without fov_degrees"}}},
+      {R"({"projection":"orthographic","height":3,"aperture":0.5,"focus_distance":2})",
+       {{conflict, "/aperture", "0.5", "only projection perspective has a lens"},
+        {conflict, "/focus_distance", "2", "only projection perspective has a lens"}}},
+      {R"({"projection":"ortographic"})",
+       {{unknown_name, "/projection", "\"ortographic\"", "perspective, orthographic",
+         "orthographic"}}},
+      {R"({"projection":"orthographic","height":0})", {{out_of_range, "/height", "0", "above 0"}}},
+  };
+  for (const Refused& each : table) {
+    SCOPED_TRACE(each.json);
+    test::expect_faults(test::faults_of([&] { camera_of(each.json); }), each.faults);
+  }
+}
+
+TEST(Camera, BasisStandsAloneAndIsRightHandedAndOrthonormal) {
+  using enum FaultKind;
+  const std::string axes = R"("basis":{"u":[1,0,0],"v":[0,1,0],"w":[0,0,1]})";
+  const std::string grid = R"("distance":2,"pixel_size":0.1,)" + axes;
+  const auto basis = [](const char* u, const char* v, const char* w) {
+    return std::string(R"({"distance":2,"pixel_size":0.1,"basis":{"u":)") + u + R"(,"v":)" + v +
+           R"(,"w":)" + w + "}}";
+  };
+  struct Case {
+    std::string json;
+    std::vector<test::Expected> faults;
+  };
+  const std::vector<Case> table = {
+      {"{" + grid + "}", {}},
+      {"{" + grid + R"(,"aperture":0.1,"focus_distance":7})", {}},
+      {R"({"projection":"orthographic","pixel_size":0.1,)" + axes + "}", {}},
+      {"{" + axes + "}",
+       {{missing, "/pixel_size", "", "the side of a pixel"},
+        {missing, "/distance", "", "to the grid of pixels"}}},
+      {"{" + grid + R"(,"look_at":[0,0,-1],"direction":[0,0,-1],"up":[0,2,0],"right":[1,0,0],)" +
+           R"("fov_degrees":30,"height":2})",
+       {{conflict, "/look_at", "[0,0,-1]", "basis goes without"},
+        {conflict, "/direction", "[0,0,-1]", "basis goes without"},
+        {conflict, "/up", "[0,2,0]", "basis goes without"},
+        {conflict, "/right", "[1,0,0]", "basis goes without"},
+        {conflict, "/fov_degrees", "30", "basis goes without"},
+        {conflict, "/height", "2", "goes with projection orthographic"}}},
+      {R"({"projection":"orthographic","height":2,)" + grid + "}",
+       {{conflict, "/distance", "2", "an orthographic basis goes without distance"},
+        {conflict, "/height", "2", "basis goes without height"}}},
+      {R"({"distance":1e-3,"pixel_size":1,)" + axes + "}",
+       {{out_of_range, "/distance", "0.001", "at least 0.01 of pixel_size"}}},
+      {R"({"distance":2,"pixel_size":0.1,"basis":{"u":[1,0,0]}})",
+       {{missing, "/basis/v", "", "upwards"}, {missing, "/basis/w", "", "towards the viewer"}}},
+      {basis("[1.00001,0,0]", "[0,1,0]", "[0,0,0]"),
+       {{out_of_range, "/basis/u", "[1.00001,0,0]", "length 1"},
+        {out_of_range, "/basis/w", "[0,0,0]", "length 1"}}},
+      {basis("[1,0,0]", "[0.6,0.8,0]", "[0,0,1]"),
+       {{out_of_range, "/basis/v", "[0.6,0.8,0]", "perpendicular to u"}}},
+      {basis("[1,0,0]", "[0,1,0]", "[0.6,0,0.8]"),
+       {{out_of_range, "/basis/w", "[0.6,0,0.8]", "perpendicular to u and v"}}},
+      {basis("[1,0,0]", "[0,1,0]", "[0,0,-1]"),
+       {{out_of_range, "/basis/w", "[0,0,-1]", "right-handed"}}},
+      {basis("[1.0000009,0,0]", "[0,1,9e-7]", "[0,0,1]"), {}},
+  };
+  for (const Case& each : table) {
+    SCOPED_TRACE(each.json);
+    test::expect_faults(test::faults_of([&] { camera_of(each.json.c_str()); }), each.faults);
+  }
+}
+
+TEST(Camera, TextOfEveryFieldReadsBack) {
+  const char* texts[] = {
+      R"({"aperture":0.5,"focus_distance":7})",
+      R"({"basis":{"u":[1,0,0],"v":[0,1,0],"w":[0,0,1]},"distance":2,"pixel_size":0.25})",
+      R"({"height":3,"projection":"orthographic"})"};
+  for (const char* text : texts) {
+    EXPECT_EQ(to_json(write_value(camera_of(text))), text);
+    EXPECT_EQ(camera_of(to_json(write_value(camera_of(text))).c_str()), camera_of(text));
   }
 }
 

@@ -34,6 +34,18 @@ TEST(Limits, LargestSizesDoNotOverflow) {
   constexpr int most = std::numeric_limits<int>::max();
   EXPECT_THROW(check_size(most, most, {}), InputError);
   EXPECT_THROW(check_size(65536, 65536, {}), InputError);  // 2^32
+  EXPECT_THROW(check_rays(std::int64_t{1} << 62, 65536, {}), InputError);
+}
+
+TEST(Limits, RaysOfAWindowArePredictedAsPixelsTimesSamples) {
+  using enum FaultKind;
+  EXPECT_NO_THROW(check_rays(31'250, 64'000, {}));  // 2 000 000 000
+  EXPECT_NO_THROW(check_rays(0, 65536, {}));
+  test::expect_faults(test::faults_of([] { check_rays(31'251, 64'000, {}); }),
+                      {{limit, "/samples", "\"31251 pixels of 64000 samples\"",
+                        "at most 2000000000 rays (option TIA_MAX_RAYS)"}});
+  EXPECT_NO_THROW(check_rays(10, 10, {.max_rays = 100}));
+  EXPECT_THROW(check_rays(10, 11, {.max_rays = 100}), InputError);
 }
 
 }  // namespace
