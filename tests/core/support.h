@@ -84,7 +84,7 @@ inline Material matte(const Color& color, const Color& emission = {}) {
   return {Finish{.color = color, .diffuse = 1, .emission = emission}};
 }
 inline Object ball(const Vec3d& center, double radius, const Material& material = {}) {
-  return {"", Sphere{center, radius}, MaterialRef(material)};
+  return {"", Sphere{center, radius}, {}, MaterialRef(material)};
 }
 inline Light point_light(const Vec3d& position, const Color& color = {1, 1, 1}) {
   return {PointLight{position}, color, 1};

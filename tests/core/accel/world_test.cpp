@@ -1,4 +1,4 @@
-#include "core/accel/world.h"
+#include "core/accel/trace.h"
 
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@ using test::matte;
 using test::Random;
 
 std::vector<int> all_of(const World& world) {
-  std::vector<int> all(world.spheres.size());
+  std::vector<int> all(world.balls.size());
   std::iota(all.begin(), all.end(), 0);
   return all;
 }
@@ -29,12 +29,14 @@ TEST(World, HoldsTheObjectsInOrderThenTheLuminousLights) {
                   test::sphere_light({4, 0, 0}, 4)};
   scene.key_light = test::sphere_light({5, 0, 0}, 5);
   const World world = compile(scene);
-  ASSERT_EQ(world.spheres.size(), 5U);
-  for (std::size_t i = 0; i < 5; ++i) {
+  ASSERT_EQ(world.balls.size(), 5U);
+  EXPECT_EQ(world.objects, 5);
+  for (int i = 0; i < 5; ++i) {
     const auto n = static_cast<double>(i + 1);
-    EXPECT_EQ(world.spheres[i], (Sphere{{n, 0, 0}, n}));
+    EXPECT_EQ(world.balls[static_cast<std::size_t>(i)].sphere, (Sphere{{n, 0, 0}, n}));
+    EXPECT_EQ(world.balls[static_cast<std::size_t>(i)].part, i);
+    EXPECT_EQ(world.part(i).object, i);
   }
-  EXPECT_EQ(world.mattes.size(), 5U);
   EXPECT_EQ(world.background.exact, (Vec3d{0.1, 0.2, 0.3}));
 }
 
@@ -47,10 +49,10 @@ TEST(World, HasALampForEachLightThatShines) {
   scene.key_light = Light{PointLight{}, {1, 1, 1}, 1};  // without a place: none
   const World world = compile(scene);
   ASSERT_EQ(world.lamps.size(), 3U);
-  const auto expect = [&](std::size_t i, const Vec3d& position, const Vec3d& color, int object) {
+  const auto expect = [&](std::size_t i, const Vec3d& position, const Vec3d& color, int part) {
     EXPECT_EQ(world.lamps[i].position.exact, position) << i;
     EXPECT_EQ(world.lamps[i].color.exact, color) << i;
-    EXPECT_EQ(world.lamps[i].object, object) << i;
+    EXPECT_EQ(world.lamps[i].part, part) << i;
   };
   expect(0, {2, 0, 0}, {0, 0, 0.5}, 1);
   expect(1, {9, 0, 0}, {2, 4, 6}, -1);
@@ -65,10 +67,10 @@ TEST(World, MaterialIsNamedOrOwnOrTheDefault) {
   scene.objects[0].material = "red";
   scene.objects[2].material.reset();
   const World world = compile(scene);
-  EXPECT_EQ(world.mattes[0].albedo.exact, (Vec3d{0.5, 0, 0}));
-  EXPECT_EQ(world.mattes[1].albedo.exact, (Vec3d{0, 0.25, 0}));
-  EXPECT_EQ(world.mattes[1].emission.exact, (Vec3d{0, 0, 2}));
-  EXPECT_EQ(world.mattes[2].albedo.exact, (Vec3d{1, 1, 1}));
+  EXPECT_EQ(world.matte_of(0).albedo.exact, (Vec3d{0.5, 0, 0}));
+  EXPECT_EQ(world.matte_of(1).albedo.exact, (Vec3d{0, 0.25, 0}));
+  EXPECT_EQ(world.matte_of(1).emission.exact, (Vec3d{0, 0, 2}));
+  EXPECT_EQ(world.matte_of(2).albedo.exact, (Vec3d{1, 1, 1}));
 }
 
 // ---- closest_hit, occluded --------------------------------------------------------------------
@@ -82,14 +84,14 @@ TEST(World, ClosestHitIsTheNearestOfAllObjects) {
       const Ray<double> ray{random.point(3), random.direction()};
       double nearest = infinity;
       int object = -1;
-      for (std::size_t s = 0; s < world.spheres.size(); ++s)
-        if (const double t = intersect(world.spheres[s], RootRay<double>(ray)); t < nearest) {
+      for (std::size_t s = 0; s < world.balls.size(); ++s)
+        if (const double t = intersect(world.balls[s].sphere, RootRay<double>(ray)); t < nearest) {
           nearest = t;
           object = static_cast<int>(s);
         }
       const Hit<double> hit = closest_hit(world, all_of(world), ray);
       EXPECT_EQ(hit.t, nearest);
-      EXPECT_EQ(hit.object, object);
+      EXPECT_EQ(hit.part, object);
       hits += object >= 0;
     }
   }
@@ -101,19 +103,19 @@ TEST(World, AtEqualDistanceTheEarlierObjectWins) {
   scene.objects = {ball({9, 9, 9}, 1), ball({0, 0, -5}, 1), ball({0, 0, -5}, 1),
                    ball({0, 0, -6}, 2)};  // all three start at z = -4
   const World world = compile(scene);
-  EXPECT_EQ(closest_hit(world, all_of(world), Ray<float>{{0, 0, 0}, {0, 0, -1}}).object, 1);
-  EXPECT_EQ(closest_hit(world, all_of(world), Ray<double>{{0, 0, 0}, {0, 0, -1}}).object, 1);
+  EXPECT_EQ(closest_hit(world, all_of(world), Ray<float>{{0, 0, 0}, {0, 0, -1}}).part, 1);
+  EXPECT_EQ(closest_hit(world, all_of(world), Ray<double>{{0, 0, 0}, {0, 0, -1}}).part, 1);
   const Wide zero(0), minus(-1);
   const Hit<Wide> hit =
       closest_hit(world, all_of(world), Ray<Wide>{{zero, zero, zero}, {zero, zero, minus}});
-  for (int k = 0; k < lanes<Wide>; ++k) EXPECT_EQ(lane(hit.object, k), 1);
+  for (int k = 0; k < lanes<Wide>; ++k) EXPECT_EQ(lane(hit.part, k), 1);
 }
 
 TEST(World, ClosestHitTriesOnlyTheCandidates) {
   Scene scene;
   scene.objects = {ball({0, 0, -5}, 1), ball({0, 0, -10}, 1)};
   const World world = compile(scene);
-  EXPECT_EQ(closest_hit(world, {1}, Ray<float>{{0, 0, 0}, {0, 0, -1}}).object, 1);
+  EXPECT_EQ(closest_hit(world, {1}, Ray<float>{{0, 0, 0}, {0, 0, -1}}).part, 1);
   EXPECT_EQ(closest_hit(world, {}, Ray<float>{{0, 0, 0}, {0, 0, -1}}).t, infinity);
 }
 
@@ -122,30 +124,37 @@ TEST(World, OccludedMeansAnyHitBeforeTheDistanceButOnesOwn) {
   scene.objects = {ball({0, 0, -5}, 1), ball({0, 0, -10}, 1)};
   const World world = compile(scene);
   const Ray<float> ray{{0, 0, 0}, {0, 0, -1}};
-  EXPECT_TRUE(occluded(world, ray, 20.0F, -1));
-  EXPECT_TRUE(occluded(world, ray, 4.5F, -1));
-  EXPECT_FALSE(occluded(world, ray, 4.0F, -1)) << "a hit at the very distance is beyond";
-  EXPECT_FALSE(occluded(world, ray, 3.0F, -1));
-  EXPECT_TRUE(occluded(world, ray, 20.0F, 0));
-  EXPECT_FALSE(occluded(world, ray, 8.0F, 0)) << "one's own never blocks";
-  EXPECT_FALSE(occluded(world, Ray<float>{{0, 0, 0}, {0, 1, 0}}, 20.0F, -1));
+  const Lamp point{{}, {}, -1, 0}, first{{}, {}, 0, 0};
+  std::int64_t tests = 0;
+  const auto dark = [&](const Ray<float>& way, float distance, const Lamp& lamp) {
+    const bool by_list = occluded(world, way, distance, lamp);
+    EXPECT_EQ(occluded(world, way, distance, lamp, true, tests), by_list);
+    return by_list;
+  };
+  EXPECT_TRUE(dark(ray, 20, point));
+  EXPECT_TRUE(dark(ray, 4.5, point));
+  EXPECT_FALSE(dark(ray, 4, point)) << "a hit at the very distance is beyond";
+  EXPECT_FALSE(dark(ray, 3, point));
+  EXPECT_TRUE(dark(ray, 20, first));
+  EXPECT_FALSE(dark(ray, 8, first)) << "one's own never blocks";
+  EXPECT_FALSE(dark({{0, 0, 0}, {0, 1, 0}}, 20, point));
 }
 
 // ---- surface ----------------------------------------------------------------------------------
 
 TEST(World, EachWinnerAmongTheLanesIsVisitedOnce) {
   Hit<Wide> hit;
-  hit.object = iota<Wide>() - select(iota<Wide>() < Wide(2), Wide(0), Wide(1));  // 0 1 1 2 ..
+  hit.part = iota<Wide>() - select(iota<Wide>() < Wide(2), Wide(0), Wide(1));  // 0 1 1 2 ..
   const WideMask found = iota<Wide>() > Wide(0);
   hit.t = select(found, Wide(1), Wide(infinity));
   unsigned covered = 0;
   int visits = 0;
-  for_each_winner(hit, [&](int object, WideMask mask) {
+  for_each_winner(hit, WideMask(true), [&](int part, WideMask mask) {
     EXPECT_EQ(covered & bits(mask), 0U);
     covered |= bits(mask);
     for (int k = 0; k < lanes<Wide>; ++k) {
       const bool chosen = ((bits(mask) >> static_cast<unsigned>(k)) & 1U) != 0;
-      EXPECT_TRUE(!chosen || lane(hit.object, k) == static_cast<float>(object));
+      EXPECT_TRUE(!chosen || lane(hit.part, k) == static_cast<float>(part));
     }
     ++visits;
   });
@@ -159,7 +168,7 @@ TEST(World, SurfaceFacesTheViewer) {
   const World world = compile(scene);
   const auto seen = [&](const Ray<double>& ray, const std::vector<int>& objects) {
     const Hit<double> hit = closest_hit(world, objects, ray);
-    return surface(world, ray, hit.t, static_cast<int>(hit.object));
+    return surface(world, ray, hit, static_cast<int>(hit.part), true);
   };
   const Ray<double> out{{0, 0, 0}, {0, 0, -1}}, in{{0, 0, 9}, {0, 0, -1}};
   EXPECT_EQ(seen(out, {0, 1}).p, (Vec3d{0, 0, -2}));

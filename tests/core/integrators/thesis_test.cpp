@@ -162,14 +162,12 @@ TEST(Thesis, LanesThatAreNotActiveAreNotCounted) {
   const Scene scene = test::thesis_scene('s');
   const World world = compile(scene);
   const View view = view_of(scene.camera, 640, 480);
-  const std::vector<int> all{0, 1, 2};
   for (int active = 0; active <= lanes<Wide>; ++active) {
-    RayTally rays;
+    Scope scope{world, {0, 1, 2}};
     const Wide x = Wide(320.0F) + iota<Wide>();
-    thesis(world, all, view.ray(x, Wide(100.0F)), iota<Wide>() < Wide(static_cast<float>(active)),
-           rays);
-    EXPECT_EQ(rays.primary, active);
-    EXPECT_EQ(rays.shadow, active);  // the ball's upper front: all towards the light
+    thesis(scope, view.ray(x, Wide(100.0F)), iota<Wide>() < Wide(static_cast<float>(active)));
+    EXPECT_EQ(scope.rays.primary, active);
+    EXPECT_EQ(scope.rays.shadow, active);  // the ball's upper front: all towards the light
   }
 }
 
