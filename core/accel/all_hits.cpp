@@ -85,9 +85,8 @@ std::vector<Meeting> all_hits(const World& world, const Ray<double>& ray) {
   found.erase(std::unique(found.begin(), found.end(), one), found.end());
   for (Meeting& each : found) {
     each.point = ray.at(each.t);
-    const SurfaceFrame at = frame_at(world, each.point, each.part, each.element, each.copy);
-    each.normal = at.ng;
-    each.uv = at.uv;
+    each.normal = normals_at(world, each.point, each.part, each.element, each.copy).ng;
+    each.uv = uv_at(world, each.point, each.part, each.element, each.copy);
     each.front = dot(each.normal, ray.direction) < 0;
   }
   return found;
