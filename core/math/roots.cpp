@@ -106,6 +106,15 @@ Coefficients derivative(Coefficients c, std::size_t n, std::array<double, max_de
   return {out.data(), c.size() - n};
 }
 
+// The roots between low and high of a derivative of second degree, which need no isolation.
+int second_degree_knots(Coefficients c, double low, double high, double* out) {
+  const QuadraticRoots roots = quadratic_roots(c[2], c[1] / 2, c[0]);
+  int count = 0;
+  if (roots.count > 0 && low < roots.t0 && roots.t0 < high) out[count++] = roots.t0;
+  if (roots.count > 1 && low < roots.t1 && roots.t1 < high) out[count++] = roots.t1;
+  return count;
+}
+
 }  // namespace
 
 int real_roots(Coefficients c, double low, double high, std::span<double> roots) {
@@ -115,7 +124,12 @@ int real_roots(Coefficients c, double low, double high, std::span<double> roots)
   std::array<double, max_degree + 1> buffer;
   std::array<double, max_degree> knots;
   int found = 0;
-  for (std::size_t n = c.size() - 1; n-- > 0;) {
+  std::size_t n = c.size() - 1;
+  if (n > 2) {
+    n -= 2;
+    found = second_degree_knots(derivative(c, n, buffer), low, high, knots.data());
+  }
+  while (n-- > 0) {
     Gatherer gatherer(derivative(c, n, buffer), tolerance, roots.data());
     gatherer.end(low);
     for (int i = 0; i < found; ++i) gatherer.stationary(knots[static_cast<std::size_t>(i)]);
