@@ -31,8 +31,11 @@ class Collector {
     }
   }
   void add(double t, int part, int element, const Packet<double>& packet) {
-    if (t > 0 && t < Aabb::far)
-      found_.push_back({.t = t, .part = part, .element = element, .copy = packet.copy});
+    if (!(t > 0 && t < Aabb::far)) return;
+    if (found_.size() == most_hits)
+      throw InputError({FaultKind::limit, "", std::nullopt,
+                        "a ray that crosses at most " + std::to_string(most_hits) + " surfaces"});
+    found_.push_back({.t = t, .part = part, .element = element, .copy = packet.copy});
   }
   void meet_part(int part, Packet<double>& packet) {
     crossings(world_.part(part), packet.line(0),
