@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/input/codec.h"
+#include "core/scene/limits.h"
 
 namespace tia::server {
 
@@ -16,8 +17,10 @@ struct Config {
   std::string host = "127.0.0.1";
   int port = 8080;
   int threads = processors();
-  std::int64_t max_body_bytes = 1 << 20;
-  std::int64_t max_pixels = 16'777'216;
+  std::int64_t max_body_bytes = 4 << 20;
+  std::int64_t max_scenes_bytes = 64 << 20;
+  std::int64_t max_pixels = Limits{}.max_pixels;
+  std::int64_t max_rays = Limits{}.max_rays;
 
   template <class Visitor>
   static void fields(Visitor&& visit) {
@@ -28,12 +31,24 @@ struct Config {
           Spec{.about = "threads that trace (default: the processors)", .min = 1, .max = 64});
     visit("max_body_bytes", &Config::max_body_bytes,
           Spec{.about = "largest request body", .unit = "bytes", .min = 1024, .max = 1 << 30});
+    visit("max_scenes_bytes", &Config::max_scenes_bytes,
+          Spec{.about = "memory for the scenes that POST /scenes keeps",
+               .unit = "bytes",
+               .min = 0,
+               .max = 1LL << 40U});
     visit("max_pixels", &Config::max_pixels,
           Spec{.about = "largest picture", .unit = "pixels", .min = 1, .max = 1 << 28});
+    visit("max_rays", &Config::max_rays,
+          Spec{.about = "most rays of all kinds that a picture may take",
+               .unit = "rays",
+               .min = 1,
+               .max = 1e15});
   }
 
   /// An empty host.
   void check(const Place& at, Faults& faults) const;
+  /// What one request may ask for.
+  Limits limits() const { return {max_pixels, max_rays}; }
 
   /// Processors that this process may use, at most 64.
   static int processors();

@@ -20,13 +20,10 @@ const Scene* Gallery::find(std::string_view name) const {
   return found == scenes_.end() ? nullptr : &found->second;
 }
 
-const Scene& Gallery::scene(std::string_view name, std::string_view pointer) const {
-  if (const Scene* scene = find(name)) return *scene;
-  std::vector<std::string_view> known;
-  for (const auto& [each, scene] : scenes_) known.push_back(each);
-  throw InputError({FaultKind::unknown_name, std::string(pointer), Value(name),
-                    "a scene's name (" + listed(known) + ") or a whole scene",
-                    nearest_name(name, known)});
+std::vector<std::string_view> Gallery::names() const {
+  std::vector<std::string_view> names;
+  for (const auto& [name, scene] : scenes_) names.push_back(name);
+  return names;
 }
 
 }  // namespace tia::server

@@ -4,6 +4,7 @@
 #include <map>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/scene/scene.h"
 
@@ -16,8 +17,7 @@ class Gallery {
   const std::map<std::string, Scene, std::less<>>& scenes() const { return scenes_; }
   /// The scene of that name, or null.
   const Scene* find(std::string_view name) const;
-  /// The scene of that name. Errors: InputError (unknown_name) at `pointer`.
-  const Scene& scene(std::string_view name, std::string_view pointer) const;
+  std::vector<std::string_view> names() const;
 
  private:
   std::map<std::string, Scene, std::less<>> scenes_;

@@ -9,9 +9,14 @@ namespace tia::server {
 Response get_render(const Request& request, const std::string&, Service& service);
 Response post_render(const Request& request, const std::string&, Service& service);
 
+// explain_handler.cpp
+Response get_explain(const Request& request, const std::string&, Service& service);
+Response post_explain(const Request& request, const std::string&, Service& service);
+
 // scenes_handler.cpp
 Response get_scenes(const Request& request, const std::string&, Service& service);
 Response get_scene(const Request& request, const std::string& name, Service& service);
+Response post_scene(const Request& request, const std::string&, Service& service);
 Response get_scene_schema(const Request& request, const std::string&, Service& service);
 
 // health_handler.cpp

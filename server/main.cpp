@@ -32,10 +32,11 @@ void add_options(CLI::App& app, std::vector<Setting>& settings) {
 struct ParameterFlags {
   CLI::App& app;
   std::vector<Setting>& settings;
-  void operator()(std::string_view, std::variant<std::string, tia::Scene> PictureRequest::*,
+  template <class Base>
+  void operator()(std::string_view, std::variant<std::string, tia::Scene> Base::*,
                   const tia::Spec&) {}
-  template <class Member>
-  void operator()(std::string_view field, Member PictureRequest::*, const tia::Spec& spec) {
+  template <class Base, class Member>
+  void operator()(std::string_view field, Member Base::*, const tia::Spec& spec) {
     const std::string name(field);
     const auto take = [this_settings = &settings, name](const std::string& text) {
       this_settings->push_back({name, text, "--" + name});

@@ -2,14 +2,13 @@
 
 #include <algorithm>
 
+#include "core/integrators/shown.h"
 #include "server/stopwatch.h"
 
 namespace tia::server {
 
 void PictureRequest::check(const Place& at, Faults& faults) const {
-  if (key && light)
-    faults.add(
-        {FaultKind::conflict, at.at("light").pointer(), write_value(*light), "key or light"});
+  ViewRequest::check(at, faults);
   const Window w = window();
   if (w.x0 >= w.x1 || w.y0 >= w.y1 || w.x1 > width || w.y1 > height)
     faults.add(
@@ -26,43 +25,49 @@ std::string_view media_type_of(Format format) {
   return format == Format::pfm ? "image/x-portable-floatmap" : "image/png";
 }
 
-Scene scene_of(const PictureRequest& asked, const Gallery& gallery) {
-  const auto* name = std::get_if<std::string>(&asked.scene);
-  const Scene& scene =
-      name != nullptr ? gallery.scene(*name, "/scene") : std::get<Scene>(asked.scene);
-  if (asked.key) return press(scene, *asked.key);
-  if (asked.light) return with_light(scene, *asked.light);
-  return scene;
+Plan plan_of(const PictureRequest& asked, const Studio& studio) {
+  check_size(asked.width, asked.height, studio.limits);
+  Plan plan{scene_of(asked, studio), asked.window(), {}, {}};
+  const SceneOptions& own = plan.scene->options;
+  RenderOptions& options = plan.options;
+  options.integrator =
+      asked.integrator ? *asked.integrator : own.integrator.value_or(IntegratorName::thesis);
+  options.threads = std::min(asked.threads.value_or(studio.pool.threads()), studio.pool.threads());
+  if (averages(options.integrator)) {
+    options.samples = asked.samples ? *asked.samples : own.samples.value_or(1);
+    options.threshold = asked.threshold ? *asked.threshold : own.threshold.value_or(0);
+  }
+  options.seed = asked.seed.value_or(own.seed);
+  options.max_rays = studio.limits.max_rays;
+  plan.display = {shown(options.integrator), asked.transfer.value_or(own.transfer)};
+  const Window& window = plan.window;
+  check_rays(static_cast<std::int64_t>(window.width()) * window.height(),
+             least_samples(options.samples, options.threshold), studio.limits);
+  return plan;
 }
 
 Picture draw(const PictureRequest& asked, const Studio& studio, const std::stop_token& stop) {
   Picture picture;
   Stopwatch watch;
-  check_size(asked.width, asked.height, studio.limits);
-  const Scene scene = scene_of(asked, studio.gallery);
+  const Plan plan = plan_of(asked, studio);
   picture.timing.parse = watch.lap_ms();
 
-  const World world = compile(scene);
-  const View view = view_of(scene.camera, asked.width, asked.height);
-  const Window window = asked.window();
-  const RenderOptions options{
-      .integrator =
-          asked.integrator.value_or(scene.options.integrator.value_or(IntegratorName::thesis)),
-      .threads = std::min(asked.threads.value_or(studio.pool.threads()), studio.pool.threads())};
+  const World world = compile(*plan.scene);
+  const View view = view_of(plan.scene->camera, asked.width, asked.height);
+  picture.degenerate = world.degenerate;
   picture.timing.build = watch.lap_ms();
 
   const auto trace_onto = [&](auto& film) {
-    picture.rays = render(world, view, window, options, studio.pool, stop,
+    picture.rays = render(world, view, plan.window, plan.options, studio.pool, stop,
                           [&](const Block& block) { film.put(block); });
     picture.timing.trace = watch.lap_ms();
   };
   if (asked.format == Format::pfm) {
-    LinearFilm film(window.width(), window.height());
+    LinearFilm film(plan.window.width(), plan.window.height());
     trace_onto(film);
     picture.bytes = encode_pfm(film.image());
   } else {
-    DisplayFilm film(window.width(), window.height(),
-                     asked.transfer.value_or(scene.options.transfer));
+    DisplayFilm film(plan.window.width(), plan.window.height(), plan.display);
     trace_onto(film);
     picture.bytes = encode_png(film.image());
   }

@@ -1,5 +1,5 @@
 // A picture as it is asked for, and as it is made: the pipeline
-//   PictureRequest -> Scene -> World -> film -> bytes
+//   PictureRequest -> Plan -> World -> film -> bytes
 // that /render and `tia render` share.
 #pragma once
 
@@ -10,7 +10,7 @@
 #include <variant>
 
 #include "core/core.h"
-#include "server/gallery.h"
+#include "server/view_request.h"
 
 namespace tia::server {
 
@@ -25,45 +25,42 @@ struct tia::Names<tia::server::Format> {
 
 namespace tia::server {
 
-/// PictureRequest: the parameters of /render, in one table for query, JSON body and command line.
-struct PictureRequest {
-  static constexpr double most_px = 16'777'216;
-  std::variant<std::string, Scene> scene = "thesis";
-  std::optional<std::string> key;
-  std::optional<Vec3d> light;
-  int width = 640, height = 480;
+/// PictureRequest: the parameters of /render.
+struct PictureRequest : ViewRequest {
   std::optional<std::array<int, 4>> crop;
   std::optional<IntegratorName> integrator;
+  std::optional<int> samples;
+  std::optional<double> threshold;
+  std::optional<std::int64_t> seed;
   std::optional<Transfer> transfer;
   Format format = Format::png;
-  std::optional<std::int64_t> seed;
   std::optional<int> threads;
 
   template <class Visitor>
   static void fields(Visitor&& visit) {
     using P = PictureRequest;
-    visit("scene", &P::scene, Spec{.about = "a scene's name, or a whole scene"});
-    visit("key", &P::key, Spec{.about = "the key that is pressed: it moves the scene's light"});
-    visit("light", &P::light,
-          Spec{.about = "where to put the scene's key light", .min = -1e9, .max = 1e9});
-    visit("width", &P::width,
-          Spec{.about = "the picture's width", .unit = "pixels", .min = 1, .max = most_px});
-    visit("height", &P::height,
-          Spec{.about = "the picture's height", .unit = "pixels", .min = 1, .max = most_px});
+    ViewRequest::fields(visit);
     visit("crop", &P::crop,
           Spec{.about = "x0,y0,x1,y1: the window x0 <= x < x1, y0 <= y < y1 of the picture",
                .unit = "pixels",
                .min = 0,
                .max = most_px});
     visit("integrator", &P::integrator, Spec{.about = "how light is gathered"});
-    visit("transfer", &P::transfer, Spec{.about = "curve from linear light to stored codes"});
-    visit("format", &P::format, Spec{.about = "png, or pfm for linear light in float"});
+    visit("samples", &P::samples,
+          Spec{.about = "rays a pixel; 1 goes through its centre", .min = 1, .max = 65536});
+    visit("threshold", &P::threshold,
+          Spec{.about = "more rays where a pixel's own disagree: the standard error that its mean "
+                        "may keep; 0 is off",
+               .min = 0,
+               .max = 1});
     visit("seed", &P::seed,
           Spec{.about = "the random stream", .min = 0, .max = SceneOptions::last_seed});
+    visit("transfer", &P::transfer, Spec{.about = "curve from linear light to stored codes"});
+    visit("format", &P::format, Spec{.about = "png, or pfm for linear light in float"});
     visit("threads", &P::threads,
           Spec{.about = "most threads for this picture; never changes it", .min = 1, .max = 64});
   }
-  /// key with light; a crop that is empty or leaves the picture.
+  /// Also a crop that is empty or leaves the picture.
   void check(const Place& at, Faults& faults) const;
   Window window() const;
 };
@@ -79,20 +76,22 @@ struct Picture {
   std::string_view media_type;
   RayCounts rays;
   Timing timing;
+  std::size_t degenerate = 0;  ///< triangles without area, which were left out
 };
 
 /// "image/png" or the like.
 std::string_view media_type_of(Format format);
 
-/// What every picture needs of its host.
-struct Studio {
-  const Gallery& gallery;
-  Pool& pool;
-  Limits limits;
+/// Plan: a request whose picture can be drawn: all that may be wrong with it has been checked.
+struct Plan {
+  SharedScene scene;
+  Window window;
+  RenderOptions options;
+  DisplayRule display;
 };
 
-/// The scene that is asked for, its key pressed or its light moved. Errors: InputError.
-Scene scene_of(const PictureRequest& asked, const Gallery& gallery);
+/// Errors: InputError. The plan may refer to the request.
+Plan plan_of(const PictureRequest& asked, const Studio& studio);
 
 /// Makes the picture. Errors: InputError; Stopped.
 Picture draw(const PictureRequest& asked, const Studio& studio, const std::stop_token& stop);

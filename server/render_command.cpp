@@ -52,13 +52,17 @@ void render_to_file(const std::string& scene, const std::string& file,
   }
   const Gallery gallery;
   Pool pool(config.threads);
-  const Studio studio{gallery, pool, Limits{.max_pixels = config.max_pixels}};
+  SceneStore none_kept(0);
+  const Studio studio{gallery, none_kept, pool, config.limits()};
   const auto request = read_described<PictureRequest>(asked);
   const std::string_view other = request.format == Format::pfm ? ".png" : ".pfm";
   if (file.ends_with(other))
     throw std::invalid_argument("--format " + std::string(name_of(request.format)) +
                                 " does not go with the file's name " + file);
-  write_file(file, draw(request, studio, {}).bytes);
+  const Picture picture = draw(request, studio, {});
+  if (picture.degenerate > 0)
+    std::cerr << "tia: " << picture.degenerate << " triangles without area are ignored\n";
+  write_file(file, picture.bytes);
 }
 
 }  // namespace tia::server

@@ -1,52 +1,12 @@
 // /render: parameters in, picture out.
-#include <algorithm>
 #include <cstdio>
 
-#include "core/input/json.h"
 #include "server/handlers.h"
-#include "server/problem.h"
+#include "server/parameters.h"
 #include "server/stopwatch.h"
-#include "server/text_form.h"
 
 namespace tia::server {
 namespace {
-
-// A query's names and values are written as forms write them, a space as +.
-std::string form_decode(std::string text, std::string_view pointer = "") {
-  std::replace(text.begin(), text.end(), '+', ' ');
-  return percent_decode(text, pointer);
-}
-
-// name=value&name=value as the JSON object that a POST would send.
-Value query_object(std::string_view query) {
-  Value::Object object;
-  while (!query.empty()) {
-    const std::string_view pair = query.substr(0, query.find('&'));
-    query.remove_prefix(std::min(query.size(), pair.size() + 1));
-    if (pair.empty()) continue;
-    const auto equals = std::min(pair.find('='), pair.size());
-    const std::string name = form_decode(std::string(pair.substr(0, equals)));
-    const std::string place = Place{}.at(name).pointer();
-    const std::string text =
-        form_decode(std::string(pair.substr(std::min(equals + 1, pair.size()))), place);
-    if (find(object, name) != nullptr)
-      throw InputError({FaultKind::malformed, place, Value(text), "each parameter once"});
-    object.emplace_back(name, field_from_text<PictureRequest>(name, text));
-  }
-  return object;
-}
-
-// A body that starts with { is JSON whatever its declared type: curl -d declares a form.
-Value body_object(const Request& request) {
-  if (!request.query().empty())
-    throw InputError({FaultKind::conflict, "", Value(request.query()),
-                      "with POST all parameters in the body, none in the URL"});
-  const auto start = request.body.find_first_not_of(" \t\r\n");
-  const bool declared_json = request.header("Content-Type").find("json") != std::string_view::npos;
-  if (start == std::string::npos || (request.body[start] != '{' && !declared_json))
-    throw HttpError("media-type", "send the parameters as a JSON object, such as {\"key\":\"a\"}");
-  return parse_json(request.body);
-}
 
 std::string server_timing(const Timing& t) {
   char text[160];
@@ -70,18 +30,26 @@ Response picture_response(Picture&& picture) {
                       {"Cache-Control", "no-cache"}}};
 }
 
-Response render_picture(const Value& parameters, Stopwatch watch, Service& service) {
+// What a client need not know, but whoever runs the server may.
+void log(const Picture& picture, const Request& request) {
+  if (picture.degenerate > 0)
+    std::fprintf(stderr, "request %s: %zu triangles without area are ignored\n", request.id.c_str(),
+                 picture.degenerate);
+}
+
+Response render_picture(const Value& parameters, Stopwatch watch, const Request& request,
+                        Service& service) {
   const auto asked = read_described<PictureRequest>(parameters);
   const double read_ms = watch.lap_ms();
   Picture picture = draw(asked, service.studio, service.stopping);
   picture.timing.parse += read_ms;
+  log(picture, request);
   return picture_response(std::move(picture));
 }
 
 // HEAD checks what can be checked without a ray, and renders nothing.
 Response head_of_picture(const PictureRequest& asked, const Service& service) {
-  check_size(asked.width, asked.height, service.studio.limits);
-  static_cast<void>(scene_of(asked, service.studio.gallery));
+  static_cast<void>(plan_of(asked, service.studio));
   return {.content_type = std::string(media_type_of(asked.format)), .body = "", .unsized = true};
 }
 
@@ -89,15 +57,17 @@ Response head_of_picture(const PictureRequest& asked, const Service& service) {
 
 Response get_render(const Request& request, const std::string&, Service& service) {
   const Stopwatch watch;
-  const Value parameters = query_object(request.query());
+  const Value parameters = query_object<PictureRequest>(request.query());
   if (request.is_head())
     return head_of_picture(read_described<PictureRequest>(parameters), service);
-  return render_picture(parameters, watch, service);
+  return render_picture(parameters, watch, request, service);
 }
 
 Response post_render(const Request& request, const std::string&, Service& service) {
   const Stopwatch watch;
-  return render_picture(body_object(request), watch, service);
+  const Value parameters =
+      body_json(request, "the parameters as a JSON object, such as {\"key\":\"a\"}");
+  return render_picture(parameters, watch, request, service);
 }
 
 }  // namespace tia::server

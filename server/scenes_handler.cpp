@@ -1,10 +1,18 @@
-// /scenes: the gallery. /schema/scene.json: what a scene may be.
+// /scenes: the gallery and the scenes that are kept. /schema/scene.json: what a scene may be.
 #include "core/input/json.h"
 #include "core/scene/read_scene.h"
 #include "server/handlers.h"
+#include "server/parameters.h"
 #include "server/problem.h"
 
 namespace tia::server {
+namespace {
+
+Response scene_text(const Scene& scene) {
+  return {.content_type = "application/json", .body = canonical_text(scene)};
+}
+
+}  // namespace
 
 Response get_scenes(const Request&, const std::string&, Service& service) {
   Value::Array list;
@@ -16,11 +24,20 @@ Response get_scenes(const Request&, const std::string&, Service& service) {
 
 Response get_scene(const Request&, const std::string& name, Service& service) {
   const Gallery& gallery = service.studio.gallery;
-  if (const Scene* scene = gallery.find(name))
-    return {.content_type = "application/json", .body = canonical_text(*scene)};
-  std::vector<std::string_view> known;
-  for (const auto& [each, scene] : gallery.scenes()) known.push_back(each);
-  throw HttpError("not-found", "no scene is called that; there are: " + listed(known));
+  if (const Scene* scene = gallery.find(name)) return scene_text(*scene);
+  if (const SharedScene kept = service.studio.kept.find(name)) return scene_text(*kept);
+  throw HttpError("not-found", "no scene is called that; there are: " + listed(gallery.names()) +
+                                   ", and those lately sent to POST /scenes, by their ids");
+}
+
+Response post_scene(const Request& request, const std::string&, Service& service) {
+  const Value scene = body_json(request, "the scene as a JSON object, such as {\"objects\":[]}");
+  const std::string id = service.studio.kept.keep(read_described<Scene>(scene));
+  const std::string location = "/scenes/" + id;
+  return {.status = 201,
+          .content_type = "application/json",
+          .body = to_json(Value::Object{{"id", id}, {"location", location}}),
+          .headers = {{"Location", location}}};
 }
 
 Response get_scene_schema(const Request&, const std::string&, Service&) {

@@ -69,10 +69,10 @@ void serve(const Config& config) {
   pthread_sigmask(SIG_BLOCK, &signals, nullptr);
 
   const Gallery gallery;
+  SceneStore kept(config.max_scenes_bytes);
   Pool pool(config.threads);
   std::stop_source giving_up;
-  Service service{
-      config, {gallery, pool, Limits{.max_pixels = config.max_pixels}}, giving_up.get_token()};
+  Service service{config, {gallery, kept, pool, config.limits()}, giving_up.get_token()};
   HttpServer server({config.host, config.port, config.max_body_bytes},
                     [&](const Request& request) { return answer(request, service); });
   std::printf("Tia %s listening on http://%s:%d\n", version().c_str(), in_url(config.host).c_str(),

@@ -55,6 +55,16 @@ struct TextForm<std::variant<std::string, T>> {
   }
 };
 
+/// An object, as URL-encoded JSON.
+struct ObjectForm {
+  static Value read(std::string_view text, const Place& at) {
+    return json_or_name_from_text(text, at);
+  }
+  static std::string allowed(const Spec&) { return "a JSON object"; }
+};
+template <Described T>
+struct TextForm<T> : ObjectForm {};
+
 /// Visitor: finds the field of that name and reads the text in its form.
 struct FieldFromText {
   std::string_view name, text;
@@ -69,6 +79,27 @@ struct FieldFromText {
 template <class T>
 Value field_from_text(std::string_view name, std::string_view text) {
   FieldFromText visitor{name, text, text};
+  T::fields(visitor);
+  return visitor.value;
+}
+
+/// Visitor: the same of a field inside a group, an object of its own.
+struct GroupFieldFromText {
+  std::string_view group, name, text;
+  std::optional<Value> value;
+  template <class Base, class Member>
+  void operator()(std::string_view field, Member Base::*, const Spec&) {
+    if constexpr (detail::is_optional<Member>)
+      if constexpr (Described<typename Member::value_type>)
+        if (field == group) value = field_from_text<typename Member::value_type>(name, text);
+  }
+};
+
+/// The JSON of the field `name` of T's field `group`; nothing where T has no such group.
+template <class T>
+std::optional<Value> field_of_group_from_text(std::string_view group, std::string_view name,
+                                              std::string_view text) {
+  GroupFieldFromText visitor{group, name, text, {}};
   T::fields(visitor);
   return visitor.value;
 }

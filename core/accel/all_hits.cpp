@@ -31,8 +31,11 @@ class Collector {
     }
   }
   void add(double t, int part, int element, const Packet<double>& packet) {
-    if (t > 0 && t < Aabb::far)
-      found_.push_back({.t = t, .part = part, .element = element, .copy = packet.copy});
+    if (!(t > 0 && t < Aabb::far)) return;
+    if (found_.size() == most_hits)
+      throw InputError({FaultKind::limit, "", std::nullopt,
+                        "a ray that crosses at most " + std::to_string(most_hits) + " surfaces"});
+    found_.push_back({.t = t, .part = part, .element = element, .copy = packet.copy});
   }
   void meet_part(int part, Packet<double>& packet) {
     crossings(world_.part(part), packet.line(0),
@@ -85,9 +88,8 @@ std::vector<Meeting> all_hits(const World& world, const Ray<double>& ray) {
   found.erase(std::unique(found.begin(), found.end(), one), found.end());
   for (Meeting& each : found) {
     each.point = ray.at(each.t);
-    const SurfaceFrame at = frame_at(world, each.point, each.part, each.element, each.copy);
-    each.normal = at.ng;
-    each.uv = at.uv;
+    each.normal = normals_at(world, each.point, each.part, each.element, each.copy).ng;
+    each.uv = uv_at(world, each.point, each.part, each.element, each.copy);
     each.front = dot(each.normal, ray.direction) < 0;
   }
   return found;

@@ -91,6 +91,8 @@ class Compiler {
     Part part;
     part.form = form;
     part.to_object = own.place.inverse();
+    const Aabb box = bounds(form);
+    if (box.bounded()) part.middle = box.center();
     part.matte = own.matte;
     part.object = object;
     part.space = own.space;

@@ -12,6 +12,7 @@ namespace tia {
 struct Part {
   Form form;  ///< for a mesh part, of no meaning
   Affine to_object{};
+  Vec3d middle{};  ///< of its bounds in its own space; 0 where they are infinite
   int mesh = -1;   ///< the world's mesh that it is instead of a form; -1: none
   int ball = -1;   ///< the world's ball that it is as well; -1: none
   int matte = 0;   ///< the world's matte that it wears
@@ -29,14 +30,9 @@ void with_own_line(const Part& part, const Line& line, F f) {
   const Vec3d way = part.to_object.vector(line.direction);
   const double length = tia::length(way);
   const Vec3d unit = way * (1 / length);
-  std::visit(
-      [&](const auto& form) {
-        const Aabb box = bounds(form);
-        const Vec3d middle = box.bounded() ? box.center() : Vec3d{};
-        const double shift = dot(middle - origin, unit);
-        f(form, Line{origin + unit * shift, unit}, shift, length);
-      },
-      part.form);
+  const double shift = dot(part.middle - origin, unit);
+  const Line own{origin + unit * shift, unit};
+  std::visit([&](const auto& form) { f(form, own, shift, length); }, part.form);
 }
 
 }  // namespace detail

@@ -24,24 +24,39 @@ Mask<Real> occluded(const World& world, const Ray<Real>& ray, const Real& t_max,
   return query.blocked();
 }
 
-SurfaceFrame frame_at(const World& world, const Vec3d& p, int part, int element,
-                      std::int64_t copy) {
+namespace {
+
+Affine to_object(const World& world, const Part& part, std::int64_t copy) {
+  return part.space == 0 ? part.to_object : part.to_object * world.to_space(part.space, copy);
+}
+
+MeshPoint mesh_point(const World& world, const Part& part, const Vec3d& local, int element) {
+  return point_of(world.meshes[static_cast<std::size_t>(part.mesh)],
+                  static_cast<std::size_t>(element), local);
+}
+
+}  // namespace
+
+Normals normals_at(const World& world, const Vec3d& p, int part, int element, std::int64_t copy) {
   const Part& own = world.part(part);
-  const Affine to_object = own.to_object * world.to_space(own.space, copy);
-  const Vec3d local = to_object.point(p);
+  const Affine map = to_object(world, own, copy);
+  const Vec3d local = map.point(p);
   // Normals are carried out by the inverse transpose.
-  const auto outwards = [&](const Vec3d& n) { return normalize(to_object.row(n)); };
+  const auto outwards = [&](const Vec3d& n) { return normalize(map.row(n)); };
   if (own.mesh >= 0) {
-    const MeshPoint at = point_of(world.meshes[static_cast<std::size_t>(own.mesh)],
-                                  static_cast<std::size_t>(element), local);
-    return {outwards(at.n), outwards(at.ng), at.uv};
+    const MeshPoint at = mesh_point(world, own, local, element);
+    return {outwards(at.n), outwards(at.ng)};
   }
-  return std::visit(
-      [&](const auto& form) -> SurfaceFrame {
-        const Vec3d n = outwards(normal(form, local, element));
-        return {n, n, uv(form, local, element)};
-      },
-      own.form);
+  const Vec3d n = outwards(
+      std::visit([&](const auto& form) { return normal(form, local, element); }, own.form));
+  return {n, n};
+}
+
+Vec2d uv_at(const World& world, const Vec3d& p, int part, int element, std::int64_t copy) {
+  const Part& own = world.part(part);
+  const Vec3d local = to_object(world, own, copy).point(p);
+  if (own.mesh >= 0) return mesh_point(world, own, local, element).uv;
+  return std::visit([&](const auto& form) { return uv(form, local, element); }, own.form);
 }
 
 template <class Real>
@@ -54,8 +69,9 @@ SurfacePoint<Real> surface_by_lanes(const World& world, const Ray<Real>& ray, co
     const int i = std::countr_zero(left);
     const auto at = static_cast<std::size_t>(i);
     const Vec3d p = packet.line(at).at(lane(hit.t, i));
-    const auto [n_of, ng, uv] = frame_at(world, p, part, static_cast<int>(lane(hit.element, i)),
-                                         static_cast<std::int64_t>(lane(hit.copy, i)));
+    const Normals at_p = normals_at(world, p, part, static_cast<int>(lane(hit.element, i)),
+                                    static_cast<std::int64_t>(lane(hit.copy, i)));
+    const Vec3d &n_of = at_p.n, &ng = at_p.ng;
     const double all[] = {p.x, p.y, p.z, n_of.x, n_of.y, n_of.z, ng.x, ng.y, ng.z};
     for (std::size_t k = 0; k < 9; ++k) parts[k][at] = static_cast<LaneOf<Real>>(all[k]);
   }

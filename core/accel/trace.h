@@ -52,12 +52,14 @@ struct SurfacePoint {
   Vec3<Real> p, n, ng;  ///< n is what shading uses, ng is the surface's own
 };
 
-/// SurfaceFrame: a part's normals and surface coordinates at a point, outwards, in double.
-struct SurfaceFrame {
+/// Normals: the surface's own and the one that shading uses, outwards and unit.
+struct Normals {
   Vec3d n, ng;
-  Vec2d uv;
 };
-SurfaceFrame frame_at(const World& world, const Vec3d& p, int part, int element, std::int64_t copy);
+/// A part's at a point of it, in double, in world space.
+Normals normals_at(const World& world, const Vec3d& p, int part, int element, std::int64_t copy);
+/// A part's surface coordinates at a point of it.
+Vec2d uv_at(const World& world, const Vec3d& p, int part, int element, std::int64_t copy);
 
 /// The lanes of `here` one by one, not turned to the viewer.
 template <class Real>

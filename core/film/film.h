@@ -2,8 +2,8 @@
 // over the whole picture; blocks never overlap, so films need no lock.
 #pragma once
 
+#include "core/film/display.h"
 #include "core/film/image.h"
-#include "core/film/tonemap.h"
 
 namespace tia {
 
@@ -18,17 +18,22 @@ class LinearFilm {
   Image image_;
 };
 
-/// DisplayFilm: clamps to [0,1], applies the transfer curve, keeps 8-bit codes.
+/// DisplayFilm: shows the numbers by the rule, clamps to [0,1], applies the curve, keeps 8-bit
+/// codes.
 class DisplayFilm {
  public:
   DisplayFilm(int width, int height, Transfer transfer)
-      : image_(width, height), transfer_(transfer) {}
+      : DisplayFilm(width, height, DisplayRule{Shown::light, transfer}) {}
+  DisplayFilm(int width, int height, const DisplayRule& rule)
+      : image_(width, height), rule_(rule) {}
   void put(const Block& block);
   const Image8& image() const { return image_; }
 
  private:
+  void develop(const Block& block);
+
   Image8 image_;
-  Transfer transfer_;
+  DisplayRule rule_;
 };
 
 }  // namespace tia

@@ -49,7 +49,9 @@ Real visible_cosine(Scope& scope, const SurfacePoint<Real>& at, const Lamp& lamp
   if (!any(lit)) return Real(0);
   scope.rays.shadow += count(lit);
   const Ray<Real> shadow_ray{at.p + at.ng * offset, l};
-  const Mask<Real> dark = occluded(scope.world, shadow_ray, distance, lamp, lit, scope.rays.tests);
+  const Mask<Real> dark = scope.world.few_balls ? occluded(scope.world, shadow_ray, distance, lamp)
+                                                : occluded(scope.world, shadow_ray, distance, lamp,
+                                                           lit, scope.rays.tests);
   return select(lit && !dark, n_dot_l, Real(0));
 }
 

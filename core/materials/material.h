@@ -1,6 +1,7 @@
 // THE LIST of materials. A new kind is one file beside this one and one entry here.
 #pragma once
 
+#include <string_view>
 #include <variant>
 
 #include "core/materials/finish.h"
@@ -8,6 +9,7 @@
 namespace tia {
 
 struct Material {
+  static constexpr std::string_view schema_name = "material";
   std::variant<Finish> kind;
 
   template <class Visitor>

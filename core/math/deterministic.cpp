@@ -11,6 +11,7 @@ double sin_of(double radians) { return Sleef_cinz_sind1_u10purec(radians); }
 double cos_of(double radians) { return Sleef_cinz_cosd1_u10purec(radians); }
 double atan2_of(double y, double x) { return Sleef_cinz_atan2d1_u10purec(y, x); }
 double acos_of(double x) { return Sleef_cinz_acosd1_u10purec(x); }
+double log2_of(double x) { return Sleef_cinz_log2d1_u10purec(x); }
 
 // The rest to the nearest quarter turn is exact (fmod and the subtraction of nearby numbers are).
 double sin_degrees(double degrees) {

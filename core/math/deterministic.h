@@ -15,6 +15,8 @@ double cos_of(double radians);
 double atan2_of(double y, double x);
 /// Domain: |x| <= 1. Returns: radians within 1 ulp.
 double acos_of(double x);
+/// Domain: x > 0. Returns: within 1 ulp.
+double log2_of(double x);
 
 /// Domain: degrees, |x| < 1e9. Returns: exact at multiples of 90 degrees, else within 2 ulp.
 double sin_degrees(double degrees);

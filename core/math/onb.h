@@ -25,7 +25,7 @@ struct Onb {
 };
 
 /// The basis around a unit vector; one of many, without a jump but where n.z changes its sign.
-/// Source: Duff et al., "Building an Orthonormal Basis, Revisited", JCGT 6(1) 2017, listing 3.
+/// Source: Duff et al., "Building an Orthonormal Basis, Revisited", JCGT 6(1), 2017.
 inline Onb onb_around(const Vec3d& n) {
   const double sign = std::copysign(1.0, n.z);
   const double a = -1 / (sign + n.z);

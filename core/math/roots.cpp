@@ -54,11 +54,11 @@ double root_in_bracket(Coefficients c, double a, double b, double sign_at_b, dou
 // roots: a change of sign is one, a run of knots at which p is 0 to rounding is touched.
 class Gatherer {
  public:
-  Gatherer(Coefficients c, double tolerance, double slack, double* out)
-      : c_(c), tolerance_(tolerance), slack_(slack), out_(out) {}
+  Gatherer(Coefficients c, double tolerance, double* out)
+      : c_(c), tolerance_(tolerance), out_(out) {}
 
   void end(double t) { visit(t, 0); }
-  void stationary(double t) { visit(t, rounding_of(c_, t) + slack_); }
+  void stationary(double t) { visit(t, rounding_of(c_, t)); }
   int finish() {
     if (in_run_) emit(run_last_);
     return nan_ ? 0 : count_;
@@ -88,7 +88,7 @@ class Gatherer {
   void emit(double t) { out_[count_++] = t; }
 
   Coefficients c_;
-  double tolerance_, slack_;
+  double tolerance_;
   double* out_;
   int count_ = 0;
   bool nan_ = false, in_run_ = false;
@@ -106,17 +106,31 @@ Coefficients derivative(Coefficients c, std::size_t n, std::array<double, max_de
   return {out.data(), c.size() - n};
 }
 
+// The roots between low and high of a derivative of second degree, which need no isolation.
+int second_degree_knots(Coefficients c, double low, double high, double* out) {
+  const QuadraticRoots roots = quadratic_roots(c[2], c[1] / 2, c[0]);
+  int count = 0;
+  if (roots.count > 0 && low < roots.t0 && roots.t0 < high) out[count++] = roots.t0;
+  if (roots.count > 1 && low < roots.t1 && roots.t1 < high) out[count++] = roots.t1;
+  return count;
+}
+
 }  // namespace
 
-int real_roots(Coefficients c, double low, double high, std::span<double> roots, double slack) {
+int real_roots(Coefficients c, double low, double high, std::span<double> roots) {
   while (!c.empty() && c.back() == 0) c = c.first(c.size() - 1);
   if (c.size() < 2) return 0;
   const double tolerance = rounding_unit * std::max(std::fabs(low), std::fabs(high));
   std::array<double, max_degree + 1> buffer;
   std::array<double, max_degree> knots;
   int found = 0;
-  for (std::size_t n = c.size() - 1; n-- > 0;) {
-    Gatherer gatherer(derivative(c, n, buffer), tolerance, n == 0 ? slack : 0, roots.data());
+  std::size_t n = c.size() - 1;
+  if (n > 2) {
+    n -= 2;
+    found = second_degree_knots(derivative(c, n, buffer), low, high, knots.data());
+  }
+  while (n-- > 0) {
+    Gatherer gatherer(derivative(c, n, buffer), tolerance, roots.data());
     gatherer.end(low);
     for (int i = 0; i < found; ++i) gatherer.stationary(knots[static_cast<std::size_t>(i)]);
     gatherer.end(high);

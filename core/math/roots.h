@@ -35,12 +35,11 @@ inline constexpr int max_degree = 64;
 /// Where p touches zero, that is, where |p| at a stationary point is no more than what rounding may
 /// have made of it, the root stands twice (p keeps its sign) or once (it changes it). So whatever
 /// is touched or missed by rounding, the number of roots is odd only if p(low) and p(high) differ
-/// in sign. `slack` is what the rounding of the coefficients themselves may have added to |p|.
+/// in sign.
 /// Domain: finite low <= high, at most max_degree + 1 coefficients, and as many roots less one.
 /// Returns: how many roots there are; 0 for a constant and where a coefficient is NaN.
 /// Source: Yuksel, "High-Performance Polynomial Root Finding for Graphics", HPG 2022: between the
 /// roots of its derivative a polynomial is monotone, so that Newton in brackets finds each root.
-int real_roots(std::span<const double> c, double low, double high, std::span<double> roots,
-               double slack = 0);
+int real_roots(std::span<const double> c, double low, double high, std::span<double> roots);
 
 }  // namespace tia

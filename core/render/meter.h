@@ -4,6 +4,7 @@
 #include <atomic>
 #include <cstdint>
 #include <stop_token>
+#include <utility>
 
 #include "core/integrators/integrator.h"
 
@@ -21,7 +22,8 @@ class RayMeter {
   /// How many rays a thread may trace before it adds them up.
   static constexpr long often = 1L << 18;
 
-  RayMeter(std::int64_t max_rays, const std::stop_token& stop) : max_rays_(max_rays), stop_(stop) {}
+  RayMeter(std::int64_t max_rays, std::stop_token stop)
+      : max_rays_(max_rays), stop_(std::move(stop)) {}
   /// Adds the rays and sets them to none. Errors: InputError once the sum passes the limit, which
   /// no order of threads changes.
   void add(RayTally& rays);
@@ -35,7 +37,7 @@ class RayMeter {
   void add_many(RayTally& rays);
 
   std::int64_t max_rays_;
-  const std::stop_token& stop_;
+  std::stop_token stop_;
   std::atomic<std::int64_t> all_ = 0, primary_ = 0, shadow_ = 0;
 };
 

@@ -10,15 +10,26 @@ const Value* only_light(const Value::Object& binding) {
   return binding.size() == 1 ? find(binding, "light") : nullptr;
 }
 
-/// Counts copies: groups in groups multiply, and each copy of a luminous ball is a light.
-class CopyCheck {
- public:
-  CopyCheck(const Scene& scene, Faults& faults) : scene_(scene), faults_(faults) {}
+/// What objects inherit: the product of the transforms and copies above them, a material that
+/// emits.
+struct Inherited {
+  Affine place{};
+  std::int64_t copies = 1;
+  bool luminous = false;
+};
 
-  void operator()(const std::vector<Object>& list, std::int64_t copies, bool luminous,
-                  const Place& at) {
-    for (std::size_t i = 0; i < list.size() && !faults_.full(); ++i)
-      check(list[i], copies, emits(list[i], luminous), at.at(i));
+/// Checks what objects in objects multiply to: transforms, copies, and each copy of a luminous ball
+/// is a light.
+class TreeCheck {
+ public:
+  TreeCheck(const Scene& scene, Faults& faults) : scene_(scene), faults_(faults) {}
+
+  void operator()(const std::vector<Object>& list, const Inherited& above, const Place& at) {
+    for (std::size_t i = 0; i < list.size() && !faults_.full(); ++i) {
+      const Object& object = list[i];
+      const Affine place = above.place * object.transform.affine();
+      check(object, {place, above.copies, emits(object, above.luminous)}, at.at(i));
+    }
   }
 
  private:
@@ -35,24 +46,35 @@ class CopyCheck {
     return !(std::get<Finish>(own->kind).emission == Color{});
   }
 
-  void check(const Object& object, std::int64_t copies, bool luminous, const Place& at) {
-    if (luminous && copies > 1 && std::holds_alternative<Sphere>(object.shape)) {
-      lights_ += copies;
-      if (lights_ > most_lights)
-        faults_.add({FaultKind::limit, at.pointer(), std::nullopt,
-                     "at most " + std::to_string(most_lights) +
-                         " luminous balls, copies counted: each is a light"});
-    }
-    const auto* group = std::get_if<Group>(&object.shape);
-    if (group == nullptr) return;
-    const std::int64_t own = group->repeat ? group->repeat->copies() : 1;
-    if (own > Repeat::most) return;  // has its fault
-    if (copies * own > Repeat::most)
+  void check(const Object& object, const Inherited& own, const Place& at) {
+    if (!is_usable(own.place) && is_usable(object.transform.affine()))
+      faults_.add({FaultKind::out_of_range, at.at("transform").pointer(),
+                   write_value(object.transform),
+                   "with the transforms around it a scale of 1e-9 to 1e9 on every axis"});
+    if (own.luminous && own.copies > 1 && std::holds_alternative<Sphere>(object.shape))
+      count_lights(own.copies, at);
+    const Place children = at.at("children");
+    if (const auto* csg = std::get_if<Csg>(&object.shape)) (*this)(csg->children, own, children);
+    if (const auto* group = std::get_if<Group>(&object.shape)) check_copies(*group, own, at);
+  }
+
+  void count_lights(std::int64_t copies, const Place& at) {
+    lights_ += copies;
+    if (lights_ > most_lights)
+      faults_.add({FaultKind::limit, at.pointer(), std::nullopt,
+                   "at most " + std::to_string(most_lights) +
+                       " luminous balls, copies counted: each is a light"});
+  }
+
+  void check_copies(const Group& group, const Inherited& own, const Place& at) {
+    const std::int64_t here = group.repeat ? group.repeat->copies() : 1;
+    if (here > Repeat::most) return;  // has its fault
+    if (own.copies * here > Repeat::most)
       faults_.add({FaultKind::limit, at.at("repeat").at("count").pointer(),
-                   write_value(group->repeat->count),
+                   write_value(group.repeat->count),
                    "with the groups around it at most " + std::to_string(Repeat::most) +
-                       " copies in all; those around it make " + std::to_string(copies)});
-    else (*this)(group->children, copies * own, luminous, at.at("children"));
+                       " copies in all; those around it make " + std::to_string(own.copies)});
+    else (*this)(group.children, {own.place, own.copies * here, own.luminous}, at.at("children"));
   }
 
   const Scene& scene_;
@@ -92,7 +114,7 @@ Value Codec<KeyBinding>::schema(const Spec&, Definitions& named) {
 void Scene::check_links(const Place& at, Faults& faults) const {
   const Place all_objects = at.at("objects");
   if (!faults.at(at.at("materials").pointer())) check_material_names(objects, all_objects, faults);
-  CopyCheck(*this, faults)(objects, 1, false, all_objects);
+  TreeCheck(*this, faults)(objects, {}, all_objects);
   const Place all_lights = at.at("lights");
   for (std::size_t i = 0; i < lights.size() && !faults.full(); ++i) {
     const Place light = all_lights.at(i);

@@ -5,6 +5,7 @@
 #include <type_traits>
 #include <variant>
 
+#include "core/shapes/algebraic.h"
 #include "core/shapes/box.h"
 #include "core/shapes/cone.h"
 #include "core/shapes/crossing.h"
@@ -42,8 +43,8 @@ concept IsShape = Described<S> &&
 template <IsShape... Kinds>
 using ShapeList = std::variant<Kinds...>;
 
-using Shape =
-    ShapeList<Sphere, Plane, Disc, Box, Cylinder, Cone, Triangle, Mesh, Torus, Quadric, Csg, Group>;
+using Shape = ShapeList<Sphere, Plane, Disc, Box, Cylinder, Cone, Triangle, Mesh, Torus, Quadric,
+                        Algebraic, Csg, Group>;
 
 namespace detail {
 

@@ -49,18 +49,6 @@ std::array<double, 5> quartic(double tube, const Line& line) {
           4 * b * b + 2 * k - 4 * (d.x * d.x + d.z * d.z), 4 * b, 1};
 }
 
-// One step of Newton towards the tube's circle, whose equation is better conditioned than the
-// quartic; none near a grazing line.
-double polished(double tube, const Line& line, double t) {
-  const Vec3d p = line.at(t);
-  const double r = distance_from_axis(p);
-  const double value = (r - 1) * (r - 1) + p.y * p.y - tube * tube;
-  const double drift = (p.x * line.direction.x + p.z * line.direction.z) / r;
-  const double slope = 2 * ((r - 1) * drift + p.y * line.direction.y);
-  const double step = value / slope;
-  return std::fabs(step) <= 1e-4 * tube ? t - step : t;
-}
-
 }  // namespace
 
 void Torus::check(const Place& at, Faults& faults) const {
@@ -75,7 +63,6 @@ Aabb bounds(const TorusForm& torus) {
 }
 
 TorusRoots roots(const TorusForm& torus, const Line& line) {
-  constexpr double coefficient_rounding = 1e-14;
   Line scaled = line;
   scaled.origin = {line.origin.x / torus.major_radius, line.origin.y / torus.major_radius,
                    line.origin.z / torus.major_radius};
@@ -84,14 +71,8 @@ TorusRoots roots(const TorusForm& torus, const Line& line) {
   const double start = (s.low + s.high) / 2, reach = (s.high - s.low) / 2;
   scaled.origin = scaled.at(start);
   TorusRoots found;
-  found.count = real_roots(quartic(torus.tube, scaled), -reach, reach, found.t,
-                           coefficient_rounding * torus.tube);
-  double least = -Aabb::far;
-  for (int i = 0; i < found.count; ++i) {
-    double& t = found.t[static_cast<std::size_t>(i)];
-    least = std::max(least, (polished(torus.tube, scaled, t) + start) * torus.major_radius);
-    t = least;
-  }
+  found.count = real_roots(quartic(torus.tube, scaled), -reach, reach, found.t);
+  for (double& t : found.t) t = (t + start) * torus.major_radius;
   return found;
 }
 

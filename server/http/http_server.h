@@ -14,7 +14,7 @@ namespace tia::server {
 struct HttpOptions {
   std::string host;
   int port = 0;  ///< 0 = any free one
-  std::int64_t max_body_bytes = 1 << 20;
+  std::int64_t max_body_bytes = 4 << 20;
 };
 
 /// HttpServer: listens from its making on; serves while run() runs.

@@ -26,8 +26,12 @@ const Numeric numerics[] = {
      [](const Config& c) -> std::int64_t { return c.port; }},
     {"threads", "--threads", "TIA_THREADS", Config::processors(), 1, 64,
      [](const Config& c) -> std::int64_t { return c.threads; }},
-    {"max_body_bytes", "--max-body-bytes", "TIA_MAX_BODY_BYTES", 1'048'576, 1024, 1'073'741'824,
+    {"max_body_bytes", "--max-body-bytes", "TIA_MAX_BODY_BYTES", 4'194'304, 1024, 1'073'741'824,
      [](const Config& c) { return c.max_body_bytes; }},
+    {"max_scenes_bytes", "--max-scenes-bytes", "TIA_MAX_SCENES_BYTES", 67'108'864, 0,
+     1'099'511'627'776, [](const Config& c) { return c.max_scenes_bytes; }},
+    {"max_rays", "--max-rays", "TIA_MAX_RAYS", 2'000'000'000, 1, 1'000'000'000'000'000,
+     [](const Config& c) { return c.max_rays; }},
     {"max_pixels", "--max-pixels", "TIA_MAX_PIXELS", 16'777'216, 1, 268'435'456,
      [](const Config& c) { return c.max_pixels; }},
 };

@@ -33,22 +33,19 @@ TEST(Gallery, EverySceneIsDrawnUnderEachOfItsKeys) {
   }
 }
 
-TEST(Gallery, AnUnknownNameIsAFaultThatNamesTheNearestAndAll) {
+TEST(Gallery, AnUnknownNameIsNone) {
   const Gallery gallery;
   EXPECT_EQ(gallery.find("thesi"), nullptr);
   EXPECT_EQ(gallery.find(""), nullptr);
-  try {
-    gallery.scene("thesi", "/here");
-    FAIL() << "no fault";
-  } catch (const InputError& error) {
-    ASSERT_EQ(error.faults().size(), 1U);
-    const Fault& fault = error.faults().front();
-    EXPECT_EQ(fault.kind, FaultKind::unknown_name);
-    EXPECT_EQ(fault.pointer, "/here");
-    EXPECT_EQ(fault.nearest, "thesis");
-    for (const auto& [name, scene] : gallery.scenes())
-      EXPECT_THAT(fault.allowed, testing::HasSubstr(name));
-  }
+}
+
+TEST(Gallery, ARequestForAnUnknownNameIsToldTheNearestAndAll) {
+  Host host;
+  const ProblemError error = only_error(host.get("/render?scene=thesi"));
+  EXPECT_EQ(error.pointer, "/scene");
+  EXPECT_EQ(error.nearest, "thesis");
+  for (const auto& [name, scene] : host.gallery().scenes())
+    EXPECT_THAT(error.allowed, testing::HasSubstr(name));
 }
 
 }  // namespace

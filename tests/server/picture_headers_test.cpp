@@ -25,7 +25,7 @@ RayCounts rays_of(const Response& response) {
 
 // The thesis picture with a light, one ray at a time, in the scalar asked for.
 RayCounts traced(const Vec3d& light, int width, int height, Scalar scalar) {
-  const Scene scene = with_light(host().gallery().scene("thesis", ""), light);
+  const Scene scene = with_light(*host().gallery().find("thesis"), light);
   const World world = compile(scene);
   const RenderOptions options{.scalar = scalar};
   return render(world, view_of(scene.camera, width, height), {0, 0, width, height}, options,
@@ -109,8 +109,10 @@ TEST(Head, RendersNothingAndHasNoBody) {
 }
 
 TEST(Head, FindsWhatGetWouldRefuse) {
-  for (const char* query : {"width=0", "scene=nowhere", "key=q", "key=a&light=1,2,3", "no=1",
-                            "width=5000&height=5000", "crop=0,0,0,0", "key=%zz", "key=a&key=a"})
+  for (const char* query :
+       {"width=0", "scene=nowhere", "key=q", "key=a&light=1,2,3", "no=1", "width=5000&height=5000",
+        "samples=65536", "camera=%7B%7D0", "camera=%7B%22fov_degrees%22:0%7D", "crop=0,0,0,0",
+        "key=%zz", "key=a&key=a"})
     EXPECT_EQ(host().head(std::string("/render?").append(query)).status,
               host().get(std::string("/render?").append(query)).status)
         << query;

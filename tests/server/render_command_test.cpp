@@ -44,6 +44,13 @@ TEST_F(RenderCommand, GivesTheServersBytes) {
               served("width=75&height=50&key=d&crop=3,2,40,33&transfer=srgb"));
 }
 
+TEST_F(RenderCommand, TakesSamplesAndACameraAsTheServerDoes) {
+  const std::string camera = R"({"fov_degrees":40})";
+  EXPECT_TRUE(drawn({"thesis", "--samples", "4", "--threshold", "0.1", "--width", "75", "--camera",
+                     camera}) ==
+              served("samples=4&threshold=0.1&width=75&camera=" + url_encode(camera)));
+}
+
 TEST_F(RenderCommand, GivesPfmToAPfmFileOrWhereAskedFor) {
   const std::string pfm = served("key=a&format=pfm");
   EXPECT_TRUE(drawn({"thesis", "--key", "a"}, "picture.pfm") == pfm);

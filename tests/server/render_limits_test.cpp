@@ -54,6 +54,63 @@ TEST(RenderLimits, MaxPixelsIsTheOptionsNotAConstant) {
   EXPECT_THAT(only_error(beyond).allowed, HasSubstr("48"));
 }
 
+// ---- rays ------------------------------------------------------------------------------------
+
+Config with_rays(std::int64_t max_rays) {
+  Config config;
+  config.max_rays = max_rays;
+  return config;
+}
+void expect_too_many_rays(const Response& response, const std::string& limit) {
+  EXPECT_EQ(response.status, 422);
+  EXPECT_EQ(problem_of(response).type, "/problems/limit");
+  const ProblemError error = only_error(response);
+  EXPECT_EQ(error.pointer, "/samples");
+  EXPECT_THAT(error.allowed, HasSubstr(limit + " rays"));
+  EXPECT_THAT(error.allowed, HasSubstr("TIA_MAX_RAYS"));
+}
+
+// 640 x 480 pixels of 6511 samples are 2 000 179 200 rays, of 6510 they are 1 999 872 000.
+TEST(RenderLimits, RaysThatAreSureToComeAreRefusedBeforeTracing) {
+  std::stop_source stop;
+  stop.request_stop();
+  Host stopped({}, stop.get_token());  // whatever traces a ray is answered 503
+  EXPECT_EQ(stopped.get("/render?samples=6510").status, 503);
+  expect_too_many_rays(stopped.get("/render?samples=6511"), "2000000000");
+  expect_too_many_rays(stopped.post("/render", R"({"samples":6511})"), "2000000000");
+  EXPECT_EQ(stopped.head("/render?samples=6510").status, 200);
+  EXPECT_EQ(stopped.head("/render?samples=6511").status, 422);
+}
+
+TEST(RenderLimits, TheRaysOfAWindowAreThoseThatItTakes) {
+  Host host(with_rays(12));  // 2 x 2 pixels of 3 samples, unlit
+  const std::string picture = "/render?width=4096&height=4096&crop=0,0,2,2&samples=";
+  EXPECT_EQ(host.get(picture + "3").status, 200);
+  expect_too_many_rays(host.get(picture + "4"), "12");
+}
+
+// A threshold takes at least four samples.
+TEST(RenderLimits, AThresholdsFirstRoundIsPredicted) {
+  Host host(with_rays(15));
+  EXPECT_EQ(host.head("/render?width=2&height=2&threshold=0.1").status, 422);
+  expect_too_many_rays(host.get("/render?width=2&height=2&threshold=0.1"), "15");
+  EXPECT_EQ(Host(with_rays(16)).get("/render?width=2&height=2&threshold=1").status, 200);
+}
+
+// The shadow rays of a lit picture cannot be predicted: they are counted.
+TEST(RenderLimits, RaysThatComeWhileTracingAreCounted) {
+  const std::string lit = "/render?key=a&width=64&height=48";
+  Host host;
+  const std::string counts = header(host.get(lit), "Tia-Rays").value();
+  long long primary = 0, shadow = 0;
+  ASSERT_EQ(std::sscanf(counts.c_str(), "primary=%lld, shadow=%lld", &primary, &shadow), 2);
+  ASSERT_GT(shadow, 0);
+  EXPECT_EQ(Host(with_rays(primary + shadow)).get(lit).status, 200);
+  Host small(with_rays(primary + shadow - 1));
+  EXPECT_EQ(small.head(lit).status, 200);
+  expect_too_many_rays(small.get(lit), std::to_string(primary + shadow - 1));
+}
+
 TEST(RenderLimits, AllFaultsAreNamedAtOnce) {
   const Problem problem = problem_of(host().get("/render?width=0&height=abc&widh=8&format=gif"));
   std::vector<std::string> pointers;

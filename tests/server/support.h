@@ -43,7 +43,8 @@ class Host {
 
   explicit Host(Config config = {}, const std::stop_token& stopping = {})
       : config_(std::move(config)),
-        service_{config_, {gallery_, pool_, Limits{.max_pixels = config_.max_pixels}}, stopping} {}
+        kept_(config_.max_scenes_bytes),
+        service_{config_, {gallery_, kept_, pool_, config_.limits()}, stopping} {}
 
   Response ask(const std::string& method, const std::string& target, const std::string& body = "",
                const Headers& headers = {}, const std::string& request_id = id) {
@@ -58,11 +59,13 @@ class Host {
     return ask("POST", target, body, {{"Content-Type", type}});
   }
   const Gallery& gallery() const { return gallery_; }
+  SceneStore& kept() { return kept_; }
   Pool& pool() { return pool_; }
 
  private:
   Config config_;
   Gallery gallery_;
+  SceneStore kept_;
   Pool pool_{threads};
   Service service_;
 };
@@ -97,10 +100,8 @@ inline std::string url_encode(std::string_view text) {
     const auto byte = static_cast<unsigned char>(c);
     const bool plain = (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
                        c == '-' || c == '_' || c == '.' || c == '~';
-    if (plain)
-      out += c;
-    else
-      (out += '%').append(1, digits[byte >> 4U]).append(1, digits[byte & 15U]);
+    if (plain) out += c;
+    else (out += '%').append(1, digits[byte >> 4U]).append(1, digits[byte & 15U]);
   }
   return out;
 }

@@ -160,13 +160,6 @@ TEST(RealRoots, OfThirdAndFourthOrderStandOnceAndTwice) {
   expect_roots(roots_of({0, 0, 0, 0, 1}, -1, 1), {0, 0}, 0);
 }
 
-TEST(RealRoots, SlackIsWhatMayCountAsTouching) {
-  const std::vector<double> above{1e-9, 0, 1};  // t^2 + 1e-9
-  std::vector<double> found(2);
-  EXPECT_EQ(real_roots(above, -1, 1, found), 0);
-  EXPECT_EQ(real_roots(above, -1, 1, found, 1e-8), 2);
-}
-
 TEST(RealRoots, LeadingZerosLowerTheDegree) {
   expect_roots(roots_of({-0.5, 1, 0, 0}, -1, 1), {0.5}, 1e-16);
   expect_roots(roots_of({-0.5, 0, 0}, -1, 1), {}, 0);

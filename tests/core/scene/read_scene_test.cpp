@@ -87,7 +87,8 @@ TEST(ReadScene, UnknownMembersNameTheNearestKnownOne) {
   expect_refused(with_sphere(R"("material":{"colour":[1,1,1]})"),
                  {{unknown_name, "/objects/0/material/colour", "\"colour\"", "color", "color"}});
   expect_refused(R"({"options":{"thread":3}})",
-                 {{unknown_name, "/options/thread", "\"thread\"", "integrator, transfer, samples, threshold, seed"}});
+                 {{unknown_name, "/options/thread", "\"thread\"",
+                   "integrator, transfer, samples, threshold, seed"}});
   expect_refused(R"({"lights":[{"type":"point","position":[0,0,0],"radius":3}]})",
                  {{unknown_name, "/lights/0/radius", "\"radius\"", "position, color, intensity"}});
 }

@@ -57,8 +57,6 @@ std::vector<Crossing> spans_along(const QuadricForm& form, const SceneLine& line
   return sent(bounds(form), line, [&](const Line& l, auto emit) { spans(form, l, emit); });
 }
 
-// ---- unclipped ----------------------------------------------------------------------------------
-
 TEST(Quadric, PairsAndNormalsOfEveryClassHoldOnRandomLines) {
   Random random(90);
   int seen = 0;
@@ -148,12 +146,6 @@ TEST(Quadric, CrossesNothingOfNan) {
   expect_nothing_from_nan(clipped(half_space, {-2, -2, -2}, {2, 2, 2}));
 }
 
-TEST(Quadric, TipOfAConeHasSomeNormal) {
-  EXPECT_EQ(normal(form_of(double_cone), {0, 0, 0}, 0), (Vec3d{0, 1, 0}));
-}
-
-// ---- clipped ------------------------------------------------------------------------------------
-
 // The pipe |y| < 2: a line through its open end meets the wall once, as a solid the end too.
 TEST(Quadric, BoundsCutTheSurfaceOpenAndCloseTheSolid) {
   for (const double s : scales) {
@@ -223,18 +215,17 @@ TEST(Quadric, ClippedSolidIsTheInsideWithinTheBounds) {
   EXPECT_GT(seen, 500);
 }
 
-TEST(Quadric, ElementsBoundsAndUvFollowTheBounds) {
+TEST(Quadric, ElementsNormalsAndUvFollowTheBounds) {
   EXPECT_EQ(elements(form_of(pipe)), 1);
   EXPECT_EQ(bounds(form_of(pipe)), Aabb::everything());
   const QuadricForm form = clipped(pipe, {-2, -3, -2}, {2, 5, 2});
   EXPECT_EQ(elements(form), 7);
   EXPECT_EQ(bounds(form), (Aabb{{-2, -3, -2}, {2, 5, 2}}));
   EXPECT_EQ(normal(form, {0, 5, 0}, 1 + 3), (Vec3d{0, 1, 0}));
+  EXPECT_EQ(normal(form_of(double_cone), {0, 0, 0}, 0), (Vec3d{0, 1, 0})) << "at a tip: some";
   EXPECT_EQ(uv(form, {1, 5, 0}, 1 + 3), (Vec2d{0.5, 0.75})) << "as the box has it: along z, x";
   EXPECT_EQ(uv(form, {1, 1, 0}, 0), (Vec2d{0.25, 0.5})) << "longitude, latitude from the middle";
 }
-
-// ---- faults -------------------------------------------------------------------------------------
 
 TEST(Quadric, WithoutASurfaceIsRefused) {
   expect_faults(faults_in<Quadric>(R"({"coefficients":[0,0,0,0,0,0,0,0,0,5]})"),
@@ -250,8 +241,7 @@ TEST(Quadric, WithoutASurfaceIsRefused) {
 TEST(Quadric, IsWrittenAsItWasRead) {
   const char* json =
       R"({"bounds":{"center":[0,0,0],"radius":2},"coefficients":[1,0,1,0,0,0,0,0,0,-1]})";
-  const auto quadric = read_described<Quadric>(parse_json(json));
-  EXPECT_EQ(to_json(write_value(quadric)), json);
+  EXPECT_EQ(to_json(write_value(read_described<Quadric>(parse_json(json)))), json);
 }
 
 }  // namespace

@@ -79,20 +79,35 @@ TEST(Torus, HitAndMissPartAtTheSurface) {
   }
 }
 
-TEST(Torus, ThinTubeKeepsItsRadius) {
+// Two tangents that double holds exactly but for their direction within the plane y = r.
+TEST(Torus, TopsTangentsTouchWhicheverWayTheyRun) {
   Random random(81);
-  for (const double tube : {1e-2, 1e-3, 1e-4}) {
+  for (int i = 0; i < 200; ++i) {
+    const double major = random.in(1, 3), r = major * random.in(0.1, 0.9), angle = random.in(0, 6);
+    const TorusForm ring = prepare(Torus{major, r});
+    const Vec3d way{std::cos(angle), 0, std::sin(angle)};
+    const Vec3d foot = Vec3d{-way.z, 0, way.x} * (0.6 * major) + Vec3d{0, r, 0};
+    const double t = 0.8 * major;  // 3-4-5
+    expect_near(roots_along(ring, {foot, way}), {-t, -t, t, t}, 1e-6);
+  }
+}
+
+// Lines through the tube at 1 to 9 from its surface, at most 0.99 of its radius off its middle.
+TEST(Torus, ThinTubeIsMetAndKeepsItsRadius) {
+  Random random(82);
+  for (const double tube : {1e-2, 1e-4, 1e-6}) {
     const Torus torus{3, 3 * tube};
     const TorusForm ring = prepare(torus);
-    for (int i = 0; i < 200; ++i) {
+    for (int i = 0; i < 500; ++i) {
       const double angle = random.in(0, 6.28);
       const Vec3d middle{3 * std::cos(angle), 0, 3 * std::sin(angle)};
-      const SceneLine line{middle - random.vector(1, 9), {}};
-      const SceneLine aimed{line.origin, middle - line.origin};
-      const std::vector<double> roots = roots_along(ring, aimed);
-      ASSERT_GE(roots.size(), 2u);
+      const Vec3d target = middle + random.vector(0, 0.99 * torus.minor_radius);
+      const Vec3d way = random.vector(1, 9);
+      const SceneLine line{target - way, way};
+      const std::vector<double> roots = roots_along(ring, line);
+      ASSERT_GE(roots.size(), 2u) << tube;
       for (const double t : roots)
-        EXPECT_LT(std::fabs(outside(torus, aimed.at(static_cast<Long>(t)))), 1e-13);
+        EXPECT_LT(std::fabs(outside(torus, line.at(static_cast<Long>(t)))), 1e-11);
     }
   }
 }

@@ -4,7 +4,7 @@
 namespace tia::test {
 namespace {
 
-constexpr std::size_t most = 1 << 20;  // the default of max_body_bytes
+constexpr std::size_t most = 4 << 20;  // the default of max_body_bytes
 
 // {"width":8,"height":8} made that long with white space.
 std::string body_of(std::size_t bytes) {
@@ -55,7 +55,7 @@ TEST_F(Body, OneByteLongerIs413NamingTheLimitAndItsOption) {
     EXPECT_EQ(response.status, 413);
     const Problem problem = problem_of(response);
     EXPECT_EQ(problem.type, "/problems/too-large");
-    EXPECT_THAT(problem.detail, testing::HasSubstr("1048576"));
+    EXPECT_THAT(problem.detail, testing::HasSubstr("4194304"));
     EXPECT_THAT(problem.detail, testing::HasSubstr("TIA_MAX_BODY_BYTES"));
     EXPECT_EQ(ask("GET /healthz HTTP/1.1\r\nHost: x\r\n\r\n").status, 200);
   }

@@ -1,0 +1,64 @@
+#include "core/film/display.h"
+
+#include <cstdint>
+
+#include "core/math/deterministic.h"
+#include "core/math/vec3.h"
+
+namespace tia {
+namespace {
+
+Vec3f of_normal(const Vec3f& n) {
+  if (n == Vec3f{0, 0, 0}) return n;
+  return n * 0.5F + Vec3f{0.5F, 0.5F, 0.5F};
+}
+
+Vec3f of_depth(const Vec3f& t) { return {1 / (1 + t.x), 1 / (1 + t.y), 1 / (1 + t.z)}; }
+
+// Codes 64 .. 255 along a sequence that fills the cube of colours evenly: the fractions of i/g,
+// i/g^2, i/g^3 for g^4 = g + 1, in units of 2^-32.
+// Source: Martin Roberts, "The unreasonable effectiveness of quasirandom sequences", 2018.
+Vec3f of_number(const Vec3f& v) {
+  if (!(v.x >= 1)) return {0, 0, 0};
+  const auto i = static_cast<std::uint32_t>(v.x);
+  const auto channel = [i](std::uint32_t step) {
+    const std::uint32_t share = i * step >> 16U;
+    return static_cast<float>(64 + (share * 192U >> 16U)) / 255;
+  };
+  return {channel(0xD1B54A33U), channel(0xABC98388U), channel(0x8CB92BA7U)};
+}
+
+Vec3f of_cost(const Vec3f& c) {
+  const auto shown = [](float x) {
+    return static_cast<float>(log2_of(1 + static_cast<double>(x)) / 16);
+  };
+  return {shown(c.x), shown(c.y), shown(c.z)};
+}
+
+template <class F>
+void each_pixel(Block& block, F f) {
+  for (int y = 0; y < block.height; ++y) {
+    const std::size_t row = static_cast<std::size_t>(y) * Block::size;
+    for (std::size_t i = row; i < row + static_cast<std::size_t>(block.width); ++i) {
+      const Vec3f shown = f(Vec3f{block.r[i], block.g[i], block.b[i]});
+      block.r[i] = shown.x;
+      block.g[i] = shown.y;
+      block.b[i] = shown.z;
+    }
+  }
+}
+
+}  // namespace
+
+void show(Shown shown, Block& block) {
+  switch (shown) {
+    case Shown::light:
+    case Shown::share: return;
+    case Shown::normal: return each_pixel(block, of_normal);
+    case Shown::depth: return each_pixel(block, of_depth);
+    case Shown::number: return each_pixel(block, of_number);
+    case Shown::cost: return each_pixel(block, of_cost);
+  }
+}
+
+}  // namespace tia

@@ -1,0 +1,31 @@
+// How numbers that are no light (normals, distances, ...) are shown in a picture of 8-bit codes.
+#pragma once
+
+#include "core/film/image.h"
+#include "core/film/tonemap.h"
+
+namespace tia {
+
+/// Shown: what a film's numbers mean to the eye.
+enum class Shown {
+  light,   ///< linear light, through the transfer curve
+  share,   ///< a share in [0,1], as it is
+  normal,  ///< 0.5 + 0.5 n; 0, which is no normal, as 0
+  depth,   ///< 1 / (1 + t), so that infinity is 0
+  number,  ///< a distinct colour for each of 1, 2, 3 ...; 0 as 0
+  cost     ///< log2(1 + c) / 16
+};
+
+/// DisplayRule: how a picture's numbers become codes. All but light is stored linearly, for it
+/// must be read back whatever the curve.
+struct DisplayRule {
+  Shown shown = Shown::light;
+  Transfer transfer = Transfer::srgb;
+
+  Transfer curve() const { return shown == Shown::light ? transfer : Transfer::linear; }
+};
+
+/// Turns a block's numbers into what linear codes store.
+void show(Shown shown, Block& block);
+
+}  // namespace tia

@@ -1,0 +1,24 @@
+// What answers call the objects of a scene.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/scene/scene.h"
+
+namespace tia {
+
+/// ObjectLabel: an object's `name`, where it has none its JSON Pointer into the scene; and the
+/// `type` of its shape, of a luminous light that of the light.
+struct ObjectLabel {
+  std::string name;
+  std::string_view type;
+};
+
+/// One label for each thing that a ray can meet, numbered as World's objects are: shapes and solids
+/// in the scene's order, those inside groups in their place, then luminous lights that have a
+/// place, the key light last.
+std::vector<ObjectLabel> object_labels(const Scene& scene);
+
+}  // namespace tia

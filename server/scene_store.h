@@ -1,0 +1,54 @@
+// Scenes that clients have sent to be kept, by id, in bounded memory. Any thread may call.
+#pragma once
+
+#include <cstdint>
+#include <list>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+
+#include "core/scene/scene.h"
+
+namespace tia::server {
+
+/// Scenes are shared: one that is being drawn outlives its place in the store.
+using SharedScene = std::shared_ptr<const Scene>;
+
+class SceneStore {
+ public:
+  static constexpr std::size_t most_scenes = 10'000;
+
+  explicit SceneStore(std::int64_t max_bytes, std::size_t max_scenes = most_scenes)
+      : max_bytes_(static_cast<std::size_t>(max_bytes)), max_scenes_(max_scenes) {}
+
+  /// Keeps a scene and lets go of those that nobody has asked for longest, until all fit.
+  /// Returns: its id, the SHA-256 of its canonical text.
+  /// Errors: InputError (limit) for a scene that does not fit alone.
+  std::string keep(Scene scene);
+  /// The scene of that id, which is the one last asked for from now on; or null.
+  SharedScene find(std::string_view id);
+
+  std::size_t count() const;
+  /// What all kept scenes hold in memory.
+  std::size_t bytes() const;
+
+ private:
+  struct Entry {
+    std::string id;
+    SharedScene scene;
+    std::size_t bytes = 0;
+  };
+  using Entries = std::list<Entry>;
+  // Takes out what is too much, for the caller to destroy without the lock.
+  Entries take_surplus();
+
+  const std::size_t max_bytes_, max_scenes_;
+  mutable std::mutex mutex_;
+  Entries entries_;                                                // the one last asked for first
+  std::unordered_map<std::string_view, Entries::iterator> by_id_;  // keys are the entries' own
+  std::size_t bytes_ = 0;
+};
+
+}  // namespace tia::server

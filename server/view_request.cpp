@@ -1,0 +1,77 @@
+#include "server/view_request.h"
+
+namespace tia {
+namespace {
+
+/// Visitor: reads those of the camera's fields that a patch replaces whole.
+struct PatchReader {
+  detail::MemberReader& from;
+  Camera out{};
+  template <class Member>
+  void operator()(std::string_view name, Member Camera::*member, const Spec& spec) {
+    const Value* value = from.member(name);
+    if (value == nullptr || value->as<std::nullptr_t>() != nullptr) return;
+    if (value->as<Value::Object>() != nullptr) return;  // a patch of what the camera has there
+    read_value(*value, from.at.at(name), spec, from.faults, out.*member);
+  }
+};
+
+}  // namespace
+
+void Codec<server::CameraPatch>::read(const Value& v, const Place& at, const Spec& spec,
+                                      Faults& faults, server::CameraPatch& out) {
+  const auto* members = v.as<Value::Object>();
+  if (members == nullptr) return detail::wrong_type(v, at, allowed(spec), faults);
+  detail::MemberReader from{*members, at, faults};
+  PatchReader reader{from};
+  Camera::fields(reader);
+  from.finish();
+  out.members = *members;
+}
+
+}  // namespace tia
+
+namespace tia::server {
+namespace {
+
+// For what lives longer than the request.
+SharedScene not_owned(const Scene& scene) { return {SharedScene(), &scene}; }
+
+Camera patched(const Camera& camera, const CameraPatch& patch) {
+  const Place all{}, at = all.at("camera");
+  return read_described<Camera>(merge_patch(write_value(camera), patch.members), at);
+}
+
+}  // namespace
+
+void ViewRequest::check(const Place& at, Faults& faults) const {
+  if (key && light)
+    faults.add(
+        {FaultKind::conflict, at.at("light").pointer(), write_value(*light), "key or light"});
+}
+
+SharedScene find_scene(const std::string& name, const Studio& studio) {
+  if (const Scene* scene = studio.gallery.find(name)) return not_owned(*scene);
+  if (SharedScene scene = studio.kept.find(name)) return scene;
+  const std::vector<std::string_view> known = studio.gallery.names();
+  throw InputError({FaultKind::unknown_name, "/scene", Value(name),
+                    "a scene's name (" + listed(known) +
+                        "), the id of a scene that is still kept, or a whole scene",
+                    nearest_name(name, known)});
+}
+
+SharedScene scene_of(const ViewRequest& asked, const Studio& studio) {
+  const auto* name = std::get_if<std::string>(&asked.scene);
+  SharedScene scene =
+      name != nullptr ? find_scene(*name, studio) : not_owned(std::get<Scene>(asked.scene));
+  if (asked.camera) {
+    Scene changed = *scene;
+    changed.camera = patched(scene->camera, *asked.camera);
+    scene = std::make_shared<const Scene>(std::move(changed));
+  }
+  if (asked.key) return std::make_shared<const Scene>(press(*scene, *asked.key));
+  if (asked.light) return std::make_shared<const Scene>(with_light(*scene, *asked.light));
+  return scene;
+}
+
+}  // namespace tia::server

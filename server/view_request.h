@@ -1,0 +1,75 @@
+// What a request says of the scene and of the eye: the parameters that /render and /explain share.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <variant>
+
+#include "core/core.h"
+#include "server/gallery.h"
+#include "server/scene_store.h"
+#include "server/text_form.h"
+
+namespace tia::server {
+
+/// CameraPatch: what replaces fields of the scene's camera, a JSON merge patch (RFC 7396).
+struct CameraPatch {
+  Value::Object members;
+};
+
+/// ViewRequest: the parameters, in one table for query, JSON body and command line.
+struct ViewRequest {
+  static constexpr double most_px = 16'777'216;
+  std::variant<std::string, Scene> scene = "thesis";
+  std::optional<std::string> key;
+  std::optional<Vec3d> light;
+  std::optional<CameraPatch> camera;
+  int width = 640, height = 480;
+
+  template <class Visitor>
+  static void fields(Visitor&& visit) {
+    using V = ViewRequest;
+    visit("scene", &V::scene, Spec{.about = "a scene's name, a kept scene's id, or a whole scene"});
+    visit("key", &V::key, Spec{.about = "the key that is pressed: it moves the scene's light"});
+    visit("light", &V::light,
+          Spec{.about = "where to put the scene's key light", .min = -1e9, .max = 1e9});
+    visit("width", &V::width,
+          Spec{.about = "the picture's width", .unit = "pixels", .min = 1, .max = most_px});
+    visit("height", &V::height,
+          Spec{.about = "the picture's height", .unit = "pixels", .min = 1, .max = most_px});
+    visit("camera", &V::camera, Spec{.about = "what replaces fields of the scene's camera"});
+  }
+  /// key with light.
+  void check(const Place& at, Faults& faults) const;
+};
+
+/// What every picture needs of its host.
+struct Studio {
+  const Gallery& gallery;
+  SceneStore& kept;
+  Pool& pool;
+  Limits limits;
+};
+
+/// The scene of that name or id. Errors: InputError (unknown_name) at /scene.
+SharedScene find_scene(const std::string& name, const Studio& studio);
+
+/// The scene that is asked for: with its camera patched, then its key pressed or its light moved.
+/// It may be the request's own, and lives no longer. Errors: InputError.
+SharedScene scene_of(const ViewRequest& asked, const Studio& studio);
+
+}  // namespace tia::server
+
+namespace tia {
+
+/// Finds all that is wrong with a patch, whatever camera it is for.
+template <>
+struct Codec<server::CameraPatch> {
+  static void read(const Value& v, const Place& at, const Spec& spec, Faults& faults,
+                   server::CameraPatch& out);
+  static std::string allowed(const Spec&) { return "an object of the camera's fields"; }
+};
+template <>
+struct server::TextForm<server::CameraPatch> : server::ObjectForm {};
+
+}  // namespace tia

@@ -1,0 +1,123 @@
+// Feature images over HTTP: PFM holds the numbers, PNG shows them by the rule of each.
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "tests/server/picture_support.h"
+#include "tests/server/support.h"
+
+namespace tia::test {
+namespace {
+
+const std::string scene = R"({"objects":[
+    {"type":"sphere","center":[-1,0,-9],"radius":1.5,"material":{"color":[1,0.4,0.1]}},
+    {"type":"box","min":[0.5,-1,-10],"max":[2.5,1,-7],"material":{"color":0.3}},
+    {"type":"plane","point":[0,-2,0],"normal":[0,1,0],"material":{"color":[0.1,0.6,0.2]}}],
+    "lights":[{"type":"point","position":[4,6,-3]},{"type":"point","position":[-4,6,-3]}]})";
+
+Host& host() {
+  static Host shared;
+  return shared;
+}
+std::string body(const std::string& integrator, const std::string& more) {
+  const Response response =
+      host().post("/render", R"({"width":61,"height":43,"integrator":")" + integrator + "\"" +
+                                 more + R"(,"scene":)" + scene + "}");
+  EXPECT_EQ(response.status, 200) << response.body;
+  return response.body;
+}
+Pixels<float> numbers(const std::string& integrator, const std::string& more = "") {
+  return decode_pfm(body(integrator, R"(,"format":"pfm")" + more));
+}
+Pixels<unsigned char> codes(const std::string& integrator, const std::string& more = "") {
+  return decode_png(body(integrator, more));
+}
+
+// That each code is the one nearest to 255 x what `show` makes of its pixel's number.
+template <class Show>
+void expect_shown(const std::string& integrator, const std::string& more, Show show) {
+  SCOPED_TRACE(integrator + more);
+  const auto image = numbers(integrator, more);
+  const auto shown = codes(integrator, more);
+  std::set<int> seen;
+  ASSERT_EQ(image.rgb.size(), shown.rgb.size());
+  for (std::size_t i = 0; i < image.rgb.size(); ++i) {
+    const double expected = show(image, i);
+    ASSERT_NEAR(shown.rgb[i], 255 * std::min(1.0, std::max(0.0, expected)), 0.5 + 1e-4) << i;
+    seen.insert(shown.rgb[i]);
+  }
+  EXPECT_GT(seen.size(), 2U);
+}
+
+TEST(FeatureImages, NormalsAreShownAroundGrey) {
+  for (const char* more : {"", R"(,"samples":4)"})
+    expect_shown("normal", more, [](const Pixels<float>& image, std::size_t i) {
+      const float* pixel = &image.rgb[i - i % 3];
+      if (pixel[0] == 0 && pixel[1] == 0 && pixel[2] == 0) return 0.0;
+      return 0.5 + 0.5 * static_cast<double>(image.rgb[i]);
+    });
+}
+
+TEST(FeatureImages, DistancesAreShownAsTheirInverse) {
+  expect_shown("depth", "", [](const Pixels<float>& image, std::size_t i) {
+    return 1 / (1 + static_cast<double>(image.rgb[i]));
+  });
+}
+
+TEST(FeatureImages, SharesOfLightsAreShownAsTheyAre) {
+  for (const char* more : {"", R"(,"samples":4)"})
+    expect_shown("shadow", more, [](const Pixels<float>& image, std::size_t i) {
+      return static_cast<double>(image.rgb[i]);
+    });
+}
+
+TEST(FeatureImages, CostsAreShownByTheirLogarithm) {
+  expect_shown("cost", "", [](const Pixels<float>& image, std::size_t i) {
+    return std::log2(1 + static_cast<double>(image.rgb[i])) / 16;
+  });
+}
+
+TEST(FeatureImages, DataIsStoredLinearlyWhateverTheCurve) {
+  for (const char* integrator : {"normal", "depth", "object", "shadow", "cost"}) {
+    SCOPED_TRACE(integrator);
+    const auto plain = codes(integrator);
+    EXPECT_TRUE(codes(integrator, R"(,"transfer":"srgb")") == plain);
+    EXPECT_TRUE(codes(integrator, R"(,"transfer":"linear")") == plain);
+  }
+}
+
+TEST(FeatureImages, AlbedoGoesThroughTheCurveAsLightDoes) {
+  expect_shown("albedo", R"(,"transfer":"linear")", [](const Pixels<float>& image, std::size_t i) {
+    return static_cast<double>(image.rgb[i]);
+  });
+  expect_shown("albedo", R"(,"transfer":"srgb")", [](const Pixels<float>& image, std::size_t i) {
+    const double v = static_cast<double>(image.rgb[i]);
+    return v <= 0.0031308 ? 12.92 * v : 1.055 * std::pow(v, 1 / 2.4) - 0.055;
+  });
+}
+
+TEST(FeatureImages, EachObjectHasAColourOfItsOwnAndNothingIsBlack) {
+  const auto image = numbers("object");
+  const auto shown = codes("object");
+  std::map<float, std::set<std::vector<int>>> colors;
+  for (std::size_t i = 0; i < image.rgb.size(); i += 3) {
+    EXPECT_EQ(image.rgb[i], image.rgb[i + 2]);
+    colors[image.rgb[i]].insert({shown.rgb[i], shown.rgb[i + 1], shown.rgb[i + 2]});
+  }
+  ASSERT_EQ(colors.size(), 4U);  // three objects and the sky
+  std::set<std::vector<int>> all;
+  for (const auto& [number, its] : colors) {
+    EXPECT_EQ(its.size(), 1U);
+    all.insert(*its.begin());
+  }
+  EXPECT_EQ(all.size(), 4U);
+  EXPECT_EQ(*colors.at(0).begin(), (std::vector<int>{0, 0, 0}));
+}
+
+TEST(FeatureImages, NumbersOfObjectsAreNeverAveraged) {
+  EXPECT_TRUE(numbers("object", R"(,"samples":16)") == numbers("object"));
+  EXPECT_TRUE(codes("object", R"(,"samples":16,"threshold":0.01)") == codes("object"));
+}
+
+}  // namespace
+}  // namespace tia::test
