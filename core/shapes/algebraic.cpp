@@ -235,8 +235,8 @@ AlgebraicRoots roots(const AlgebraicForm& algebraic, const Line& line) {
 Vec3d normal(const AlgebraicForm& algebraic, const Vec3d& p, int element) {
   if (element > 0) return normal(*algebraic.region, p, element - 1);
   const auto g = sum_at<ValueAndGradient>(algebraic.terms, p).gradient;
-  const Vec3d gradient{g[0], g[1], g[2]};
-  return gradient == Vec3d{0, 0, 0} ? Vec3d{0, 1, 0} : unit(gradient);
+  const double steepest = std::max({std::fabs(g[0]), std::fabs(g[1]), std::fabs(g[2])});
+  return steepest > 0 && std::isfinite(steepest) ? unit({g[0], g[1], g[2]}) : Vec3d{0, 1, 0};
 }
 
 Vec2d uv(const AlgebraicForm& algebraic, const Vec3d& p, int element) {

@@ -219,11 +219,11 @@ Poly chmutov(int n) { return chebyshev(n, x) + chebyshev(n, y) + chebyshev(n, z)
 TEST(Algebraic, FamousSurfacesAreMetWhereTheirSumChangesSign) {
   Random random(103);
   for (const double s : scales) {
-    EXPECT_GT(expect_clipped(heart, 1.5, s, random, 20), 20) << "heart";
-    EXPECT_GT(expect_clipped(tangle, 3, s, random, 20), 20) << "tangle cube";
-    EXPECT_GT(expect_clipped(barth(), 2, s, random, 20), 20) << "Barth's sextic";
-    EXPECT_GT(expect_clipped(chmutov(8), 1.2, s, random, 20), 20) << "Chmutov's octic";
-    EXPECT_GT(expect_clipped(chmutov(14), 1.1, s, random, 20), 20) << "of degree 14";
+    EXPECT_GT(expect_clipped(heart, 1.5, s, random, 20), 15) << "heart";
+    EXPECT_GT(expect_clipped(tangle, 3, s, random, 20), 15) << "tangle cube";
+    EXPECT_GT(expect_clipped(barth(), 2, s, random, 20), 15) << "Barth's sextic";
+    EXPECT_GT(expect_clipped(chmutov(8), 1.2, s, random, 20), 15) << "Chmutov's octic";
+    EXPECT_GT(expect_clipped(chmutov(14), 1.1, s, random, 20), 15) << "of degree 14";
   }
 }
 
@@ -432,6 +432,8 @@ TEST(Algebraic, SumThatOverflowsIsMetNowhere) {
   const AlgebraicForm steep = form_of(power(x, 32) * -1e30);
   expect_near(roots_along(steep, {{1e9, 0, 0}, {0, 1, 0}}), {}, 0);
   expect_near(roots_along(steep, {{1e3, 0, 0}, {0, 1, 0}}), {-far, far}, 0);
+  const AlgebraicForm slow = form_of(power(x, 32) * 1e-11 - power(x, 31));  // 0 at x = 1e11
+  EXPECT_EQ(normal(slow, {1e11, 0, 0}, 0), (Vec3d{0, 1, 0}));
 }
 
 TEST(Algebraic, CrossesNothingOfNan) {
