@@ -15,7 +15,7 @@ Hit<Real> closest_hit(const World& world, const Ray<Real>& ray, Mask<Real> activ
 
 /// The same in a world of few balls, of which the ray may meet none but those listed.
 template <class Real>
-Hit<Real> closest_hit(const World& world, const std::vector<int>& balls, const Ray<Real>& ray) {
+Hit<Real> closest_ball(const World& world, const std::vector<int>& balls, const Ray<Real>& ray) {
   Hit<Real> nearest;
   if (balls.empty()) return nearest;
   const RootRay<Real> root_ray(ray);
@@ -37,7 +37,8 @@ Mask<Real> occluded(const World& world, const Ray<Real>& ray, const Real& t_max,
 
 /// The same in a world of few balls.
 template <class Real>
-Mask<Real> occluded(const World& world, const Ray<Real>& ray, const Real& t_max, const Lamp& lamp) {
+Mask<Real> occluded_by_balls(const World& world, const Ray<Real>& ray, const Real& t_max,
+                             const Lamp& lamp) {
   const RootRay<Real> root_ray(ray);
   Mask<Real> blocked(false);
   for (const Ball& ball : world.balls)
@@ -66,18 +67,22 @@ template <class Real>
 SurfacePoint<Real> surface_by_lanes(const World& world, const Ray<Real>& ray, const Hit<Real>& hit,
                                     int part, Mask<Real> here);
 
+template <class Real>
+SurfacePoint<Real> ball_surface(const Ball& ball, const Ray<Real>& ray, const Real& t) {
+  const Vec3<Real> p = ray.at(t);
+  const Vec3<Real> out = normal(ball.sphere, p);
+  const Vec3<Real> n = select(dot(out, ray.direction) > Real(0), -out, out);
+  return {p, n, n};
+}
+
 /// Domain: lanes outside `here`, whose rays have not hit `part`, come out meaningless.
 template <class Real>
 SurfacePoint<Real> surface(const World& world, const Ray<Real>& ray, const Hit<Real>& hit, int part,
                            Mask<Real> here) {
-  SurfacePoint<Real> at;
   const Part& own = world.part(part);
-  if (own.ball >= 0 && own.space == 0) {
-    at.p = ray.at(hit.t);
-    at.n = at.ng = normal(world.balls[static_cast<std::size_t>(own.ball)].sphere, at.p);
-  } else {
-    at = surface_by_lanes(world, ray, hit, part, here);
-  }
+  if (own.ball >= 0 && own.space == 0)
+    return ball_surface(world.balls[static_cast<std::size_t>(own.ball)], ray, hit.t);
+  SurfacePoint<Real> at = surface_by_lanes(world, ray, hit, part, here);
   const Mask<Real> behind = dot(at.ng, ray.direction) > Real(0);
   at.n = select(behind, -at.n, at.n);
   at.ng = select(behind, -at.ng, at.ng);
