@@ -51,6 +51,7 @@ Mask<Real> occluded_by_balls(const World& world, const Ray<Real>& ray, const Rea
 template <class Real>
 struct SurfacePoint {
   Vec3<Real> p, n, ng;  ///< n is what shading uses, ng is the surface's own
+  const Vec3<Real>& side() const { return ng; }
 };
 
 /// Normals: the surface's own and the one that shading uses, outwards and unit.
@@ -67,12 +68,19 @@ template <class Real>
 SurfacePoint<Real> surface_by_lanes(const World& world, const Ray<Real>& ray, const Hit<Real>& hit,
                                     int part, Mask<Real> here);
 
+/// BallPoint: a SurfacePoint whose two normals are one.
 template <class Real>
-SurfacePoint<Real> ball_surface(const Ball& ball, const Ray<Real>& ray, const Real& t) {
-  const Vec3<Real> p = ray.at(t);
-  const Vec3<Real> out = normal(ball.sphere, p);
-  const Vec3<Real> n = select(dot(out, ray.direction) > Real(0), -out, out);
-  return {p, n, n};
+struct BallPoint {
+  Vec3<Real> p, n;
+  const Vec3<Real>& side() const { return n; }
+};
+template <class Real>
+BallPoint<Real> ball_surface(const Ball& ball, const Ray<Real>& ray, const Real& t) {
+  BallPoint<Real> at;
+  at.p = ray.at(t);
+  at.n = normal(ball.sphere, at.p);
+  at.n = select(dot(at.n, ray.direction) > Real(0), -at.n, at.n);
+  return at;
 }
 
 /// Domain: lanes outside `here`, whose rays have not hit `part`, come out meaningless.
@@ -80,8 +88,11 @@ template <class Real>
 SurfacePoint<Real> surface(const World& world, const Ray<Real>& ray, const Hit<Real>& hit, int part,
                            Mask<Real> here) {
   const Part& own = world.part(part);
-  if (own.ball >= 0 && own.space == 0)
-    return ball_surface(world.balls[static_cast<std::size_t>(own.ball)], ray, hit.t);
+  if (own.ball >= 0 && own.space == 0) {
+    const Ball& ball = world.balls[static_cast<std::size_t>(own.ball)];
+    const BallPoint<Real> at = ball_surface(ball, ray, hit.t);
+    return {at.p, at.n, at.n};
+  }
   SurfacePoint<Real> at = surface_by_lanes(world, ray, hit, part, here);
   const Mask<Real> behind = dot(at.ng, ray.direction) > Real(0);
   at.n = select(behind, -at.n, at.n);

@@ -50,8 +50,8 @@ struct BallScope {
     return occluded_by_balls(world, ray, t_max, lamp);
   }
   template <class Real>
-  SurfacePoint<Real> surface_of(const Ray<Real>& ray, const Hit<Real>& hit, int part,
-                                Mask<Real>) const {
+  BallPoint<Real> surface_of(const Ray<Real>& ray, const Hit<Real>& hit, int part,
+                             Mask<Real>) const {
     return ball_surface(world.balls[static_cast<std::size_t>(part)], ray, hit.t);
   }
 };
@@ -72,9 +72,8 @@ Real shadow_offset(Real t, const Vec3<Real>& p) {
 }
 
 /// n.l where the point sees the lamp, else 0. Lanes outside `here` cast no shadow rays.
-template <class Scope, class Real>
-Real visible_cosine(Scope& scope, const SurfacePoint<Real>& at, const Lamp& lamp, Real offset,
-                    Mask<Real> here) {
+template <class Scope, class Point, class Real>
+Real visible_cosine(Scope& scope, const Point& at, const Lamp& lamp, Real offset, Mask<Real> here) {
   const Vec3<Real> to_lamp = lift<Real>(lamp.position) - at.p;
   const Real distance = length(to_lamp);
   const Vec3<Real> l = to_lamp * (Real(1) / distance);
@@ -83,7 +82,7 @@ Real visible_cosine(Scope& scope, const SurfacePoint<Real>& at, const Lamp& lamp
   const Mask<Real> lit = here && n_dot_l > Real(0) && n_dot_l < Real(infinity);
   if (!any(lit)) return Real(0);
   scope.rays.shadow += count(lit);
-  const Ray<Real> shadow_ray{at.p + at.ng * offset, l};
+  const Ray<Real> shadow_ray{at.p + at.side() * offset, l};
   const Mask<Real> dark = scope.blocked(shadow_ray, distance, lamp, lit);
   return select(lit && !dark, n_dot_l, Real(0));
 }
