@@ -10,7 +10,8 @@
 
 namespace tia {
 
-/// Box32: an Aabb rounded outwards to float, so that it holds all that the exact one holds.
+/// Box32: an Aabb rounded outwards to float and a little beyond, so that it holds all that the
+/// exact one holds, its faces included.
 struct Box32 {
   Vec3f min, max;
 };

@@ -121,7 +121,7 @@ TYPED_TEST(ShapeContract, NormalIsUnitAndLeadsAwayFromTheSurface) {
     if (!(hit.t < 1e30)) continue;
     ++hits;
     const Vec3d p = ray.at(hit.t);
-    const SurfaceFrame at = frame_at(world, p, 0, static_cast<int>(hit.element), 0);
+    const Normals at = normals_at(world, p, 0, static_cast<int>(hit.element), 0);
     EXPECT_NEAR(length(at.n), 1, 1e-15);
     EXPECT_EQ(at.n, at.ng);
     const double step = 1e-6 * S::reach(shape).radius;

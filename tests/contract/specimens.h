@@ -180,4 +180,29 @@ struct Specimen<Quadric> {
   }
 };
 
+/// Superellipsoids around the origin: (x / a)^4 + (y / b)^4 + (z / c)^4 = 1.
+template <>
+struct Specimen<Algebraic> {
+  static constexpr bool convex = true;
+  static Algebraic make(Random& random, double scale) {
+    const auto fourth = [&] {
+      const double half = random.in(0.5, 2) * scale;
+      return 1 / (half * half * half * half);
+    };
+    const double x = fourth(), y = fourth(), z = fourth();
+    return {{{{4, 0, 0}, x}, {{0, 4, 0}, y}, {{0, 0, 4}, z}, {{0, 0, 0}, -1}}, {}};
+  }
+  // A corner of the box around it is sqrt 3 times as far as the middle of a face.
+  static Reach reach(const Algebraic& a) {
+    double least = a.terms[0].coefficient;
+    for (const std::size_t i : {1U, 2U}) least = std::min(least, a.terms[i].coefficient);
+    return {{}, std::sqrt(3 / std::sqrt(least))};
+  }
+  static double distance(const Algebraic& a, const Vec3d& p) {
+    const Vec3d k{a.terms[0].coefficient, a.terms[1].coefficient, a.terms[2].coefficient};
+    const Vec3d cubes = k * p * p * p;
+    return (dot(cubes, p) - 1) / length(cubes) / 4;
+  }
+};
+
 }  // namespace tia::test
