@@ -48,7 +48,7 @@ struct ExplainRequest : ViewRequest {
       if (ray && is) faults.add({FaultKind::conflict, place, write_value(*is), "x and y, or ray"});
       else if (!ray && !is)
         faults.add({FaultKind::missing, place, std::nullopt,
-                    range + ": x and y of a pixel, or ray of its own"});
+                    range + ", of a pixel with x and y; or a ray"});
       else if (is && *is >= size)
         faults.add({FaultKind::out_of_range, place, write_value(*is), range});
     };

@@ -15,7 +15,7 @@ Hit<Real> closest_hit(const World& world, const Ray<Real>& ray, Mask<Real> activ
 
 /// The same in a world of few balls, of which the ray may meet none but those listed.
 template <class Real>
-Hit<Real> closest_hit(const World& world, const std::vector<int>& balls, const Ray<Real>& ray) {
+Hit<Real> closest_ball(const World& world, const std::vector<int>& balls, const Ray<Real>& ray) {
   Hit<Real> nearest;
   if (balls.empty()) return nearest;
   const RootRay<Real> root_ray(ray);
@@ -37,7 +37,8 @@ Mask<Real> occluded(const World& world, const Ray<Real>& ray, const Real& t_max,
 
 /// The same in a world of few balls.
 template <class Real>
-Mask<Real> occluded(const World& world, const Ray<Real>& ray, const Real& t_max, const Lamp& lamp) {
+Mask<Real> occluded_by_balls(const World& world, const Ray<Real>& ray, const Real& t_max,
+                             const Lamp& lamp) {
   const RootRay<Real> root_ray(ray);
   Mask<Real> blocked(false);
   for (const Ball& ball : world.balls)
@@ -50,6 +51,7 @@ Mask<Real> occluded(const World& world, const Ray<Real>& ray, const Real& t_max,
 template <class Real>
 struct SurfacePoint {
   Vec3<Real> p, n, ng;  ///< n is what shading uses, ng is the surface's own
+  const Vec3<Real>& side() const { return ng; }
 };
 
 /// Normals: the surface's own and the one that shading uses, outwards and unit.
@@ -66,18 +68,32 @@ template <class Real>
 SurfacePoint<Real> surface_by_lanes(const World& world, const Ray<Real>& ray, const Hit<Real>& hit,
                                     int part, Mask<Real> here);
 
+/// BallPoint: a SurfacePoint whose two normals are one.
+template <class Real>
+struct BallPoint {
+  Vec3<Real> p, n;
+  const Vec3<Real>& side() const { return n; }
+};
+template <class Real>
+BallPoint<Real> ball_surface(const Ball& ball, const Ray<Real>& ray, const Real& t) {
+  BallPoint<Real> at;
+  at.p = ray.at(t);
+  at.n = normal(ball.sphere, at.p);
+  at.n = select(dot(at.n, ray.direction) > Real(0), -at.n, at.n);
+  return at;
+}
+
 /// Domain: lanes outside `here`, whose rays have not hit `part`, come out meaningless.
 template <class Real>
 SurfacePoint<Real> surface(const World& world, const Ray<Real>& ray, const Hit<Real>& hit, int part,
                            Mask<Real> here) {
-  SurfacePoint<Real> at;
   const Part& own = world.part(part);
   if (own.ball >= 0 && own.space == 0) {
-    at.p = ray.at(hit.t);
-    at.n = at.ng = normal(world.balls[static_cast<std::size_t>(own.ball)].sphere, at.p);
-  } else {
-    at = surface_by_lanes(world, ray, hit, part, here);
+    const Ball& ball = world.balls[static_cast<std::size_t>(own.ball)];
+    const BallPoint<Real> at = ball_surface(ball, ray, hit.t);
+    return {at.p, at.n, at.n};
   }
+  SurfacePoint<Real> at = surface_by_lanes(world, ray, hit, part, here);
   const Mask<Real> behind = dot(at.ng, ray.direction) > Real(0);
   at.n = select(behind, -at.n, at.n);
   at.ng = select(behind, -at.ng, at.ng);

@@ -7,17 +7,17 @@ namespace {
 
 // Calls f(point, hit, part, lanes) for what the lanes' rays meet first.
 template <class Real, class F>
-void for_each_surface(Scope& scope, const Ray<Real>& ray, Mask<Real> active, F f) {
+void for_each_surface(WorldScope& scope, const Ray<Real>& ray, Mask<Real> active, F f) {
   const Hit<Real> hit = first_hit(scope, ray, active);
   for_each_winner(hit, active, [&](int part, Mask<Real> here) {
-    f(surface(scope.world, ray, hit, part, here), hit, part, here);
+    f(scope.surface_of(ray, hit, part, here), hit, part, here);
   });
 }
 
 }  // namespace
 
 template <class Real>
-Vec3<Real> normal_feature(Scope& scope, const Ray<Real>& ray, Mask<Real> active) {
+Vec3<Real> normal_feature(WorldScope& scope, const Ray<Real>& ray, Mask<Real> active) {
   Vec3<Real> n{Real(0), Real(0), Real(0)};
   for_each_surface(scope, ray, active,
                    [&](const SurfacePoint<Real>& at, const Hit<Real>&, int, Mask<Real> here) {
@@ -27,13 +27,13 @@ Vec3<Real> normal_feature(Scope& scope, const Ray<Real>& ray, Mask<Real> active)
 }
 
 template <class Real>
-Vec3<Real> depth_feature(Scope& scope, const Ray<Real>& ray, Mask<Real> active) {
+Vec3<Real> depth_feature(WorldScope& scope, const Ray<Real>& ray, Mask<Real> active) {
   const Real t = first_hit(scope, ray, active).t;
   return {t, t, t};
 }
 
 template <class Real>
-Vec3<Real> albedo_feature(Scope& scope, const Ray<Real>& ray, Mask<Real> active) {
+Vec3<Real> albedo_feature(WorldScope& scope, const Ray<Real>& ray, Mask<Real> active) {
   Vec3<Real> albedo{Real(0), Real(0), Real(0)};
   for_each_winner(first_hit(scope, ray, active), active, [&](int part, Mask<Real> here) {
     albedo = select(here, lift<Real>(scope.world.matte_of(part).albedo), albedo);
@@ -42,7 +42,7 @@ Vec3<Real> albedo_feature(Scope& scope, const Ray<Real>& ray, Mask<Real> active)
 }
 
 template <class Real>
-Vec3<Real> object_feature(Scope& scope, const Ray<Real>& ray, Mask<Real> active) {
+Vec3<Real> object_feature(WorldScope& scope, const Ray<Real>& ray, Mask<Real> active) {
   Real number(0);
   for_each_winner(first_hit(scope, ray, active), active, [&](int part, Mask<Real> here) {
     const int object = scope.world.part(part).object;
@@ -52,7 +52,7 @@ Vec3<Real> object_feature(Scope& scope, const Ray<Real>& ray, Mask<Real> active)
 }
 
 template <class Real>
-Vec3<Real> shadow_feature(Scope& scope, const Ray<Real>& ray, Mask<Real> active) {
+Vec3<Real> shadow_feature(WorldScope& scope, const Ray<Real>& ray, Mask<Real> active) {
   const std::vector<Lamp>& lamps = scope.world.lamps;
   Real share(1);
   for_each_surface(scope, ray, active,
@@ -70,7 +70,7 @@ Vec3<Real> shadow_feature(Scope& scope, const Ray<Real>& ray, Mask<Real> active)
 }
 
 template <class Real>
-Vec3<Real> cost_feature(Scope& scope, const Ray<Real>& ray, Mask<Real> active) {
+Vec3<Real> cost_feature(WorldScope& scope, const Ray<Real>& ray, Mask<Real> active) {
   std::array<LaneOf<Real>, static_cast<std::size_t>(lanes<Real>)> cost{};
   scope.rays.primary += count(active);
   for (unsigned left = bits(active); left != 0; left &= left - 1) {
@@ -87,13 +87,13 @@ Vec3<Real> cost_feature(Scope& scope, const Ray<Real>& ray, Mask<Real> active) {
   return {all, all, all};
 }
 
-#define TIA_FEATURES(Real)                                                  \
-  template Vec3<Real> normal_feature(Scope&, const Ray<Real>&, Mask<Real>); \
-  template Vec3<Real> depth_feature(Scope&, const Ray<Real>&, Mask<Real>);  \
-  template Vec3<Real> albedo_feature(Scope&, const Ray<Real>&, Mask<Real>); \
-  template Vec3<Real> object_feature(Scope&, const Ray<Real>&, Mask<Real>); \
-  template Vec3<Real> shadow_feature(Scope&, const Ray<Real>&, Mask<Real>); \
-  template Vec3<Real> cost_feature(Scope&, const Ray<Real>&, Mask<Real>);
+#define TIA_FEATURES(Real)                                                       \
+  template Vec3<Real> normal_feature(WorldScope&, const Ray<Real>&, Mask<Real>); \
+  template Vec3<Real> depth_feature(WorldScope&, const Ray<Real>&, Mask<Real>);  \
+  template Vec3<Real> albedo_feature(WorldScope&, const Ray<Real>&, Mask<Real>); \
+  template Vec3<Real> object_feature(WorldScope&, const Ray<Real>&, Mask<Real>); \
+  template Vec3<Real> shadow_feature(WorldScope&, const Ray<Real>&, Mask<Real>); \
+  template Vec3<Real> cost_feature(WorldScope&, const Ray<Real>&, Mask<Real>);
 TIA_FEATURES(Wide)
 TIA_FEATURES(float)
 TIA_FEATURES(double)

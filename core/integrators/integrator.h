@@ -10,7 +10,8 @@ namespace tia {
 /// Returns: linear RGB along a camera ray, unclamped, or a feature. Lanes that are not active come
 /// out meaningless and do not count as rays.
 template <class Real>
-Vec3<Real> radiance(IntegratorName name, Scope& scope, const Ray<Real>& ray, Mask<Real> active) {
+Vec3<Real> radiance(IntegratorName name, WorldScope& scope, const Ray<Real>& ray,
+                    Mask<Real> active) {
   switch (name) {
     case IntegratorName::normal: return normal_feature(scope, ray, active);
     case IntegratorName::depth: return depth_feature(scope, ray, active);

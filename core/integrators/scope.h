@@ -13,19 +13,54 @@ struct RayTally {
   std::int64_t primary = 0, shadow = 0, tests = 0;
 };
 
-/// Scope: the world as one block of the picture sees it.
-struct Scope {
+/// Scope: the world as one block of the picture sees it, and what the block's rays count to. Of two
+/// kinds, which ask the same in their own way; an integrator is a template over them.
+struct WorldScope {
   const World& world;
-  std::vector<int> balls;  ///< the balls that its camera rays may meet, in a world of few
   RayTally rays{};
+
+  template <class Real>
+  Hit<Real> closest(const Ray<Real>& ray, Mask<Real> active) {
+    return closest_hit(world, ray, active, rays.tests);
+  }
+  template <class Real>
+  Mask<Real> blocked(const Ray<Real>& ray, const Real& t_max, const Lamp& lamp, Mask<Real> active) {
+    return occluded(world, ray, t_max, lamp, active, rays.tests);
+  }
+  template <class Real>
+  SurfacePoint<Real> surface_of(const Ray<Real>& ray, const Hit<Real>& hit, int part,
+                                Mask<Real> here) const {
+    return surface(world, ray, hit, part, here);
+  }
+};
+
+/// A world of few balls and nothing else, of which the camera rays may meet those listed: small
+/// enough to be tried one after another in registers.
+struct BallScope {
+  const World& world;
+  std::vector<int> balls;
+  RayTally rays{};
+
+  template <class Real>
+  Hit<Real> closest(const Ray<Real>& ray, Mask<Real>) const {
+    return closest_ball(world, balls, ray);
+  }
+  template <class Real>
+  Mask<Real> blocked(const Ray<Real>& ray, const Real& t_max, const Lamp& lamp, Mask<Real>) const {
+    return occluded_by_balls(world, ray, t_max, lamp);
+  }
+  template <class Real>
+  BallPoint<Real> surface_of(const Ray<Real>& ray, const Hit<Real>& hit, int part,
+                             Mask<Real>) const {
+    return ball_surface(world.balls[static_cast<std::size_t>(part)], ray, hit.t);
+  }
 };
 
 /// What a camera ray meets first. Lanes that are not active do not count.
-template <class Real>
+template <class Scope, class Real>
 Hit<Real> first_hit(Scope& scope, const Ray<Real>& ray, Mask<Real> active) {
   scope.rays.primary += count(active);
-  if (scope.world.few_balls) return closest_hit(scope.world, scope.balls, ray);
-  return closest_hit(scope.world, ray, active, scope.rays.tests);
+  return scope.closest(ray, active);
 }
 
 /// How far a shadow ray starts above its surface: 1e-4 at the thesis' distances, in proportion to
@@ -37,9 +72,8 @@ Real shadow_offset(Real t, const Vec3<Real>& p) {
 }
 
 /// n.l where the point sees the lamp, else 0. Lanes outside `here` cast no shadow rays.
-template <class Real>
-Real visible_cosine(Scope& scope, const SurfacePoint<Real>& at, const Lamp& lamp, Real offset,
-                    Mask<Real> here) {
+template <class Scope, class Point, class Real>
+Real visible_cosine(Scope& scope, const Point& at, const Lamp& lamp, Real offset, Mask<Real> here) {
   const Vec3<Real> to_lamp = lift<Real>(lamp.position) - at.p;
   const Real distance = length(to_lamp);
   const Vec3<Real> l = to_lamp * (Real(1) / distance);
@@ -48,10 +82,8 @@ Real visible_cosine(Scope& scope, const SurfacePoint<Real>& at, const Lamp& lamp
   const Mask<Real> lit = here && n_dot_l > Real(0) && n_dot_l < Real(infinity);
   if (!any(lit)) return Real(0);
   scope.rays.shadow += count(lit);
-  const Ray<Real> shadow_ray{at.p + at.ng * offset, l};
-  const Mask<Real> dark = scope.world.few_balls ? occluded(scope.world, shadow_ray, distance, lamp)
-                                                : occluded(scope.world, shadow_ray, distance, lamp,
-                                                           lit, scope.rays.tests);
+  const Ray<Real> shadow_ray{at.p + at.side() * offset, l};
+  const Mask<Real> dark = scope.blocked(shadow_ray, distance, lamp, lit);
   return select(lit && !dark, n_dot_l, Real(0));
 }
 

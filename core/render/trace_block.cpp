@@ -6,36 +6,41 @@
 namespace tia {
 namespace {
 
-// One block's rays and what they may meet.
-template <class Real>
+// One block's rays through a scope.
+template <class Real, class Scope>
 class Tracer {
  public:
   Tracer(const Shot& shot, int x0, int y0, const Block& block)
-      : eye(shot.view), shot_(shot), scope_{shot.world, {}} {
-    if (shot.world.few_balls)
-      scope_.balls =
-          candidates(shot.world, Beam(shot.view, x0, y0, x0 + block.width, y0 + block.height));
-  }
+      : eye(shot.view), shot_(shot), scope_{scope_of(shot, x0, y0, block)} {}
 
   Vec3<Real> light(const Ray<Real>& ray, Mask<Real> active) {
-    return radiance(shot_.integrator, scope_, ray, active);
+    if constexpr (std::is_same_v<Scope, BallScope>) return thesis(scope_, ray, active);
+    else return radiance(shot_.integrator, scope_, ray, active);
   }
   RayTally& rays() { return scope_.rays; }
 
   Eye<Real> eye;
 
  private:
+  static Scope scope_of(const Shot& shot, int x0, int y0, const Block& block) {
+    if constexpr (std::is_same_v<Scope, BallScope>) {
+      const Beam beam(shot.view, x0, y0, x0 + block.width, y0 + block.height);
+      return {shot.world, candidates(shot.world, beam)};
+    } else {
+      return {shot.world};
+    }
+  }
+
   const Shot& shot_;
   Scope scope_;
 };
 
-// ---- one ray a pixel of a perspective view: what most pictures are
-// -------------------------------
+// ---- one ray a pixel of a perspective view: what most pictures are -----------------------------
 
-template <class Real>
+template <class Real, class Scope>
 [[gnu::flatten]] void trace_centers(const Shot& shot, int x0, int y0, Block& block) {
   constexpr int n = lanes<Real>;
-  Tracer<Real> tracer(shot, x0, y0, block);
+  Tracer<Real, Scope> tracer(shot, x0, y0, block);
   const Vec3<Real> origin = lift<Real>(shot.view.origin);
   const Real lane_index = iota<Real>();
   const Real width(static_cast<float>(block.width));
@@ -132,8 +137,8 @@ Vec3<Real> clamped(const Vec3<Real>& v) {
   return {clamp(v.x), clamp(v.y), clamp(v.z)};
 }
 
-template <class Real>
-[[gnu::flatten]] void trace_round(const Shot& shot, int round, Tracer<Real>& tracer,
+template <class Real, class Scope>
+[[gnu::flatten]] void trace_round(const Shot& shot, int round, Tracer<Real, Scope>& tracer,
                                   const Pixels<Real>& pixels) {
   Aims<Real> aims(shot.sampler, round, pixels.x, pixels.y, shot.view.has_lens());
   const Vec3<Real> center = pixels.center(shot.view);
@@ -174,9 +179,9 @@ void develop(const std::vector<Estimate>& estimates, Block& block) {
   }
 }
 
-template <class Real>
+template <class Real, class Scope>
 void trace_samples(const Shot& shot, int x0, int y0, Block& block) {
-  Tracer<Real> tracer(shot, x0, y0, block);
+  Tracer<Real, Scope> tracer(shot, x0, y0, block);
   std::vector<Estimate> estimates(static_cast<std::size_t>(block.width * block.height));
   std::vector<int> unsettled(estimates.size());
   std::iota(unsettled.begin(), unsettled.end(), 0);
@@ -200,11 +205,19 @@ void trace_samples(const Shot& shot, int x0, int y0, Block& block) {
   develop(estimates, block);
 }
 
-template <class Real>
+template <class Real, class Scope>
 void trace(const Shot& shot, int x0, int y0, Block& block) {
   if (shot.sampler.centered() && !shot.view.orthographic())
-    trace_centers<Real>(shot, x0, y0, block);
-  else trace_samples<Real>(shot, x0, y0, block);
+    trace_centers<Real, Scope>(shot, x0, y0, block);
+  else trace_samples<Real, Scope>(shot, x0, y0, block);
+}
+
+// The thesis' pictures have few balls and want to be fast.
+template <class Real>
+void trace(const Shot& shot, int x0, int y0, Block& block) {
+  if (shot.world.few_balls && shot.integrator == IntegratorName::thesis)
+    trace<Real, BallScope>(shot, x0, y0, block);
+  else trace<Real, WorldScope>(shot, x0, y0, block);
 }
 
 }  // namespace

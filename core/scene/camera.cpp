@@ -24,12 +24,12 @@ class Check {
       : camera_(camera), at_(at), faults_(faults) {}
 
   void all() {
-    const std::size_t before = faults_.list().size();
+    const std::size_t before = faults_.count();
     spellings();
     if (camera_.basis) grid();
     projection();
     lens();
-    if (faults_.list().size() != before) return;
+    if (faults_.count() != before) return;
     if (camera_.basis) grid_extent();
     else axes();
     if (camera_.aperture > widest * camera_.focus_distance.value_or(1))
@@ -153,7 +153,7 @@ void Check::view_plane() {
 
 void Basis::check(const Place& at, Faults& faults) const {
   constexpr double tolerance = 1e-6;
-  const std::size_t before = faults.list().size();
+  const std::size_t before = faults.count();
   const auto fault = [&](const char* field, const Vec3d& got, const char* allowed) {
     faults.add({FaultKind::out_of_range, at.at(field).pointer(), write_value(got), allowed});
   };
@@ -164,7 +164,7 @@ void Basis::check(const Place& at, Faults& faults) const {
   unit("u", u);
   unit("v", v);
   unit("w", w);
-  if (faults.list().size() != before) return;
+  if (faults.count() != before) return;
   if (!near(dot(u, v), 0)) fault("v", v, "perpendicular to u, to 1e-6");
   else if (!near(dot(u, w), 0) || !near(dot(v, w), 0))
     fault("w", w, "perpendicular to u and v, to 1e-6");

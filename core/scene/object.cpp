@@ -30,12 +30,6 @@ std::string_view type_of(const Object& object) {
   return std::visit([]<class Kind>(const Kind&) { return Kind::type; }, object.shape);
 }
 
-void check_children(const std::vector<Object>& children, const Place& at, Faults& faults) {
-  if (children.empty())
-    faults.add(
-        {FaultKind::out_of_range, at.pointer(), Value(Value::Array{}), "at least one object"});
-}
-
 void check_operands(const Csg& csg, const Place& at, Faults& faults) {
   for (std::size_t i = 0; i < csg.children.size() && !faults.full(); ++i) {
     if (is_solid(csg.children[i])) continue;
@@ -112,7 +106,6 @@ Aabb bounds_of(const Object& object) {
 
 void Object::check(const Place& at, Faults& faults) const {
   const Place place = at.at("children");
-  if (const auto* children = children_of(*this)) check_children(*children, place, faults);
   if (const auto* csg = std::get_if<Csg>(&shape)) check_operands(*csg, place, faults);
   const auto* group = std::get_if<Group>(&shape);
   if (group == nullptr || !group->repeat) return;

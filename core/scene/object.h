@@ -32,7 +32,7 @@ struct Object {
     visit("material", &Object::material,
           Spec{.about = "a name from materials, or a material; else its nearest ancestor's"});
   }
-  /// Open shapes in solids, composites without children, copies of what has no bounds.
+  /// Open shapes in solids, copies of what has no bounds.
   void check(const Place& at, Faults& faults) const;
   bool operator==(const Object&) const = default;
 };

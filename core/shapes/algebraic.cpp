@@ -140,7 +140,7 @@ int root_bound_exponent(std::span<const double> c) {
     const double each = c[static_cast<std::size_t>(n - k)];
     if (each == 0) continue;
     const int ratio = std::ilogb(each) + 1 - first;  // |c[n - k] / c[n]| < 2^ratio
-    most = std::max(most, ratio > 0 ? (ratio + k - 1) / k : -(-ratio / k));
+    most = std::max(most, ratio / k + 1);
   }
   return most == std::numeric_limits<int>::min() ? 0 : most + 2;
 }
@@ -236,8 +236,7 @@ Vec3d normal(const AlgebraicForm& algebraic, const Vec3d& p, int element) {
   if (element > 0) return normal(*algebraic.region, p, element - 1);
   const auto g = sum_at<ValueAndGradient>(algebraic.terms, p).gradient;
   const double steepest = std::max({std::fabs(g[0]), std::fabs(g[1]), std::fabs(g[2])});
-  if (!(steepest > 0 && std::isfinite(steepest))) return {0, 1, 0};
-  return unit(Vec3d{g[0], g[1], g[2]});
+  return steepest > 0 && std::isfinite(steepest) ? unit({g[0], g[1], g[2]}) : Vec3d{0, 1, 0};
 }
 
 Vec2d uv(const AlgebraicForm& algebraic, const Vec3d& p, int element) {

@@ -122,7 +122,7 @@ void crossings(const AlgebraicForm& algebraic, const Line& line, Emit&& emit) {
   for (int i = 0; i < found.count; ++i) emit(found.t[static_cast<std::size_t>(i)], 0);
 }
 
-/// The gradient's direction; at a singular point, where there is none: +y.
+/// The gradient's direction; where it is 0, at a singular point, or too great for a double: +y.
 Vec3d normal(const AlgebraicForm& algebraic, const Vec3d& p, int element);
 /// Returns: longitude and latitude, as a sphere has them, around the middle of the bounds (the
 /// origin if there are none); on the bounds' faces theirs.

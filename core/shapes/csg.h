@@ -30,7 +30,7 @@ struct Csg {
   static void fields(Visitor&& visit) {
     visit("operation", &Csg::operation,
           Spec{.about = "what is kept of the children", .required = true});
-    visit("children", &Csg::children, Spec{.about = "solids", .required = true});
+    visit("children", &Csg::children, Spec{.about = "solids", .required = true, .min_items = 1});
   }
   bool operator==(const Csg&) const;
 };

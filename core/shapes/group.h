@@ -49,7 +49,7 @@ struct Group {
 
   template <class Visitor>
   static void fields(Visitor&& visit) {
-    visit("children", &Group::children, Spec{.about = "objects", .required = true});
+    visit("children", &Group::children, Spec{.about = "objects", .required = true, .min_items = 1});
     visit("repeat", &Group::repeat, Spec{.about = "a grid of copies"});
   }
   bool operator==(const Group&) const;

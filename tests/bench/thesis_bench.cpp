@@ -108,7 +108,8 @@ double phase(const std::string& header, const std::string& name) {
 void key_to_png(State& state) {
   const server::Config config;
   const server::Gallery gallery;
-  server::Service service{config, {gallery, pool(), {}}, {}};
+  server::SceneStore kept(config.max_scenes_bytes);
+  server::Service service{config, {gallery, kept, pool(), config.limits()}, {}};
   server::HttpServer http({"127.0.0.1", 0, 1 << 20},
                           [&](const server::Request& r) { return server::answer(r, service); });
   std::jthread running([&] { http.run(); });

@@ -131,8 +131,9 @@ TEST(PostScenes, PointersAreIntoTheScene) {
 TEST(PostScenes, AllFaultsAreNamedAtOnceUpTo20) {
   std::string objects;
   for (int i = 1; i <= 30; ++i) {
-    objects += (i > 1 ? "," : "") + std::string(R"({"type":"sphere","center":[0,0,0],"radius":-)") +
-               std::to_string(i) + "}";
+    if (i > 1) objects += ',';
+    objects += R"({"type":"sphere","center":[0,0,0],"radius":-)";
+    objects += std::to_string(i) + '}';
     const Response response = host().post("/scenes", R"({"objects":[)" + objects + "]}");
     EXPECT_EQ(response.status, 422);
     const Problem problem = problem_of(response);
@@ -155,7 +156,7 @@ TEST(PostScenes, DifferentFaultsAreNamedTogether) {
   for (const ProblemError& error : problem.errors) pointers.push_back(error.pointer);
   EXPECT_THAT(pointers, testing::UnorderedElementsAre(
                             "/camera/fov", "/camera/location/2", "/backgruond", "/objects/0/type",
-                            "/objects/1/center", "/objects/1/radius", "/objects/2/children/0",
+                            "/objects/1/center", "/objects/1/radius", "/objects/2/children/0/type",
                             "/objects/3/transform/0/scale", "/lights/0/position"));
 }
 

@@ -83,7 +83,7 @@ TEST(ReadScene, UnknownMembersNameTheNearestKnownOne) {
   expect_refused(R"({"camera":{"fov":40}})",
                  {{unknown_name, "/camera/fov", "\"fov\"", "fov_degrees", ""}});
   expect_refused(with_sphere(R"("colour":[1,1,1])"),
-                 {{unknown_name, "/objects/0/colour", "\"colour\"", "center, radius, material"}});
+                 {{unknown_name, "/objects/0/colour", "\"colour\"", "center, radius, transform, material"}});
   expect_refused(with_sphere(R"("material":{"colour":[1,1,1]})"),
                  {{unknown_name, "/objects/0/material/colour", "\"colour\"", "color", "color"}});
   expect_refused(R"({"options":{"thread":3}})",

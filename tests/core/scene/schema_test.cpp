@@ -22,6 +22,17 @@ const Value& at(std::initializer_list<const char*> path) {
   return *here;
 }
 
+// The schema of a field of that kind of a tagged union.
+const Value& kind_of(const Value& list, std::string_view type, std::string_view field) {
+  for (const Value& each :
+       *find(*schema().resolved(list).as<Value::Object>(), "oneOf")->as<Value::Array>()) {
+    const auto& properties = *find(*each.as<Value::Object>(), "properties")->as<Value::Object>();
+    if (*find(*find(properties, "type")->as<Value::Object>(), "const") == Value(type))
+      return *find(properties, field);
+  }
+  throw std::out_of_range("no such kind");
+}
+
 TEST(SceneSchema, IsAnObjectSchemaOf2020) {
   EXPECT_EQ(at({"$schema"}), Value("https://json-schema.org/draft/2020-12/schema"));
   EXPECT_EQ(at({"type"}), Value("object"));
@@ -35,7 +46,7 @@ TEST(SceneSchema, HoldsTheFieldsRangesDefaultsAndWords) {
   EXPECT_EQ(*find(*fov.as<Value::Object>(), "default"), Value(25));
   EXPECT_EQ(*find(*fov.as<Value::Object>(), "description"),
             Value("vertical field of view, in degrees"));
-  const Value& radius = at({"properties", "objects", "items", "properties", "radius"});
+  const Value& radius = kind_of(at({"properties", "objects", "items"}), "sphere", "radius");
   EXPECT_EQ(*find(*radius.as<Value::Object>(), "exclusiveMinimum"), Value(0));
   EXPECT_EQ(*find(*radius.as<Value::Object>(), "maximum"), Value(1e9));
   EXPECT_EQ(find(*radius.as<Value::Object>(), "default"), nullptr) << "it is required";
@@ -105,7 +116,11 @@ TEST(SceneSchema, RefusesWhatTheReaderRefuses) {
         R"({"options":{"seed":-1}})",
         R"({"options":{"seed":1.5}})",
         R"({"options":{"transfer":"gamma"}})",
-        R"({"options":{"integrator":"path"}})"}) {
+        R"({"options":{"integrator":"path"}})",
+        R"({"objects":[{"type":"group","children":[]}]})",
+        R"({"objects":[{"type":"csg","operation":"minus","children":[{"type":"group"}]}]})",
+        R"({"objects":[{"type":"mesh","positions":[0,0,0],"indices":[0,0,0]}]})",
+        R"({"objects":[{"type":"torus","major_radius":1,"minor_radius":-1}]})"}) {
     EXPECT_THROW(read_scene(json), InputError) << json;
     EXPECT_FALSE(valid(json)) << json;
   }
@@ -114,9 +129,23 @@ TEST(SceneSchema, RefusesWhatTheReaderRefuses) {
 // What the reader checks beyond the schema, all of it across fields: by the words of the faults.
 const std::vector<std::string> beyond_schema = {
     // the camera
-    "look_at or direction", "right goes with", "right goes without", "a point other than location",
-    "a direction of some length", "not zero, not parallel to the view", "a view plane of some size",
-    "of the view plane's size",
+    "look_at or direction", "right goes with", "basis goes without", "goes with basis", "for basis",
+    "basis goes without distance", "goes with projection orthographic", "projection orthographic",
+    "only projection perspective", "for aperture", "of aperture", "of pixel_size",
+    "a point other than location", "a direction of some length", "not zero, not parallel",
+    "a view plane of some size", "of the view plane's size", "a vector of length 1",
+    "perpendicular", "u x v",
+    // shapes
+    "above min in every component", "a point other than base", "above 0 where base_radius is 0",
+    "more than a constant", "total degree", "below major_radius", "not on the line through a and b",
+    "min and max, or", "or center and radius",
+    // meshes: lists that belong together, numbers inside of base64
+    "bytes of numbers", "numbers of 4 bytes", "a multiple of 3 numbers", "for each of the",
+    "the index of a position", "a normal of some length",
+    // objects in objects: solids, copies, transforms
+    "a solid (", "copies in all", "not 0 where there is more than one copy",
+    "a group whose children have bounds", "can be undone", "with the transforms around it",
+    "luminous balls",
     // links: names of materials, places of lights
     "the scene names none", "one of name ", "where the light is"};
 

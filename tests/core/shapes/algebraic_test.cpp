@@ -219,11 +219,11 @@ Poly chmutov(int n) { return chebyshev(n, x) + chebyshev(n, y) + chebyshev(n, z)
 TEST(Algebraic, FamousSurfacesAreMetWhereTheirSumChangesSign) {
   Random random(103);
   for (const double s : scales) {
-    EXPECT_GT(expect_clipped(heart, 1.5, s, random, 30), 30) << "heart";
-    EXPECT_GT(expect_clipped(tangle, 3, s, random, 30), 30) << "tangle cube";
-    EXPECT_GT(expect_clipped(barth(), 2, s, random, 30), 30) << "Barth's sextic";
-    EXPECT_GT(expect_clipped(chmutov(8), 1.2, s, random, 30), 60) << "Chmutov's octic";
-    EXPECT_GT(expect_clipped(chmutov(14), 1.1, s, random, 30), 60) << "of degree 14";
+    EXPECT_GT(expect_clipped(heart, 1.5, s, random, 20), 15) << "heart";
+    EXPECT_GT(expect_clipped(tangle, 3, s, random, 20), 15) << "tangle cube";
+    EXPECT_GT(expect_clipped(barth(), 2, s, random, 20), 15) << "Barth's sextic";
+    EXPECT_GT(expect_clipped(chmutov(8), 1.2, s, random, 20), 15) << "Chmutov's octic";
+    EXPECT_GT(expect_clipped(chmutov(14), 1.1, s, random, 20), 15) << "of degree 14";
   }
 }
 
@@ -251,9 +251,7 @@ TEST(Algebraic, HighestDegreeHasAllItsRoots) {
   const AlgebraicForm form = form_of(chebyshev(32, y));
   std::vector<double> expected;
   for (int k = 32; k > 0; --k) expected.push_back(cos_of((2 * k - 1) * pi / 64));
-  expected.insert(expected.begin(), -far);
-  expected.erase(expected.begin());
-  expect_near(roots_along(form, {{0.3, 0, 7}, {0, 1, 0}}), expected, 1e-3);
+  expect_near(roots_along(form, {{0.3, 0, 7}, {0, 1, 0}}), expected, 1e-5);
 }
 
 // ---- multiple roots, the ends of a line -----------------------------------------------------
@@ -274,7 +272,7 @@ TEST(Algebraic, MultipleRootsKeepThePairs) {
       if (sign < 0) expected.push_back(far);
       const SceneLine line{{5, 0.25, 5}, {0, 1, 0}};
       for (double& each : expected) each -= 0.25;
-      expect_near(roots_along(form_of(f), line), expected, 1e-2, std::to_string(code));
+      expect_near(roots_along(form_of(f), line), expected, 1e-3, std::to_string(code));
     }
   }
 }
@@ -325,6 +323,8 @@ TEST(Algebraic, LineAlongAPipeMeetsNothingFarAway) {
   Random random(106);
   for (int i = 0; i < 200; ++i) {
     const Vec3d n = random.direction();
+    // Where 1 - n.x^2 has lost digits, the coefficients are another surface's.
+    if (std::max({std::fabs(n.x), std::fabs(n.y), std::fabs(n.z)}) > 0.9) continue;
     const Poly aside2 = r2 - power(x * n.x + y * n.y + z * n.z, 2);
     const AlgebraicForm pipe = form_of(power(aside2, 2) - 1);
     const Vec3d aside = normalize(cross(n, random.direction()));
@@ -334,13 +334,12 @@ TEST(Algebraic, LineAlongAPipeMeetsNothingFarAway) {
   }
 }
 
-// x y = z along (s, 1 + s e, 0): roots 0 and -1/e, apart by a factor of up to 1e8.
+// x y = z along (s, 1 + s e, 0): roots 0 and -1/e, met from s = -3.
 TEST(Algebraic, FarRootTakesNoDigitsFromTheNearOne) {
   for (double e = 0.1; e > 1e-8; e /= 10) {
-    const double norm = std::sqrt(1 + e * e);
     const auto got = roots_along(form_of(x * y - z), {{-3, 1 - 3 * e, 0}, {1, e, 0}});
     ASSERT_EQ(got.size(), 2u);
-    EXPECT_NEAR(got[1], 3, 1e-14) << norm;
+    EXPECT_NEAR(got[1], 3, 1e-14) << e;
     EXPECT_NEAR(got[0], 3 - 1 / e, 1e-6 / e);
   }
 }
@@ -401,6 +400,40 @@ TEST(Algebraic, BoundsThatTouchTheSurfaceLeaveItWhole) {
   EXPECT_EQ(along_axis(x * -1.0 - 1), (std::vector<double>{2, 4}));
   const std::vector<double> nothing = along_axis(x + 1);
   for (std::size_t i = 1; i < nothing.size(); i += 2) EXPECT_EQ(nothing[i - 1], nothing[i]);
+}
+
+// Roots and faces that differ by rounding alone still come in order.
+TEST(Algebraic, SpansAscendWhereSurfaceAndBoundsCoincide) {
+  Random random(109);
+  Bounds box;
+  box.min = Vec3d{-0.7, -0.7, -0.7};
+  box.max = Vec3d{0.7, 0.7, 0.7};
+  int seen = 0;
+  for (const Poly& f : {x - 0.7, x * -1.0 - 0.7, x2 - 0.7 * 0.7, (x2 - 0.7 * 0.7) * -1.0}) {
+    const AlgebraicForm form = prepare(Algebraic{f.terms(), box});
+    for (int i = 0; i < 1000; ++i) {
+      const std::vector<Crossing> all = spans_along(form, line_near(random, {0, 0, 0}, 0.7));
+      ASSERT_EQ(all.size() % 2, 0u);
+      for (std::size_t k = 1; k < all.size(); ++k) ASSERT_LE(all[k - 1].t, all[k].t);
+      seen += static_cast<int>(all.size());
+    }
+  }
+  EXPECT_GT(seen, 2000);
+}
+
+TEST(Algebraic, LineWithinTheSurfaceMeetsNothing) {
+  expect_near(roots_along(form_of(y * (x2 + z2 + 1)), {{0, 0, 0}, {1, 0, 0}}), {}, 0);
+  EXPECT_TRUE(spans_along(prepare(Algebraic{y.terms(), ball({0, 0, 0}, 1)}), {{0, 0, 0}, {1, 0, 0}})
+                  .empty());
+}
+
+// -1e30 x^32 at x = 1e9 is no double.
+TEST(Algebraic, SumThatOverflowsIsMetNowhere) {
+  const AlgebraicForm steep = form_of(power(x, 32) * -1e30);
+  expect_near(roots_along(steep, {{1e9, 0, 0}, {0, 1, 0}}), {}, 0);
+  expect_near(roots_along(steep, {{1e3, 0, 0}, {0, 1, 0}}), {-far, far}, 0);
+  const AlgebraicForm slow = form_of(power(x, 32) * 1e-11 - power(x, 31));  // 0 at x = 1e11
+  EXPECT_EQ(normal(slow, {1e11, 0, 0}, 0), (Vec3d{0, 1, 0}));
 }
 
 TEST(Algebraic, CrossesNothingOfNan) {
