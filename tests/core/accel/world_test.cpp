@@ -89,7 +89,7 @@ TEST(World, ClosestHitIsTheNearestOfAllObjects) {
           nearest = t;
           object = static_cast<int>(s);
         }
-      const Hit<double> hit = closest_hit(world, all_of(world), ray);
+      const Hit<double> hit = closest_ball(world, all_of(world), ray);
       EXPECT_EQ(hit.t, nearest);
       EXPECT_EQ(hit.part, object);
       hits += object >= 0;
@@ -103,11 +103,11 @@ TEST(World, AtEqualDistanceTheEarlierObjectWins) {
   scene.objects = {ball({9, 9, 9}, 1), ball({0, 0, -5}, 1), ball({0, 0, -5}, 1),
                    ball({0, 0, -6}, 2)};  // all three start at z = -4
   const World world = compile(scene);
-  EXPECT_EQ(closest_hit(world, all_of(world), Ray<float>{{0, 0, 0}, {0, 0, -1}}).part, 1);
-  EXPECT_EQ(closest_hit(world, all_of(world), Ray<double>{{0, 0, 0}, {0, 0, -1}}).part, 1);
+  EXPECT_EQ(closest_ball(world, all_of(world), Ray<float>{{0, 0, 0}, {0, 0, -1}}).part, 1);
+  EXPECT_EQ(closest_ball(world, all_of(world), Ray<double>{{0, 0, 0}, {0, 0, -1}}).part, 1);
   const Wide zero(0), minus(-1);
   const Hit<Wide> hit =
-      closest_hit(world, all_of(world), Ray<Wide>{{zero, zero, zero}, {zero, zero, minus}});
+      closest_ball(world, all_of(world), Ray<Wide>{{zero, zero, zero}, {zero, zero, minus}});
   for (int k = 0; k < lanes<Wide>; ++k) EXPECT_EQ(lane(hit.part, k), 1);
 }
 
@@ -115,8 +115,8 @@ TEST(World, ClosestHitTriesOnlyTheCandidates) {
   Scene scene;
   scene.objects = {ball({0, 0, -5}, 1), ball({0, 0, -10}, 1)};
   const World world = compile(scene);
-  EXPECT_EQ(closest_hit(world, {1}, Ray<float>{{0, 0, 0}, {0, 0, -1}}).part, 1);
-  EXPECT_EQ(closest_hit(world, {}, Ray<float>{{0, 0, 0}, {0, 0, -1}}).t, infinity);
+  EXPECT_EQ(closest_ball(world, {1}, Ray<float>{{0, 0, 0}, {0, 0, -1}}).part, 1);
+  EXPECT_EQ(closest_ball(world, {}, Ray<float>{{0, 0, 0}, {0, 0, -1}}).t, infinity);
 }
 
 TEST(World, OccludedMeansAnyHitBeforeTheDistanceButOnesOwn) {
@@ -127,7 +127,7 @@ TEST(World, OccludedMeansAnyHitBeforeTheDistanceButOnesOwn) {
   const Lamp point{{}, {}, -1, 0}, first{{}, {}, 0, 0};
   std::int64_t tests = 0;
   const auto dark = [&](const Ray<float>& way, float distance, const Lamp& lamp) {
-    const bool by_list = occluded(world, way, distance, lamp);
+    const bool by_list = occluded_by_balls(world, way, distance, lamp);
     EXPECT_EQ(occluded(world, way, distance, lamp, true, tests), by_list);
     return by_list;
   };
@@ -167,7 +167,7 @@ TEST(World, SurfaceFacesTheViewer) {
   scene.objects = {ball({0, 0, -5}, 1), ball({0, 0, 0}, 2)};
   const World world = compile(scene);
   const auto seen = [&](const Ray<double>& ray, const std::vector<int>& objects) {
-    const Hit<double> hit = closest_hit(world, objects, ray);
+    const Hit<double> hit = closest_ball(world, objects, ray);
     return surface(world, ray, hit, static_cast<int>(hit.part), true);
   };
   const Ray<double> out{{0, 0, 0}, {0, 0, -1}}, in{{0, 0, 9}, {0, 0, -1}};

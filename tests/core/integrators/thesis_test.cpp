@@ -163,7 +163,7 @@ TEST(Thesis, LanesThatAreNotActiveAreNotCounted) {
   const World world = compile(scene);
   const View view = view_of(scene.camera, 640, 480);
   for (int active = 0; active <= lanes<Wide>; ++active) {
-    Scope scope{world, {0, 1, 2}};
+    BallScope scope{world, {0, 1, 2}};
     const Wide x = Wide(320.0F) + iota<Wide>();
     thesis(scope, view.ray(x, Wide(100.0F)), iota<Wide>() < Wide(static_cast<float>(active)));
     EXPECT_EQ(scope.rays.primary, active);
