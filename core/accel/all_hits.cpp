@@ -17,7 +17,13 @@ class Collector {
   }
 
  private:
+  static constexpr std::int64_t most_tests = 4'000'000;
+
+  [[noreturn]] static void fail(const std::string& allowed) {
+    throw InputError({FaultKind::limit, "", std::nullopt, allowed});
+  }
   void meet(const Item& item, Packet<double>& packet) {
+    if (tests_ > most_tests) fail("a ray that is tried on less: copies overlap too much");
     const auto at = static_cast<std::size_t>(item.index);
     switch (item.kind) {
       case Item::ball: return meet_part(world_.balls[at].part, packet);
@@ -33,8 +39,7 @@ class Collector {
   void add(double t, int part, int element, const Packet<double>& packet) {
     if (!(t > 0 && t < Aabb::far)) return;
     if (found_.size() == most_hits)
-      throw InputError({FaultKind::limit, "", std::nullopt,
-                        "a ray that crosses at most " + std::to_string(most_hits) + " surfaces"});
+      fail("a ray that crosses at most " + std::to_string(most_hits) + " surfaces");
     found_.push_back({.t = t, .part = part, .element = element, .copy = packet.copy});
   }
   void meet_part(int part, Packet<double>& packet) {
