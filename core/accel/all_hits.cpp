@@ -23,7 +23,7 @@ class Collector {
     throw InputError({FaultKind::limit, "", std::nullopt, allowed});
   }
   void meet(const Item& item, Packet<double>& packet) {
-    if (tests_ > most_tests) fail("a ray that is tried on less: copies overlap too much");
+    if (++tests_ > most_tests) fail("a ray that is tried on less: copies overlap too much");
     const auto at = static_cast<std::size_t>(item.index);
     switch (item.kind) {
       case Item::ball: return meet_part(world_.balls[at].part, packet);
@@ -52,6 +52,7 @@ class Collector {
     Packet<double> inside = packet.seen_through(own.to_object);
     const RayFrame<double> frame = frame_of(inside);
     traverse(mesh.bvh, inside.box, true, endless_, tests_, [&](std::uint32_t i, bool, bool) {
+      ++tests_;
       const double t =
           intersect<double>(mesh.corner(i, 0), mesh.corner(i, 1), mesh.corner(i, 2), frame);
       add(t, part, static_cast<int>(i), packet);
