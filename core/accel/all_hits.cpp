@@ -17,7 +17,13 @@ class Collector {
   }
 
  private:
+  static constexpr std::int64_t most_tests = 4'000'000;
+
+  [[noreturn]] static void fail(const std::string& allowed) {
+    throw InputError({FaultKind::limit, "", std::nullopt, allowed});
+  }
   void meet(const Item& item, Packet<double>& packet) {
+    if (++tests_ > most_tests) fail("a ray that is tried on less: copies overlap too much");
     const auto at = static_cast<std::size_t>(item.index);
     switch (item.kind) {
       case Item::ball: return meet_part(world_.balls[at].part, packet);
@@ -33,8 +39,7 @@ class Collector {
   void add(double t, int part, int element, const Packet<double>& packet) {
     if (!(t > 0 && t < Aabb::far)) return;
     if (found_.size() == most_hits)
-      throw InputError({FaultKind::limit, "", std::nullopt,
-                        "a ray that crosses at most " + std::to_string(most_hits) + " surfaces"});
+      fail("a ray that crosses at most " + std::to_string(most_hits) + " surfaces");
     found_.push_back({.t = t, .part = part, .element = element, .copy = packet.copy});
   }
   void meet_part(int part, Packet<double>& packet) {
@@ -47,6 +52,7 @@ class Collector {
     Packet<double> inside = packet.seen_through(own.to_object);
     const RayFrame<double> frame = frame_of(inside);
     traverse(mesh.bvh, inside.box, true, endless_, tests_, [&](std::uint32_t i, bool, bool) {
+      ++tests_;
       const double t =
           intersect<double>(mesh.corner(i, 0), mesh.corner(i, 1), mesh.corner(i, 2), frame);
       add(t, part, static_cast<int>(i), packet);

@@ -23,7 +23,8 @@ inline constexpr std::size_t most_hits = 10'000;
 
 /// All crossings with t > 0, ascending; at equal t in the scene's order. Where a ray runs through
 /// an edge that triangles of a mesh share, that is one crossing.
-/// Errors: InputError (limit) where there are more than most_hits.
+/// Errors: InputError (limit) where there are more than most_hits, or where the ray
+/// would be tried on millions of things.
 std::vector<Meeting> all_hits(const World& world, const Ray<double>& ray);
 
 }  // namespace tia

@@ -17,7 +17,8 @@ Host& host() {
 }
 
 const std::string lit_ball = R"({"title":"A ball","objects":[
-    {"type":"sphere","name":"ball","center":[0,0,-9],"radius":1.5,"material":{"color":[1,0.4,0.1]}}],
+    {"type":"sphere","name":"ball","center":[0,0,-9],"radius":1.5,
+     "material":{"color":[1,0.4,0.1]}}],
     "lights":[{"type":"point","position":[4,6,-3]}]})";
 
 std::string kept(Host& at_host, const std::string& scene) {

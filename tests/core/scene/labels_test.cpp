@@ -107,7 +107,8 @@ TEST(ObjectLabels, GiveTheTypeAsTheSceneWritesIt) {
         {"type":"csg","operation":"union","children":[
           {"type":"sphere","name":"inner","center":[0,0,0],"radius":1}]},
         {"type":"disc","center":[0,0,0],"normal":[0,0,1],"radius":1}]}],
-      "lights":[{"type":"point","position":[0,0,0]},{"type":"sphere","position":[0,0,0],"radius":1}],
+      "lights":[{"type":"point","position":[0,0,0]},
+                {"type":"sphere","position":[0,0,0],"radius":1}],
       "key_light":{"type":"sphere","radius":1}})");
   const std::vector<ObjectLabel> labels = object_labels(scene);
   const std::vector<std::pair<std::string, std::string_view>> expected{
