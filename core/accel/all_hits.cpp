@@ -17,13 +17,13 @@ class Collector {
   }
 
  private:
-  static constexpr std::int64_t most_tests = 4'000'000;
+  static constexpr std::int64_t most_ray_tests = 4'000'000;
 
   [[noreturn]] static void fail(const std::string& allowed) {
     throw InputError({FaultKind::limit, "", std::nullopt, allowed});
   }
   void meet(const Item& item, Packet<double>& packet) {
-    if (++tests_ > most_tests) fail("a ray that is tried on less: copies overlap too much");
+    if (++tests_ > most_ray_tests) fail("a ray that is tried on less: copies overlap too much");
     const auto at = static_cast<std::size_t>(item.index);
     switch (item.kind) {
       case Item::ball: return meet_part(world_.balls[at].part, packet);

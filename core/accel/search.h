@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "core/accel/world.h"
+#include "core/accel/trace.h"
 
 namespace tia {
 
@@ -70,7 +70,7 @@ class Search {
   using Lanes = std::array<LaneOf<Real>, n>;
 
   void meet(const Item& item, Packet<Real>& packet, Mask<Real> here) {
-    ++tests_;
+    if (++tests_ > most_tests) too_many_tests();
     switch (item.kind) {
       case Item::ball: return meet(world_.balls[at(item)], packet, here);
       case Item::part: return meet_part(item.index, packet, here);
@@ -114,6 +114,7 @@ class Search {
     });
   }
   void meet(const Solid& solid, Packet<Real>& packet, Mask<Real> here) {
+    tests_ += static_cast<std::int64_t>(solid.steps.size());
     meet_lanes(packet, here, [&](const Line& line) -> Boundary {
       for (const Boundary& each : spans(solid, world_.parts, line))
         if (each.t > 0) return each;

@@ -6,6 +6,12 @@
 
 namespace tia {
 
+void too_many_tests() {
+  throw InputError(
+      {FaultKind::limit, "/scene", std::nullopt,
+       "objects that overlap less: its rays would be tried on thousands of things each"});
+}
+
 template <class Real>
 Hit<Real> closest_hit(const World& world, const Ray<Real>& ray, Mask<Real> active,
                       std::int64_t& tests) {

@@ -7,8 +7,15 @@
 
 namespace tia {
 
+/// The most tests of boxes and surfaces that a block's rays may add up to before they are counted
+/// elsewhere: some thousand a ray. Things that overlap by the million would cost more, ray by ray.
+inline constexpr std::int64_t most_tests = 1 << 28;
+/// Errors: always, InputError of one `limit` fault at /scene.
+[[noreturn]] void too_many_tests();
+
 /// The nearest hit with t > 0 of the lanes that are active; at equal t the object that comes first
 /// in the scene.
+/// `tests` grows by what was tried. Errors: InputError when it passes most_tests.
 template <class Real>
 Hit<Real> closest_hit(const World& world, const Ray<Real>& ray, Mask<Real> active,
                       std::int64_t& tests);
@@ -30,7 +37,7 @@ Hit<Real> closest_ball(const World& world, const std::vector<int>& balls, const 
 }
 
 /// Whether anything but the lamp's own ball stands between the ray's origin and t_max; of lanes
-/// that are not active it says nothing.
+/// that are not active it says nothing. Errors: as closest_hit.
 template <class Real>
 Mask<Real> occluded(const World& world, const Ray<Real>& ray, const Real& t_max, const Lamp& lamp,
                     Mask<Real> active, std::int64_t& tests);

@@ -11,6 +11,7 @@ void RayMeter::add(RayTally& rays) {
   const RayTally more = std::exchange(rays, {});
   primary_ += more.primary;
   shadow_ += more.shadow;
+  if (tests_.fetch_add(more.tests) + more.tests > tests_a_ray * max_rays_) too_many_tests();
   const std::int64_t spent = more.primary + more.shadow;
   if (all_.fetch_add(spent) + spent <= max_rays_) return;
   throw too_many_rays("a picture of more", max_rays_);

@@ -21,6 +21,9 @@ class RayMeter {
  public:
   /// How many rays a thread may trace before it adds them up.
   static constexpr long often = 1L << 18;
+  /// How many tests of boxes and surfaces a whole render may take, in its limit of rays: rays of
+  /// ordinary scenes share theirs in packets and take one or two each.
+  static constexpr std::int64_t tests_a_ray = 10;
 
   RayMeter(std::int64_t max_rays, std::stop_token stop)
       : max_rays_(max_rays), stop_(std::move(stop)) {}
@@ -38,7 +41,7 @@ class RayMeter {
 
   std::int64_t max_rays_;
   std::stop_token stop_;
-  std::atomic<std::int64_t> all_ = 0, primary_ = 0, shadow_ = 0;
+  std::atomic<std::int64_t> all_ = 0, primary_ = 0, shadow_ = 0, tests_ = 0;
 };
 
 }  // namespace tia
