@@ -74,23 +74,30 @@ googletest() {
 
 # same_bytes: another compiler and instruction set render the same pictures.
 same_bytes() {
-  local key format preset picture options
+  local key format options
   title "release and portable render the same bytes"
   for key in none a d s w; do
-    options=(--width 320 --height 240)
+    options=()
     [ "$key" = none ] || options+=(--key "$key")
-    for format in png pfm; do
-      picture=$key.$format
-      for preset in release portable; do
-        "build/$preset/tia" render thesis "${options[@]}" -o "$scratch/$preset-$picture" || true
-      done
-      if cmp "$scratch/release-$picture" "$scratch/portable-$picture"; then
-        pass
-      else
-        fail "same bytes: $picture"
-      fi
-    done
+    for format in png pfm; do same_picture "$key.$format" thesis "${options[@]}"; done
   done
+  for options in thesis normal depth albedo object shadow cost; do
+    same_picture "$options.pfm" shapes --integrator "$options"
+  done
+  same_picture samples.pfm shapes --samples 5 --seed 7
+  same_picture threshold.pfm shapes --threshold 0.05
+  same_picture lens.pfm shapes --samples 3 --camera '{"aperture": 1, "focus_distance": 12}'
+  same_picture parallel.pfm shapes \
+    --camera '{"projection": "orthographic", "height": 9, "fov_degrees": null}'
+}
+
+# same_picture FILE SCENE OPTION...: both builds make the same file.
+same_picture() {
+  local preset
+  for preset in release portable; do
+    "build/$preset/tia" render "${@:2}" --width 320 --height 240 -o "$scratch/$preset-$1" || true
+  done
+  if cmp "$scratch/release-$1" "$scratch/portable-$1"; then pass; else fail "same bytes: $1"; fi
 }
 
 # old_processor: on one without AVX, release says so and exits 2; portable renders the same bytes.

@@ -32,11 +32,12 @@ class BoxRay {
                    first_below_zero(direction.z)} {}
 
   /// The lanes that are in the box somewhere from 0 to t_max.
-  Mask<Real> enters(const Box32& box, const Real& t_max) const {
+  [[gnu::always_inline]] Mask<Real> enters(const Box32& box, const Real& t_max) const {
     // Far beyond the three roundings of a slab's t, and beyond the one of a hit's.
     const Real shrink(1 - 0x1p-20F), grow(1 + 0x1p-20F);
     Real near(0), far = t_max;
-    const auto slab = [&](float from, float to, Real low, Real high, Real inverse) {
+    const auto slab = [&](float from, float to, const Real& low, const Real& high,
+                          const Real& inverse) __attribute__((always_inline)) {
       const Real a = (Real(from) - low) * inverse, b = (Real(to) - high) * inverse;
       near = max_of(min_of(a, b), near);
       far = min_of(max_of(a, b) * grow, far);

@@ -21,9 +21,9 @@ class RayMeter {
  public:
   /// How many rays a thread may trace before it adds them up.
   static constexpr long often = 1L << 18;
-  /// How many tests of boxes and surfaces a whole render may take, in its limit of rays: rays of
-  /// ordinary scenes share theirs in packets and take one or two each.
-  static constexpr std::int64_t tests_a_ray = 10;
+  /// How many tests of boxes and surfaces a whole render may take, in its limit of rays: more than
+  /// ordinary scenes take, where rays share theirs in packets.
+  static constexpr std::int64_t tests_a_ray = 100;
 
   RayMeter(std::int64_t max_rays, std::stop_token stop)
       : max_rays_(max_rays), stop_(std::move(stop)) {}

@@ -8,20 +8,27 @@
 namespace tia::test {
 namespace {
 
-class GoldenPicture : public testing::TestWithParam<std::string> {};
+struct Golden {
+  std::string name, target;
+};
+class GoldenPicture : public testing::TestWithParam<Golden> {};
 
 TEST_P(GoldenPicture, IsWhatThisVersionRenders) {
-  const std::string& name = GetParam();
+  const auto& [name, target] = GetParam();
   Host host;
-  const Response now = host.get(name == "none" ? "/render" : "/render?key=" + name);
+  const Response now = host.get(target);
   ASSERT_EQ(now.status, 200);
   const auto published =
       decode_png(file_bytes(std::string(TIA_SOURCE_DIR) + "/tests/golden/" + name + ".png"));
   EXPECT_TRUE(decode_png(now.body) == published);
 }
 
-INSTANTIATE_TEST_SUITE_P(Thesis, GoldenPicture, testing::Values("none", "a", "d", "s", "w"),
-                         [](const auto& one) { return one.param; });
+INSTANTIATE_TEST_SUITE_P(Readme, GoldenPicture,
+                         testing::Values(Golden{"none", "/render"}, Golden{"a", "/render?key=a"},
+                                         Golden{"d", "/render?key=d"}, Golden{"s", "/render?key=s"},
+                                         Golden{"w", "/render?key=w"},
+                                         Golden{"shapes", "/render?scene=shapes&samples=16"}),
+                         [](const auto& one) { return one.param.name; });
 
 }  // namespace
 }  // namespace tia::test
