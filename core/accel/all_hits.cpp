@@ -29,18 +29,27 @@ class Collector {
       case Item::ball: return meet_part(world_.balls[at].part, packet);
       case Item::part: return meet_part(item.index, packet);
       case Item::mesh: return meet_mesh(item.index, packet);
-      case Item::solid:
-        for (const Boundary& each : spans(world_.solids[at], world_.parts, packet.line(0)))
-          add(each.t, each.part, each.element, packet);
-        return;
+      case Item::solid: return meet(world_.solids[at], packet);
       case Item::copies: return meet(world_.copies[at], packet);
     }
   }
-  void add(double t, int part, int element, const Packet<double>& packet) {
-    if (!(t > 0 && t < Aabb::far)) return;
+  bool add(double t, int part, int element, const Packet<double>& packet) {
+    if (!(t > 0 && t < Aabb::far)) return false;
     if (found_.size() == most_hits)
       fail("a ray that crosses at most " + std::to_string(most_hits) + " surfaces");
     found_.push_back({.t = t, .part = part, .element = element, .copy = packet.copy});
+    return true;
+  }
+  // Boundaries alternate: in, out. What a solid is cut with has its own outside within it.
+  void meet(const Solid& solid, Packet<double>& packet) {
+    bool enters = true;
+    for (const Boundary& each : spans(solid, world_.parts, packet.line(0))) {
+      if (add(each.t, each.part, each.element, packet)) {
+        found_.back().front = enters;
+        found_.back().of_solid = true;
+      }
+      enters = !enters;
+    }
   }
   void meet_part(int part, Packet<double>& packet) {
     crossings(world_.part(part), packet.line(0),
@@ -96,7 +105,9 @@ std::vector<Meeting> all_hits(const World& world, const Ray<double>& ray) {
     each.point = ray.at(each.t);
     each.normal = normals_at(world, each.point, each.part, each.element, each.copy).ng;
     each.uv = uv_at(world, each.point, each.part, each.element, each.copy);
-    each.front = dot(each.normal, ray.direction) < 0;
+    const bool faces_ray = dot(each.normal, ray.direction) < 0;
+    if (!each.of_solid) each.front = faces_ray;
+    else if (faces_ray != each.front) each.normal = -each.normal;
   }
   return found;
 }

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Measures Tia beside its yardsticks in one run and prints ratios, which drift less than times do
-# between runs and machines. Takes 45 seconds; run it on a machine that does nothing else.
+# between runs and machines. Takes two minutes; run it on a machine that does nothing else.
 # POV-Ray and Tachyon take part where they are installed (apt-get install povray tachyon).
 set -euo pipefail
 ROOT=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
@@ -38,7 +38,7 @@ benchmarks() {
       }
       $2 == "aggregate_name" { wanted = $4 == "median" }
       wanted && $2 == "real_time" { print name, number / 1e6 }
-      wanted && $2 ~ /^(bytes|median_ms|p99_ms|work_ms)$/ { print name "." $2, number }
+      wanted && $2 ~ /^(bytes|median_ms|p99_ms|work_ms|rays|processors)$/ { print name "." $2, number }
     ' >> "$measured"
 }
 
@@ -75,6 +75,11 @@ row() {  # row WHAT VALUE UNIT RATIO-OF TO TARGET
     printf "| %s | %.4g %s | %.3g x %s | %s |\n", what, value, unit, value / yard, name, target }'
 }
 
+per_ray() {
+  echo "$(value "many_balls:n:$1") $(value "many_balls:n:$1.rays")" |
+    awk '{ printf "%.3g", 1e6 * $1 / $2 }'
+}
+
 table() {
   local trace1 trace2 base png stb bound
   trace1=$(value trace:640:480:1) trace2=$(value trace:640:480:2) base=$(value baseline)
@@ -91,6 +96,12 @@ table() {
     "1.5 (tracing + PNG) + 0.5 ms" "1"
   row "key to PNG, keep-alive, 99 %" "$(value key_to_png.p99_ms)" ms \
     "$(value key_to_png.median_ms)" "median" "2"
+  row "10 000 balls, one thread" "$(per_ray 10000)" "ns a ray" "$(per_ray 100)" \
+    "that of 100 balls ($(per_ray 100) ns)" "3"
+  row "every shape, 2 threads" "$(value every_shape:samples:1)" ms "$trace2" "the thesis' picture" ""
+  row "the same, 64 rays a pixel" "$(value every_shape:samples:64)" ms \
+    "$(value every_shape:samples:1)" "one ray a pixel" ""
+  row "processors that it uses" "$(value every_shape:samples:64.processors)" "" 2 "both" "0.95"
   row "start to first picture" "$(value start)" ms 200 "200 ms" "1"
   row "memory after it" "$(value rss)" MiB 30 "30 MiB" "1"
   row "POV-Ray, tracing, 2 threads" "$(value pov-ray)" ms "$trace2" "Tia's" ""

@@ -1,0 +1,70 @@
+// What many things cost a ray, and how much of two processors many rays a pixel use.
+#include <benchmark/benchmark.h>
+
+#include <ctime>
+#include <random>
+
+#include "core/core.h"
+#include "server/gallery.h"
+
+namespace tia::bench {
+namespace {
+
+using benchmark::State;
+
+Pool& pool() {
+  static Pool two(2);
+  return two;
+}
+
+// n balls that fill a ninth of a cube, whatever n.
+Scene balls(int n) {
+  Scene scene;
+  scene.camera.location = {0, 0, 4};
+  scene.camera.fov_degrees = 40;
+  std::mt19937 random(5);
+  const auto place = [&] { return static_cast<double>(random()) * 0x1p-31 - 1; };
+  for (int i = 0; i < n; ++i) {
+    const double x = place(), y = place();
+    Object ball;
+    ball.shape = Sphere{{x, y, place()}, 0.6 / std::cbrt(n)};
+    scene.objects.push_back(ball);
+  }
+  scene.lights.push_back({PointLight{Vec3d{3, 5, 6}}, {1, 1, 1}, 1});
+  return scene;
+}
+
+RayCounts draw(const Scene& scene, const World& world, const RenderOptions& options) {
+  LinearFilm film(640, 480);
+  return render(world, view_of(scene.camera, 640, 480), {0, 0, 640, 480}, options, pool(), {},
+                [&](const Block& block) { film.put(block); });
+}
+
+void many_balls(State& state) {
+  const Scene scene = balls(static_cast<int>(state.range(0)));
+  const World world = compile(scene);
+  RayCounts rays;
+  for (auto _ : state) rays = draw(scene, world, {.threads = 1});
+  state.counters["rays"] = static_cast<double>(rays.primary + rays.shadow);
+}
+BENCHMARK(many_balls)->ArgName("n")->Arg(100)->Arg(10'000)->UseRealTime();
+
+void every_shape(State& state) {
+  const server::Gallery gallery;
+  const Scene& scene = *gallery.find("shapes");
+  const World world = compile(scene);
+  const int samples = static_cast<int>(state.range(0));
+  double processors = 0;
+  for (auto _ : state) {
+    const std::clock_t before = std::clock();
+    const auto start = std::chrono::steady_clock::now();
+    draw(scene, world, {.threads = 2, .samples = samples});
+    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
+    processors = static_cast<double>(std::clock() - before) / CLOCKS_PER_SEC / took.count();
+  }
+  state.counters["processors"] = processors;
+}
+BENCHMARK(every_shape)->ArgName("samples")->Arg(1)->Arg(64)->Iterations(1)->UseRealTime();
+
+}  // namespace
+}  // namespace tia::bench
