@@ -5,40 +5,6 @@
 namespace tia {
 namespace {
 
-template <class... Fs>
-struct Overloaded : Fs... {
-  using Fs::operator()...;
-};
-template <class... Fs>
-Overloaded(Fs...) -> Overloaded<Fs...>;
-
-// The words for the kinds that have an inside.
-std::string solid_names() {
-  std::string names;
-  const auto add = [&]<class Kind>(std::in_place_type_t<Kind>) {
-    if constexpr (IsSurface<Kind>) {
-      if (decltype(prepare(std::declval<const Kind&>()))::solid)
-        names += std::string(Kind::type) + ", ";
-    }
-  };
-  const Shape* list = nullptr;
-  for (std::size_t i = 0; i < std::variant_size_v<Shape>; ++i) detail::with_kind(list, i, add);
-  return "a solid (" + names + "csg, or a group of them without repeat)";
-}
-
-std::string_view type_of(const Object& object) {
-  return std::visit([]<class Kind>(const Kind&) { return Kind::type; }, object.shape);
-}
-
-void check_operands(const Csg& csg, const Place& at, Faults& faults) {
-  for (std::size_t i = 0; i < csg.children.size() && !faults.full(); ++i) {
-    if (is_solid(csg.children[i])) continue;
-    const Place child = at.at(i);
-    faults.add({FaultKind::out_of_range, child.at("type").pointer(),
-                Value(type_of(csg.children[i])), solid_names()});
-  }
-}
-
 Aabb bounds_of(const Mesh& mesh) {
   Aabb box;
   const auto& p = mesh.positions.values;
@@ -79,19 +45,23 @@ const std::vector<Object>* children_of(const Object& object) {
   return nullptr;
 }
 
-bool is_solid(const Object& object) {
-  return std::visit(Overloaded{[](const Csg&) { return true; },
-                               [](const Group& group) {
-                                 if (group.repeat) return false;
-                                 for (const Object& child : group.children)
-                                   if (!is_solid(child)) return false;
-                                 return true;
-                               },
-                               [](const Mesh&) { return false; },
-                               []<class Kind>(const Kind&) {
-                                 return decltype(prepare(std::declval<const Kind&>()))::solid;
-                               }},
-                    object.shape);
+bool is_solid(const Shape& shape) {
+  return std::visit(
+      []<class Kind>(const Kind&) {
+        if constexpr (IsSurface<Kind>) return decltype(prepare(std::declval<const Kind&>()))::solid;
+        else return std::same_as<Kind, Csg>;
+      },
+      shape);
+}
+
+std::string solid_names() {
+  std::string names;
+  const auto add = [&]<class Kind>(std::in_place_type_t<Kind>) {
+    if (is_solid(Kind{})) names += std::string(Kind::type) + ", ";
+  };
+  const Shape* list = nullptr;
+  for (std::size_t i = 0; i < std::variant_size_v<Shape>; ++i) detail::with_kind(list, i, add);
+  return names;
 }
 
 Aabb bounds_of(const Object& object) {
@@ -102,19 +72,6 @@ Aabb bounds_of(const Object& object) {
       },
       object.shape);
   return bounds_of(object.transform.affine(), box);
-}
-
-void Object::check(const Place& at, Faults& faults) const {
-  const Place place = at.at("children");
-  if (const auto* csg = std::get_if<Csg>(&shape)) check_operands(*csg, place, faults);
-  const auto* group = std::get_if<Group>(&shape);
-  if (group == nullptr || !group->repeat) return;
-  for (std::size_t i = 0; i < group->children.size() && !faults.full(); ++i) {
-    const Aabb box = bounds_of(group->children[i]);
-    if (box.empty() || box.bounded()) continue;
-    faults.add({FaultKind::conflict, at.at("repeat").pointer(), write_value(*group->repeat),
-                "a group whose children have bounds; " + place.at(i).pointer() + " has none"});
-  }
 }
 
 }  // namespace tia

@@ -32,19 +32,20 @@ struct Object {
     visit("material", &Object::material,
           Spec{.about = "a name from materials, or a material; else its nearest ancestor's"});
   }
-  /// Open shapes in solids, copies of what has no bounds.
-  void check(const Place& at, Faults& faults) const;
   bool operator==(const Object&) const = default;
 };
 
 /// The children of a group or a solid, or null.
 const std::vector<Object>* children_of(const Object& object);
 
-/// Whether an object has an inside, so that it can be an operand of CSG.
-bool is_solid(const Object& object);
+/// Whether a shape has an inside of its own, so that it can be an operand of CSG. (A group is none;
+/// its children may be.)
+bool is_solid(const Shape& shape);
+/// The kinds that have, as words: "sphere, plane, ".
+std::string solid_names();
 
 /// A box around an object in its parent's space; infinite where the object is, empty where there
-/// is nothing of it. Domain: an object that its check has passed.
+/// is nothing of it. Domain: an object that was read without a fault.
 Aabb bounds_of(const Object& object);
 
 }  // namespace tia

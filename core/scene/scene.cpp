@@ -16,10 +16,11 @@ struct Inherited {
   Affine place{};
   std::int64_t copies = 1;
   bool luminous = false;
+  bool operand = false;  ///< of a csg, perhaps by way of groups
 };
 
-/// Checks what objects in objects multiply to: transforms, copies, and each copy of a luminous ball
-/// is a light.
+/// Checks what objects are in objects: solids in solids, copies of what has bounds; and what they
+/// multiply to: transforms, copies, and each copy of a luminous ball is a light.
 class TreeCheck {
  public:
   TreeCheck(const Scene& scene, Faults& faults) : scene_(scene), faults_(faults) {}
@@ -28,7 +29,7 @@ class TreeCheck {
     for (std::size_t i = 0; i < list.size() && !faults_.full(); ++i) {
       const Object& object = list[i];
       const Affine place = above.place * object.transform.affine();
-      check(object, {place, above.copies, emits(object, above.luminous)}, at.at(i));
+      check(object, {place, above.copies, emits(object, above.luminous), above.operand}, at.at(i));
     }
   }
 
@@ -53,9 +54,28 @@ class TreeCheck {
                    "with the transforms around it a scale of 1e-9 to 1e9 on every axis"});
     if (own.luminous && own.copies > 1 && std::holds_alternative<Sphere>(object.shape))
       count_lights(own.copies, at);
-    const Place children = at.at("children");
-    if (const auto* csg = std::get_if<Csg>(&object.shape)) (*this)(csg->children, own, children);
-    if (const auto* group = std::get_if<Group>(&object.shape)) check_copies(*group, own, at);
+    if (own.operand) check_operand(object, at);
+    if (const auto* csg = std::get_if<Csg>(&object.shape)) {
+      Inherited child = own;
+      child.operand = true;
+      (*this)(csg->children, child, at.at("children"));
+    }
+    if (const auto* group = std::get_if<Group>(&object.shape)) check_group(*group, own, at);
+  }
+
+  // An operand has an inside; a group is the union of its children.
+  void check_operand(const Object& object, const Place& at) {
+    if (const auto* group = std::get_if<Group>(&object.shape)) {
+      if (group->repeat)
+        faults_.add({FaultKind::conflict, at.at("repeat").pointer(), write_value(*group->repeat),
+                     "a group without repeat, in a csg"});
+      return;
+    }
+    if (is_solid(object.shape)) return;
+    const std::string_view type =
+        std::visit([]<class Kind>(const Kind&) { return Kind::type; }, object.shape);
+    faults_.add({FaultKind::out_of_range, at.at("type").pointer(), Value(type),
+                 "in a csg a solid (" + solid_names() + "or a group of them)"});
   }
 
   void count_lights(std::int64_t copies, const Place& at) {
@@ -66,15 +86,35 @@ class TreeCheck {
                        " luminous balls, copies counted: each is a light"});
   }
 
-  void check_copies(const Group& group, const Inherited& own, const Place& at) {
-    const std::int64_t here = group.repeat ? group.repeat->copies() : 1;
-    if (here > Repeat::most) return;  // has its fault
-    if (own.copies * here > Repeat::most)
-      faults_.add({FaultKind::limit, at.at("repeat").at("count").pointer(),
-                   write_value(group.repeat->count),
-                   "with the groups around it at most " + std::to_string(Repeat::most) +
-                       " copies in all; those around it make " + std::to_string(own.copies)});
-    else (*this)(group.children, {own.place, own.copies * here, own.luminous}, at.at("children"));
+  void check_group(const Group& group, const Inherited& own, const Place& at) {
+    const Place children = at.at("children");
+    Inherited child = own;
+    if (group.repeat) child.copies *= group.repeat->copies();
+    if (child.copies > Repeat::most) {
+      add_too_many_copies(group, own.copies, at);
+      child.copies = own.copies;
+    }
+    if (group.repeat) check_bounds(group, at, children);
+    (*this)(group.children, child, children);
+  }
+
+  void add_too_many_copies(const Group& group, std::int64_t above, const Place& at) {
+    std::string allowed = "at most " + std::to_string(Repeat::most) + " copies in all";
+    if (above > 1)
+      allowed = "with the groups around it " + allowed + "; those make " + std::to_string(above);
+    faults_.add({FaultKind::limit, at.at("repeat").at("count").pointer(),
+                 write_value(group.repeat->count), allowed});
+  }
+
+  void check_bounds(const Group& group, const Place& at, const Place& children) {
+    for (std::size_t i = 0; i < group.children.size() && !faults_.full(); ++i) {
+      const Place child = children.at(i);
+      if (faults_.within(child.pointer())) continue;  // what it is cannot be told
+      const Aabb box = bounds_of(group.children[i]);
+      if (box.empty() || box.bounded()) continue;
+      faults_.add({FaultKind::conflict, at.at("repeat").pointer(), write_value(*group.repeat),
+                   "a group whose children have bounds; " + child.pointer() + " has none"});
+    }
   }
 
   const Scene& scene_;

@@ -11,9 +11,6 @@ std::int64_t Repeat::copies() const {
 }
 
 void Repeat::check(const Place& at, Faults& faults) const {
-  if (copies() > most)
-    faults.add({FaultKind::limit, at.at("count").pointer(), write_value(count),
-                "at most " + std::to_string(most) + " copies in all"});
   const bool in_place = (count[0] > 1 && step.x == 0) || (count[1] > 1 && step.y == 0) ||
                         (count[2] > 1 && step.z == 0);
   if (in_place)

@@ -31,10 +31,11 @@ struct Repeat {
     visit("step", &Repeat::step,
           Spec{.about = "from one copy to the next along x, y and z", .min = -1e9, .max = 1e9});
   }
-  /// More copies than most, copies in one place.
+  /// Copies in one place.
   void check(const Place& at, Faults& faults) const;
   bool operator==(const Repeat&) const = default;
 
+  /// How many; most + 1 where they are more than most.
   std::int64_t copies() const;
   /// How far copy (i, j, k) is from the first.
   Vec3d offset(int i, int j, int k) const { return {i * step.x, j * step.y, k * step.z}; }

@@ -144,8 +144,8 @@ const std::vector<std::string> beyond_schema = {
     "the index of a position", "a normal of some length",
     // objects in objects: solids, copies, transforms
     "a solid (", "copies in all", "not 0 where there is more than one copy",
-    "a group whose children have bounds", "can be undone", "with the transforms around it",
-    "luminous balls",
+    "a group whose children have bounds", "a group without repeat", "can be undone",
+    "with the transforms around it", "luminous balls",
     // links: names of materials, places of lights
     "the scene names none", "one of name ", "where the light is"};
 

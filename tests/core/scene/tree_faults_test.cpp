@@ -1,0 +1,80 @@
+// What is wrong with objects in objects, all of it at once and each at its own place.
+#include <gtest/gtest.h>
+
+#include "core/scene/read_scene.h"
+#include "tests/core/faults.h"
+
+namespace tia {
+namespace {
+
+using test::Expected;
+
+void expect(const std::string& objects, const std::vector<Expected>& expected) {
+  test::expect_faults(test::faults_of([&] { read_scene(R"({"objects":[)" + objects + "]}"); }),
+                      expected);
+}
+
+const std::string ball = R"({"type":"sphere","center":[0,0,0],"radius":1})";
+const std::string disc = R"({"type":"disc","center":[0,0,0],"normal":[0,1,0],"radius":1})";
+const std::string plane = R"({"type":"plane","point":[0,0,0],"normal":[0,1,0]})";
+
+TEST(TreeFaults, AnOpenShapeInACsgIsNamedWhateverElseIsWrong) {
+  expect(
+      R"({"type":"csg","operation":"union","children":[
+             {"type":"disc","center":[0,0,0],"normal":[0,1,0],"radius":-1},)" +
+          ball + "," + disc + "]}",
+      {{FaultKind::out_of_range, "/objects/0/children/0/radius", "-1", "a number above 0"},
+       {FaultKind::out_of_range, "/objects/0/children/0/type", "\"disc\"", "in a csg a solid ("},
+       {FaultKind::out_of_range, "/objects/0/children/2/type", "\"disc\"", "sphere, plane, box"}});
+}
+
+TEST(TreeFaults, AnOpenShapeInAGroupOfACsgIsNamedItself) {
+  expect(R"({"type":"csg","operation":"difference","children":[)" + ball +
+             R"(,{"type":"group","children":[)" + ball + "," + disc + "]}]}",
+         {{FaultKind::out_of_range, "/objects/0/children/1/children/1/type", "\"disc\"", "solid"}});
+}
+
+TEST(TreeFaults, ACsgsGroupIsNotRepeated) {
+  expect(R"({"type":"csg","operation":"union","children":[)" + ball +
+             R"(,{"type":"group","repeat":{"count":[2,1,1],"step":[3,0,0]},"children":[)" + ball +
+             "]}]}",
+         {{FaultKind::conflict, "/objects/0/children/1/repeat",
+           R"({"count":[2,1,1],"step":[3,0,0]})", "a group without repeat"}});
+}
+
+TEST(TreeFaults, ARepeatedPlaneAndTooManyCopiesOfItAreTwo) {
+  expect(R"({"type":"group","repeat":{"count":[1000,1000,1000],"step":[1,1,1]},"children":[)" +
+             plane + "]}",
+         {{FaultKind::limit, "/objects/0/repeat/count", "[1000,1000,1000]", "16777216 copies"},
+          {FaultKind::conflict, "/objects/0/repeat", R"({"count":[1000,1000,1000],"step":[1,1,1]})",
+           "/objects/0/children/0 has none"}});
+}
+
+TEST(TreeFaults, GroupsInGroupsMultiply) {
+  const auto group = [](const std::string& child) {
+    return R"({"type":"group","repeat":{"count":[5000,1,1],"step":[1,0,0]},"children":[)" + child +
+           "]}";
+  };
+  expect(group(group(ball)),
+         {{FaultKind::limit, "/objects/0/children/0/repeat/count", "[5000,1,1]", "make 5000"}});
+}
+
+TEST(TreeFaults, TransformsInTransformsMultiply) {
+  const std::string tiny = R"("transform":[{"scale":1e-6}])";
+  expect(R"({"type":"group",)" + tiny +
+             R"(,"children":[{"type":"sphere","center":[0,0,0],"radius":1,)" + tiny + "}]}",
+         {{FaultKind::out_of_range, "/objects/0/children/0/transform", R"([{"scale":0.000001}])",
+           "with the transforms around it"}});
+}
+
+TEST(TreeFaults, EachCopyOfALuminousBallIsALightOfAtMost4096) {
+  const auto glowing = [](int count) {
+    return R"({"type":"group","repeat":{"count":[)" + std::to_string(count) +
+           R"(,1,1],"step":[3,0,0]},"material":{"emission":1},"children":[)" + ball + "]}";
+  };
+  expect(glowing(4096), {});
+  expect(glowing(4097), {{FaultKind::limit, "/objects/0/children/0", "", "4096 luminous balls"}});
+}
+
+}  // namespace
+}  // namespace tia
