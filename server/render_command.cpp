@@ -1,5 +1,7 @@
 #include "server/render_command.h"
 
+#include <algorithm>
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <sstream>
@@ -43,6 +45,11 @@ Value scene_named(const std::string& scene) {
 
 void render_to_file(const std::string& scene, const std::string& file,
                     const std::vector<Setting>& parameters, const Config& config) {
+  const auto ending = std::filesystem::path(file).extension();
+  const bool told = std::ranges::any_of(parameters, [](auto& each) { return each.name == "format"; });
+  if (!told && !ending.empty() && ending != ".png" && ending != ".pfm")
+    throw std::invalid_argument("option -o: got " + file +
+                                ", allowed: NAME.png, NAME.pfm, -, or any name with --format");
   Value::Object asked;
   asked.emplace_back("scene", scene_named(scene));
   if (file.ends_with(".pfm")) asked.emplace_back("format", "pfm");

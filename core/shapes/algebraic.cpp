@@ -220,15 +220,9 @@ AlgebraicForm prepare(const Algebraic& algebraic) {
 
 AlgebraicRoots roots(const AlgebraicForm& algebraic, const Line& line) {
   AlgebraicRoots found;
-  if (!algebraic.region) {
-    found.within = Chord::everything();
-    find_everywhere(algebraic, line, found);
-    return found;
-  }
-  crossings(*algebraic.region, line, [&](double t, int element) {
-    (found.within.in.t == Aabb::far ? found.within.in : found.within.out) = {t, element + 1};
-  });
-  if (!found.within.empty()) find_within(algebraic, line, found);
+  found.within = chord(algebraic.region, line);
+  if (!algebraic.region) find_everywhere(algebraic, line, found);
+  else if (!found.within.empty()) find_within(algebraic, line, found);
   return found;
 }
 

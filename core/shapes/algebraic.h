@@ -9,7 +9,6 @@
 
 #include "core/input/codec.h"
 #include "core/shapes/bounds.h"
-#include "core/shapes/chord.h"
 
 namespace tia {
 
@@ -87,6 +86,8 @@ struct AlgebraicForm {
 };
 
 AlgebraicForm prepare(const Algebraic& algebraic);
+/// A term is expanded once a line; isolating the roots of a high degree takes as long as many.
+inline int work_of(const AlgebraicForm& a) { return 16 + static_cast<int>(a.terms.size()); }
 inline int elements(const AlgebraicForm& a) { return 1 + (a.region ? elements(*a.region) : 0); }
 inline Aabb bounds(const AlgebraicForm& a) {
   return a.region ? bounds(*a.region) : Aabb::everything();

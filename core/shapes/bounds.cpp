@@ -23,4 +23,13 @@ void Bounds::check(const Place& at, Faults& faults) const {
   }
 }
 
+Chord chord(const std::optional<Region>& bounds, const Line& line) {
+  if (!bounds) return Chord::everything();
+  Chord found;
+  crossings(*bounds, line, [&](double t, int element) {
+    (found.in.t == Aabb::far ? found.in : found.out) = {t, element + 1};
+  });
+  return found;
+}
+
 }  // namespace tia

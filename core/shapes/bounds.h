@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "core/shapes/box.h"
+#include "core/shapes/chord.h"
 #include "core/shapes/sphere.h"
 
 namespace tia {
@@ -58,5 +59,9 @@ inline Vec2d uv(const Region& region, const Vec3d& p, int element) {
 }
 
 static_assert(IsForm<Region>);
+
+/// What the bounds hold of a line, all of it where there are none. Its ends' elements are the
+/// region's from 1 up: 0 is the surface that is clipped.
+Chord chord(const std::optional<Region>& bounds, const Line& line);
 
 }  // namespace tia

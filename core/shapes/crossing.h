@@ -34,6 +34,7 @@ struct Vec2d {
 ///              crossing
 ///   normal     unit, outward; at a point of that element
 ///   uv         surface coordinates, in [0,1] where the shape is bounded
+///   work_of    optional: how many times a sphere's test trying a line on it costs, roughly
 template <class F>
 concept IsForm = requires(const F& form, const Line& line, const Vec3d& p, int element,
                           void (*emit)(double, int)) {

@@ -75,6 +75,17 @@ void Quadric::check(const Place& at, Faults& faults) const {
                 "more than a constant: one of the first nine other than 0"});
 }
 
+QuadricForm prepare(const Quadric& quadric) {
+  QuadricForm form{quadric.coefficients, {}};
+  double largest = 0;
+  for (const double c : form.coefficients) largest = std::max(largest, std::fabs(c));
+  int exponent = 0;
+  std::frexp(largest, &exponent);
+  for (double& c : form.coefficients) c = std::ldexp(c, -exponent);
+  if (quadric.bounds) form.region = prepare(*quadric.bounds);
+  return form;
+}
+
 QuadricSpans spans_of(const QuadricForm& quadric, const Line& line) {
   constexpr double far = Aabb::far;
   const auto& k = quadric.coefficients;
@@ -93,15 +104,6 @@ QuadricSpans spans_of(const QuadricForm& quadric, const Line& line) {
   }
   if (a < 0 || (a == 0 && c < 0)) return {1, {-far, far}};
   return {};
-}
-
-Chord chord(const QuadricForm& quadric, const Line& line) {
-  if (!quadric.region) return Chord::everything();
-  Chord found;
-  crossings(*quadric.region, line, [&](double t, int element) {
-    (found.in.t == Aabb::far ? found.in : found.out) = {t, element + 1};
-  });
-  return found;
 }
 
 Vec3d normal(const QuadricForm& quadric, const Vec3d& p, int element) {

@@ -37,11 +37,9 @@ struct QuadricForm {
   std::optional<Region> region;
 };
 
-inline QuadricForm prepare(const Quadric& quadric) {
-  QuadricForm form{quadric.coefficients, {}};
-  if (quadric.bounds) form.region = prepare(*quadric.bounds);
-  return form;
-}
+/// The coefficients come out scaled by a power of two, the largest near 1: their squares must not
+/// vanish or overflow.
+QuadricForm prepare(const Quadric& quadric);
 inline int elements(const QuadricForm& q) { return 1 + (q.region ? elements(*q.region) : 0); }
 inline Aabb bounds(const QuadricForm& q) {
   return q.region ? bounds(*q.region) : Aabb::everything();
@@ -54,14 +52,11 @@ struct QuadricSpans {
 };
 QuadricSpans spans_of(const QuadricForm& quadric, const Line& line);
 
-/// The line's stretch within the bounds, all of it where there are none.
-Chord chord(const QuadricForm& quadric, const Line& line);
-
 /// The surface's crossings, those within the bounds. Where there are bounds they make no pairs:
 /// CSG wants spans.
 template <class Emit>
 void crossings(const QuadricForm& quadric, const Line& line, Emit&& emit) {
-  const Chord within = chord(quadric, line);
+  const Chord within = chord(quadric.region, line);
   const QuadricSpans spans = spans_of(quadric, line);
   for (int i = 0; i < 2 * spans.count; ++i) {
     const double t = spans.ends[static_cast<std::size_t>(i)];
@@ -72,7 +67,7 @@ void crossings(const QuadricForm& quadric, const Line& line, Emit&& emit) {
 /// The crossings of the solid: what is inside the quadric and the bounds, closed by these.
 template <class Emit>
 void spans(const QuadricForm& quadric, const Line& line, Emit&& emit) {
-  const Chord within = chord(quadric, line);
+  const Chord within = chord(quadric.region, line);
   const QuadricSpans inside = spans_of(quadric, line);
   for (int i = 0; i < inside.count; ++i) {
     Chord both{{inside.ends[static_cast<std::size_t>(2 * i)], 0},

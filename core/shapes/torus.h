@@ -45,6 +45,7 @@ inline TorusForm prepare(const Torus& torus) {
   return {torus.major_radius, torus.minor_radius / torus.major_radius};
 }
 inline int elements(const TorusForm&) { return 1; }
+inline int work_of(const TorusForm&) { return 16; }
 Aabb bounds(const TorusForm& torus);
 
 /// TorusRoots: at most four, ascending, always an even number.

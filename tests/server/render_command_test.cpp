@@ -113,6 +113,12 @@ TEST_F(RenderCommand, ABadParameterExits2NamingItAndItsRange) {
   EXPECT_THAT(refused({"thesis", "--colour", "red"}), HasSubstr("--colour"));
 }
 
+TEST_F(RenderCommand, AFileOfAnotherKindOfPictureExits2SayingWhichThereAre) {
+  const Finished end = run({"render", "thesis", "-o", folder_.file("x.jpg")});
+  EXPECT_EQ(end.status, 2);
+  EXPECT_THAT(end.err, HasSubstr("x.jpg, allowed: NAME.png, NAME.pfm, -, or any name with"));
+}
+
 TEST_F(RenderCommand, AFileThatCannotBeWrittenExits2NamingIt) {
   const std::string file = folder_.file("no/such/folder.png");
   const Finished end = run({"render", "thesis", "-o", file});

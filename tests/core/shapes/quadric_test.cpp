@@ -244,5 +244,19 @@ TEST(Quadric, IsWrittenAsItWasRead) {
   EXPECT_EQ(to_json(write_value(read_described<Quadric>(parse_json(json)))), json);
 }
 
+TEST(Quadric, OneFactorOnAllCoefficientsChangesNoCrossing) {
+  const Quadric ball{{1, 1, 1, 0, 0, 0, 0, 0, 0, -1}, {}};
+  for (const double factor : {1e-300, 1e-160, 1e-30, 1e30}) {
+    Quadric scaled = ball;
+    for (double& c : scaled.coefficients) c *= factor;
+    std::vector<double> t;
+    crossings(prepare(scaled), Line{{0, 0, 0}, {0, -1, 0}},
+              [&](double at, int) { t.push_back(at); });
+    ASSERT_EQ(t.size(), 2U) << factor;
+    EXPECT_NEAR(t[0], -1, 1e-15) << factor;
+    EXPECT_NEAR(t[1], 1, 1e-15) << factor;
+  }
+}
+
 }  // namespace
 }  // namespace tia
