@@ -21,6 +21,7 @@ struct Config {
   std::int64_t max_scenes_bytes = 64 << 20;
   std::int64_t max_pixels = Limits{}.max_pixels;
   std::int64_t max_rays = Limits{}.max_rays;
+  std::int64_t max_work = Limits{}.max_work;
 
   template <class Visitor>
   static void fields(Visitor&& visit) {
@@ -43,12 +44,17 @@ struct Config {
                .unit = "rays",
                .min = 1,
                .max = 1e15});
+    visit("max_work", &Config::max_work,
+          Spec{.about = "most tests of rays against boxes and surfaces that a picture may take",
+               .unit = "tests",
+               .min = 1,
+               .max = 1e15});
   }
 
   /// An empty host.
   void check(const Place& at, Faults& faults) const;
   /// What one request may ask for.
-  Limits limits() const { return {max_pixels, max_rays}; }
+  Limits limits() const { return {max_pixels, max_rays, max_work}; }
 
   /// Processors that this process may use, at most 64.
   static int processors();

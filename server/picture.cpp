@@ -39,6 +39,7 @@ Plan plan_of(const PictureRequest& asked, const Studio& studio) {
   }
   options.seed = asked.seed.value_or(own.seed);
   options.max_rays = studio.limits.max_rays;
+  options.max_work = studio.limits.max_work;
   plan.display = {shown(options.integrator), asked.transfer.value_or(own.transfer)};
   const Window& window = plan.window;
   check_rays(static_cast<std::int64_t>(window.width()) * window.height(),

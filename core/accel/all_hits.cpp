@@ -12,18 +12,17 @@ class Collector {
 
   void through(const Space& space, Packet<double>& packet) {
     for (const std::uint32_t i : space.rest) meet(space.items[i], packet);
-    traverse(space.bvh, packet.box, true, endless_, tests_,
+    traverse(space.bvh, packet.box, true, endless_, effort_,
              [&](std::uint32_t i, bool, bool) { meet(space.items[i], packet); });
   }
 
  private:
-  static constexpr std::int64_t most_ray_tests = 4'000'000;
+  static constexpr std::int64_t most_work = 4'000'000;
 
   [[noreturn]] static void fail(const std::string& allowed) {
     throw InputError({FaultKind::limit, "", std::nullopt, allowed});
   }
   void meet(const Item& item, Packet<double>& packet) {
-    if (++tests_ > most_ray_tests) fail("a ray that is tried on less: copies overlap too much");
     const auto at = static_cast<std::size_t>(item.index);
     switch (item.kind) {
       case Item::ball: return meet_part(world_.balls[at].part, packet);
@@ -42,6 +41,7 @@ class Collector {
   }
   // Boundaries alternate: in, out. What a solid is cut with has its own outside within it.
   void meet(const Solid& solid, Packet<double>& packet) {
+    effort_.test(solid.work);
     bool enters = true;
     for (const Boundary& each : spans(solid, world_.parts, packet.line(0))) {
       if (add(each.t, each.part, each.element, packet)) {
@@ -52,6 +52,7 @@ class Collector {
     }
   }
   void meet_part(int part, Packet<double>& packet) {
+    effort_.test(world_.part(part).work);
     crossings(world_.part(part), packet.line(0),
               [&](double t, int element) { add(t, part, element, packet); });
   }
@@ -60,8 +61,8 @@ class Collector {
     const MeshIndex& mesh = world_.meshes[static_cast<std::size_t>(own.mesh)];
     Packet<double> inside = packet.seen_through(own.to_object);
     const RayFrame<double> frame = frame_of(inside);
-    traverse(mesh.bvh, inside.box, true, endless_, tests_, [&](std::uint32_t i, bool, bool) {
-      ++tests_;
+    traverse(mesh.bvh, inside.box, true, endless_, effort_, [&](std::uint32_t i, bool, bool) {
+      effort_.test();
       const double t =
           intersect<double>(mesh.corner(i, 0), mesh.corner(i, 1), mesh.corner(i, 2), frame);
       add(t, part, static_cast<int>(i), packet);
@@ -71,7 +72,7 @@ class Collector {
     const Packet<double> outside = packet.seen_through(grid.to_group);
     const int before = packet.copy * static_cast<int>(grid.repeat.copies());
     const Space& space = world_.spaces[static_cast<std::size_t>(grid.inside)];
-    traverse(grid, outside.box, true, endless_, tests_, [&](int copy, bool) {
+    traverse(grid, outside.box, true, endless_, effort_, [&](int copy, bool) {
       Packet<double> inside = outside.inside_copy(grid.offset(copy), before + copy);
       through(space, inside);
     });
@@ -80,7 +81,11 @@ class Collector {
   const World& world_;
   std::vector<Meeting>& found_;
   double endless_ = Aabb::far;
-  std::int64_t tests_ = 0;
+  std::int64_t work_ = 0;
+  Effort effort_{[this](std::int64_t portion) {
+    work_ += portion;
+    if (work_ > most_work) fail("a ray that is tried on less: too much overlaps");
+  }};
 };
 
 // Two triangles of one mesh met at one place: their shared edge or corner.
@@ -105,6 +110,7 @@ std::vector<Meeting> all_hits(const World& world, const Ray<double>& ray) {
     each.point = ray.at(each.t);
     each.normal = normals_at(world, each.point, each.part, each.element, each.copy).ng;
     each.uv = uv_at(world, each.point, each.part, each.element, each.copy);
+    if (!(dot(each.normal, each.normal) > 0)) each.normal = -ray.direction;  // too small for one
     const bool faces_ray = dot(each.normal, ray.direction) < 0;
     if (!each.of_solid) each.front = faces_ray;
     else if (faces_ray != each.front) each.normal = -each.normal;

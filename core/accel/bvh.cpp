@@ -5,6 +5,7 @@
 #include <limits>
 #include <numeric>
 #include <span>
+#include <vector>
 
 namespace tia {
 namespace {
@@ -24,14 +25,59 @@ struct Split {
 class Builder {
  public:
   explicit Builder(const std::vector<Aabb>& boxes) : boxes_(boxes) {
-    bvh_.order.resize(boxes.size());
-    std::iota(bvh_.order.begin(), bvh_.order.end(), 0U);
-    if (!boxes.empty()) build(bvh_.order, 0, 1);
+    order_.resize(boxes.size());
+    std::iota(order_.begin(), order_.end(), 0U);
+    if (!boxes.empty()) build(order_, 0, 1);
   }
-  Bvh take() { return std::move(bvh_); }
+  Bvh take() {
+    Bvh bvh;
+    if (!nodes_.empty()) collapse(0, bvh);
+    bvh.order = std::move(order_);
+    return bvh;
+  }
 
  private:
   using Run = std::span<std::uint32_t>;
+
+  // A binary tree in depth-first order: a node's first child follows it.
+  struct Binary {
+    Box32 box;
+    double area = 0;
+    std::uint32_t first = 0;  // inner: the second child; leaf: the first of its entries of `order`
+    std::uint16_t count = 0;  // leaf: how many; 0: an inner node
+  };
+
+  // The descendants that a node of up to eight children has: again and again the one with the
+  // largest surface, at first the node itself, gives way to its own two.
+  std::vector<std::uint32_t> widened(std::uint32_t node) const {
+    std::vector<std::uint32_t> children{node};
+    while (children.size() < BoxSet::size) {
+      const auto surface = [&](std::uint32_t i) {
+        return nodes_[i].count == 0 ? nodes_[i].area : -1;
+      };
+      const auto widest = std::ranges::max_element(children, {}, surface);
+      const std::uint32_t parent = *widest;
+      if (nodes_[parent].count > 0) break;
+      children.erase(widest);  // of equals the ones that wait longest: it stays shallow
+      children.insert(children.end(), {parent + 1, nodes_[parent].first});
+    }
+    return children;
+  }
+
+  // Adds the subtree to the wide one. Returns: where it is.
+  std::uint32_t collapse(std::uint32_t node, Bvh& bvh) const {
+    const auto at = static_cast<std::uint32_t>(bvh.nodes.size());
+    bvh.nodes.emplace_back();
+    for (const std::uint32_t each : widened(node)) {
+      const Binary& child = nodes_[each];
+      const std::uint32_t first = child.count > 0 ? child.first : collapse(each, bvh);
+      Bvh::Node& wide = bvh.nodes[at];
+      wide.first[wide.boxes.count] = first;
+      wide.count[wide.boxes.count] = child.count;
+      wide.boxes.add(child.box);
+    }
+    return at;
+  }
 
   // Adds the tree over a run of `order` that starts at `first`.
   void build(Run run, std::size_t first, int depth) {
@@ -40,8 +86,8 @@ class Builder {
       all = around(all, boxes_[i]);
       centers = around(centers, boxes_[i].center());
     }
-    const std::size_t node = bvh_.nodes.size();
-    bvh_.nodes.push_back({rounded_outwards(all), 0, 0, 0});
+    const std::size_t node = nodes_.size();
+    nodes_.push_back({rounded_outwards(all), all.half_area(), 0, 0});
     const Split split = depth < Bvh::deepest / 2 ? best_split(run, centers) : Split{};
     const double parted = node_cost * all.half_area() + split.cost;
     const double together = static_cast<double>(run.size()) * all.half_area();
@@ -49,15 +95,14 @@ class Builder {
       return make_leaf(node, first, run.size());
 
     const std::size_t half = part(run, split, centers);
-    bvh_.nodes[node].axis = static_cast<std::uint16_t>(std::max(split.axis, 0));
     build(run.first(half), first, depth + 1);
-    bvh_.nodes[node].first = static_cast<std::uint32_t>(bvh_.nodes.size());
+    nodes_[node].first = static_cast<std::uint32_t>(nodes_.size());
     build(run.subspan(half), first + half, depth + 1);
   }
 
   void make_leaf(std::size_t node, std::size_t first, std::size_t count) {
-    bvh_.nodes[node].first = static_cast<std::uint32_t>(first);
-    bvh_.nodes[node].count = static_cast<std::uint16_t>(count);
+    nodes_[node].first = static_cast<std::uint32_t>(first);
+    nodes_[node].count = static_cast<std::uint16_t>(count);
   }
 
   static int bin_of(double center, double low, double size) {
@@ -117,7 +162,8 @@ class Builder {
   }
 
   const std::vector<Aabb>& boxes_;
-  Bvh bvh_;
+  std::vector<Binary> nodes_;
+  std::vector<std::uint32_t> order_;
 };
 
 }  // namespace

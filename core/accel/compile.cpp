@@ -93,6 +93,7 @@ class Compiler {
     part.to_object = own.place.inverse();
     const Aabb box = bounds(form);
     if (box.bounded()) part.middle = box.center();
+    if constexpr (requires { work_of(form); }) part.work = work_of(form);
     part.matte = own.matte;
     part.object = object;
     part.space = own.space;
@@ -164,6 +165,8 @@ class Compiler {
     add_operands(csg.children, csg.operation, own, object, solid);
     Object whole;
     whole.shape = csg;
+    for (const Solid::Step& step : solid.steps)
+      solid.work += step.part >= 0 ? world_.part(step.part).work : 1;
     const int number = pushed(world_.solids, std::move(solid));
     put({Item::solid, number}, bounds_of(own.place, bounds_of(whole)), own.space);
   }

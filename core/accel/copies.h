@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 
+#include "core/accel/effort.h"
 #include "core/accel/packet.h"
 #include "core/shapes/group.h"
 
@@ -37,7 +38,7 @@ struct CopyRange {
 /// from near to far, by halving the grid.
 template <class Real, class Visit>
 void traverse(const Copies& grid, const BoxRay<Real>& ray, Mask<Real> active, const Real& t_max,
-              std::int64_t& tests, Visit visit) {
+              Effort& effort, Visit visit) {
   constexpr std::size_t deepest = 3 * 25;  // halvings of three counts up to 2^24
   const Repeat& repeat = grid.repeat;
   const double steps[] = {repeat.step.x, repeat.step.y, repeat.step.z};
@@ -46,7 +47,7 @@ void traverse(const Copies& grid, const BoxRay<Real>& ray, Mask<Real> active, co
   stack[top++] = {{0, 0, 0}, repeat.count};
   while (top > 0) {
     const CopyRange range = stack[--top];
-    ++tests;
+    effort.test();
     const Mask<Real> entered = active && ray.enters(range.box(repeat, grid.box), t_max);
     if (!any(entered)) continue;
     const std::size_t axis = range.longest(repeat.step);

@@ -33,19 +33,26 @@ class BoxRay {
 
   /// The lanes that are in the box somewhere from 0 to t_max.
   [[gnu::always_inline]] Mask<Real> enters(const Box32& box, const Real& t_max) const {
-    // Far beyond the three roundings of a slab's t, and beyond the one of a hit's.
+    // Far beyond the three roundings of a slab's t, and beyond the one of a hit's t_max.
     const Real shrink(1 - 0x1p-20F), grow(1 + 0x1p-20F);
     Real near(0), far = t_max;
     const auto slab = [&](float from, float to, const Real& low, const Real& high,
                           const Real& inverse) __attribute__((always_inline)) {
       const Real a = (Real(from) - low) * inverse, b = (Real(to) - high) * inverse;
       near = max_of(min_of(a, b), near);
-      far = min_of(max_of(a, b) * grow, far);
+      far = min_of(max_of(a, b), far);
     };
     slab(box.min.x, box.max.x, low_.x, high_.x, inverse_.x);
     slab(box.min.y, box.max.y, low_.y, high_.y, inverse_.y);
     slab(box.min.z, box.max.z, low_.z, high_.z, inverse_.z);
-    return near * shrink <= far;
+    return near * shrink <= far * grow;
+  }
+  /// Calls f(axis, low, high, inverse): the origin plus and minus its blur, and the direction.
+  template <class F>
+  void for_each_axis(F f) const {
+    f(0, low_.x, high_.x, inverse_.x);
+    f(1, low_.y, high_.y, inverse_.y);
+    f(2, low_.z, high_.z, inverse_.z);
   }
   /// Whether the first lane runs against an axis: which of two boxes to try first.
   bool backwards(int axis) const { return backwards_[static_cast<std::size_t>(axis)]; }

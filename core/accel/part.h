@@ -18,6 +18,7 @@ struct Part {
   int matte = 0;   ///< the world's matte that it wears
   int object = 0;  ///< the object that it belongs to, counted from 0 in the scene's order
   int space = 0;   ///< the space of the world that it stands in
+  int work = 1;    ///< what trying a ray on it costs (Effort)
 };
 
 namespace detail {

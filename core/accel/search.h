@@ -52,16 +52,18 @@ struct AnyHit {
 template <class Real, class Query>
 class Search {
  public:
-  Search(const World& world, Query& query, std::int64_t& tests)
-      : world_(world), query_(query), tests_(tests) {}
+  Search(const World& world, Query& query, Effort& effort)
+      : world_(world), query_(query), effort_(effort) {}
 
   void through(const Space& space, Packet<Real>& packet, Mask<Real> active) {
     for (const std::uint32_t i : space.rest) meet(space.items[i], packet, active);
-    traverse(space.bvh, packet.box, active, query_.limit(), tests_,
+    traverse(space.bvh, packet.box, active, query_.limit(), effort_,
              [&](std::uint32_t i, Mask<Real> here, bool alone) {
-               const Box32& box = space.boxes[i];
-               if (!alone) here = here && packet.box.enters(box, query_.limit());
-               if (any(here)) meet(space.items[i], packet, here);
+               // A ball tells as soon as its box does.
+               const Item& item = space.items[i];
+               if (!alone && item.kind != Item::ball)
+                 here = here && packet.box.enters(space.boxes[i], query_.limit());
+               if (any(here)) meet(item, packet, here);
              });
   }
 
@@ -70,7 +72,6 @@ class Search {
   using Lanes = std::array<LaneOf<Real>, n>;
 
   void meet(const Item& item, Packet<Real>& packet, Mask<Real> here) {
-    if (++tests_ > most_tests) too_many_tests();
     switch (item.kind) {
       case Item::ball: return meet(world_.balls[at(item)], packet, here);
       case Item::part: return meet_part(item.index, packet, here);
@@ -82,15 +83,17 @@ class Search {
   static std::size_t at(const Item& item) { return static_cast<std::size_t>(item.index); }
   static Real number(int i) { return Real(static_cast<float>(i)); }
 
-  void meet(const Ball& ball, Packet<Real>& packet, Mask<Real> here) {
+  [[gnu::flatten]] void meet(const Ball& ball, Packet<Real>& packet, Mask<Real> here) {
     if (query_.skips(ball.part, packet.copy)) return;
+    effort_.test();
     const Real t = intersect(ball.sphere, packet.root);
     query_.offer(t, number(ball.part), Real(0), packet.copy, here);
   }
 
-  // Lane by lane in double.
+  // Lane by lane in double; `work` is what each costs.
   template <class F>
-  void meet_lanes(Packet<Real>& packet, Mask<Real> here, F crossing_of) {
+  void meet_lanes(Packet<Real>& packet, Mask<Real> here, std::int64_t work, F crossing_of) {
+    effort_.test(count(here) * work);
     Lanes t, part, element;
     t.fill(infinity);
     part.fill(0);
@@ -108,14 +111,14 @@ class Search {
   }
   void meet_part(int part, Packet<Real>& packet, Mask<Real> here) {
     if (query_.skips(part, packet.copy)) return;
-    meet_lanes(packet, here, [&](const Line& line) -> Boundary {
-      const Crossing hit = nearest_crossing(world_.part(part), line);
+    const Part& own = world_.part(part);
+    meet_lanes(packet, here, own.work, [&](const Line& line) -> Boundary {
+      const Crossing hit = nearest_crossing(own, line);
       return {hit.t, part, hit.element};
     });
   }
   void meet(const Solid& solid, Packet<Real>& packet, Mask<Real> here) {
-    tests_ += static_cast<std::int64_t>(solid.steps.size());
-    meet_lanes(packet, here, [&](const Line& line) -> Boundary {
+    meet_lanes(packet, here, solid.work, [&](const Line& line) -> Boundary {
       for (const Boundary& each : spans(solid, world_.parts, line))
         if (each.t > 0) return each;
       return {Aabb::far, 0, 0};
@@ -127,9 +130,9 @@ class Search {
     const MeshIndex& mesh = world_.meshes[static_cast<std::size_t>(own.mesh)];
     Packet<Real> inside = packet.seen_through(own.to_object);
     const RayFrame<Precise<Real>> frame = frame_of(inside);
-    traverse(mesh.bvh, inside.box, here, query_.limit(), tests_,
+    traverse(mesh.bvh, inside.box, here, query_.limit(), effort_,
              [&](std::uint32_t triangle, Mask<Real> entered, bool) {
-               ++tests_;
+               effort_.test();
                const Real t = intersect<Real>(mesh.corner(triangle, 0), mesh.corner(triangle, 1),
                                               mesh.corner(triangle, 2), frame);
                query_.offer(t, number(part), number(static_cast<int>(triangle)), packet.copy,
@@ -141,7 +144,7 @@ class Search {
     const Packet<Real> outside = packet.seen_through(grid.to_group);
     const int before = packet.copy * static_cast<int>(grid.repeat.copies());
     const Space& space = world_.spaces[static_cast<std::size_t>(grid.inside)];
-    traverse(grid, outside.box, here, query_.limit(), tests_, [&](int copy, Mask<Real> entered) {
+    traverse(grid, outside.box, here, query_.limit(), effort_, [&](int copy, Mask<Real> entered) {
       Packet<Real> inside = outside.inside_copy(grid.offset(copy), before + copy);
       through(space, inside, entered);
     });
@@ -149,7 +152,7 @@ class Search {
 
   const World& world_;
   Query& query_;
-  std::int64_t& tests_;
+  Effort& effort_;
 };
 
 }  // namespace tia

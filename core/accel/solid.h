@@ -15,6 +15,7 @@ struct Solid {
     Operation operation = Operation::union_;
   };
   std::vector<Step> steps;
+  int work = 0;  ///< what trying a ray on it costs: the sum of its parts
 };
 
 /// What the line runs through in the solid. The reference is good until this thread's next call.

@@ -6,27 +6,20 @@
 
 namespace tia {
 
-void too_many_tests() {
-  throw InputError(
-      {FaultKind::limit, "/scene", std::nullopt,
-       "objects that overlap less: its rays would be tried on thousands of things each"});
-}
-
 template <class Real>
-Hit<Real> closest_hit(const World& world, const Ray<Real>& ray, Mask<Real> active,
-                      std::int64_t& tests) {
+Hit<Real> closest_hit(const World& world, const Ray<Real>& ray, Mask<Real> active, Effort& effort) {
   Nearest<Real> query;
   Packet<Real> packet(ray);
-  Search<Real, Nearest<Real>>(world, query, tests).through(world.spaces.front(), packet, active);
+  Search<Real, Nearest<Real>>(world, query, effort).through(world.spaces.front(), packet, active);
   return query.hit;
 }
 
 template <class Real>
 Mask<Real> occluded(const World& world, const Ray<Real>& ray, const Real& t_max, const Lamp& lamp,
-                    Mask<Real> active, std::int64_t& tests) {
+                    Mask<Real> active, Effort& effort) {
   AnyHit<Real> query{t_max, lamp.part, lamp.copy};
   Packet<Real> packet(ray);
-  Search<Real, AnyHit<Real>>(world, query, tests).through(world.spaces.front(), packet, active);
+  Search<Real, AnyHit<Real>>(world, query, effort).through(world.spaces.front(), packet, active);
   return query.blocked();
 }
 
@@ -91,9 +84,9 @@ SurfacePoint<Real> surface_by_lanes(const World& world, const Ray<Real>& ray, co
 // ---- the three scalars ----------------------------------------------------------------------
 
 #define TIA_TRACE(Real)                                                                          \
-  template Hit<Real> closest_hit(const World&, const Ray<Real>&, Mask<Real>, std::int64_t&);     \
+  template Hit<Real> closest_hit(const World&, const Ray<Real>&, Mask<Real>, Effort&);           \
   template Mask<Real> occluded(const World&, const Ray<Real>&, const Real&, const Lamp&,         \
-                               Mask<Real>, std::int64_t&);                                       \
+                               Mask<Real>, Effort&);                                             \
   template SurfacePoint<Real> surface_by_lanes(const World&, const Ray<Real>&, const Hit<Real>&, \
                                                int, Mask<Real>);
 TIA_TRACE(Wide)

@@ -7,18 +7,11 @@
 
 namespace tia {
 
-/// The most tests of boxes and surfaces that a block's rays may add up to before they are counted
-/// elsewhere: some thousand a ray. Things that overlap by the million would cost more, ray by ray.
-inline constexpr std::int64_t most_tests = 1 << 28;
-/// Errors: always, InputError of one `limit` fault at /scene.
-[[noreturn]] void too_many_tests();
-
 /// The nearest hit with t > 0 of the lanes that are active; at equal t the object that comes first
 /// in the scene.
-/// `tests` grows by what was tried. Errors: InputError when it passes most_tests.
+/// Errors: what the effort's report throws.
 template <class Real>
-Hit<Real> closest_hit(const World& world, const Ray<Real>& ray, Mask<Real> active,
-                      std::int64_t& tests);
+Hit<Real> closest_hit(const World& world, const Ray<Real>& ray, Mask<Real> active, Effort& effort);
 
 /// The same in a world of few balls, of which the ray may meet none but those listed.
 template <class Real>
@@ -37,10 +30,10 @@ Hit<Real> closest_ball(const World& world, const std::vector<int>& balls, const 
 }
 
 /// Whether anything but the lamp's own ball stands between the ray's origin and t_max; of lanes
-/// that are not active it says nothing. Errors: as closest_hit.
+/// that are not active it says nothing. Errors: what the effort's report throws.
 template <class Real>
 Mask<Real> occluded(const World& world, const Ray<Real>& ray, const Real& t_max, const Lamp& lamp,
-                    Mask<Real> active, std::int64_t& tests);
+                    Mask<Real> active, Effort& effort);
 
 /// The same in a world of few balls.
 template <class Real>
@@ -59,6 +52,11 @@ template <class Real>
 struct SurfacePoint {
   Vec3<Real> p, n, ng;  ///< n is what shading uses, ng is the surface's own
   const Vec3<Real>& side() const { return ng; }
+  void take(const SurfacePoint& other, Mask<Real> here) {
+    p = select(here, other.p, p);
+    n = select(here, other.n, n);
+    ng = select(here, other.ng, ng);
+  }
 };
 
 /// Normals: the surface's own and the one that shading uses, outwards and unit.
@@ -75,18 +73,29 @@ template <class Real>
 SurfacePoint<Real> surface_by_lanes(const World& world, const Ray<Real>& ray, const Hit<Real>& hit,
                                     int part, Mask<Real> here);
 
+/// A normal turned to the viewer by the cosine between the surface's own and the ray. Where a thing
+/// is too small for a normal the cosine is NaN, and the way back along the ray takes its place.
+template <class Real>
+Vec3<Real> turned(const Vec3<Real>& n, const Real& cosine, const Vec3<Real>& direction) {
+  return select(cosine <= Real(0), n, select(cosine > Real(0), -n, -direction));
+}
+
 /// BallPoint: a SurfacePoint whose two normals are one.
 template <class Real>
 struct BallPoint {
   Vec3<Real> p, n;
   const Vec3<Real>& side() const { return n; }
+  void take(const BallPoint& other, Mask<Real> here) {
+    p = select(here, other.p, p);
+    n = select(here, other.n, n);
+  }
 };
 template <class Real>
 BallPoint<Real> ball_surface(const Ball& ball, const Ray<Real>& ray, const Real& t) {
   BallPoint<Real> at;
   at.p = ray.at(t);
   at.n = normal(ball.sphere, at.p);
-  at.n = select(dot(at.n, ray.direction) > Real(0), -at.n, at.n);
+  at.n = turned(at.n, dot(at.n, ray.direction), ray.direction);
   return at;
 }
 
@@ -101,9 +110,9 @@ SurfacePoint<Real> surface(const World& world, const Ray<Real>& ray, const Hit<R
     return {at.p, at.n, at.n};
   }
   SurfacePoint<Real> at = surface_by_lanes(world, ray, hit, part, here);
-  const Mask<Real> behind = dot(at.ng, ray.direction) > Real(0);
-  at.n = select(behind, -at.n, at.n);
-  at.ng = select(behind, -at.ng, at.ng);
+  const Real cosine = dot(at.ng, ray.direction);
+  at.n = turned(at.n, cosine, ray.direction);
+  at.ng = turned(at.ng, cosine, ray.direction);
   return at;
 }
 

@@ -3,27 +3,10 @@
 #include <array>
 
 namespace tia {
-namespace {
-
-// Calls f(point, hit, part, lanes) for what the lanes' rays meet first.
-template <class Real, class F>
-void for_each_surface(WorldScope& scope, const Ray<Real>& ray, Mask<Real> active, F f) {
-  const Hit<Real> hit = first_hit(scope, ray, active);
-  for_each_winner(hit, active, [&](int part, Mask<Real> here) {
-    f(scope.surface_of(ray, hit, part, here), hit, part, here);
-  });
-}
-
-}  // namespace
-
 template <class Real>
 Vec3<Real> normal_feature(WorldScope& scope, const Ray<Real>& ray, Mask<Real> active) {
-  Vec3<Real> n{Real(0), Real(0), Real(0)};
-  for_each_surface(scope, ray, active,
-                   [&](const SurfacePoint<Real>& at, const Hit<Real>&, int, Mask<Real> here) {
-                     n = select(here, at.n, n);
-                   });
-  return n;
+  const auto seen = surfaces(scope, ray, first_hit(scope, ray, active), active);
+  return select(seen.here, seen.at.n, {Real(0), Real(0), Real(0)});
 }
 
 template <class Real>
@@ -34,11 +17,8 @@ Vec3<Real> depth_feature(WorldScope& scope, const Ray<Real>& ray, Mask<Real> act
 
 template <class Real>
 Vec3<Real> albedo_feature(WorldScope& scope, const Ray<Real>& ray, Mask<Real> active) {
-  Vec3<Real> albedo{Real(0), Real(0), Real(0)};
-  for_each_winner(first_hit(scope, ray, active), active, [&](int part, Mask<Real> here) {
-    albedo = select(here, lift<Real>(scope.world.matte_of(part).albedo), albedo);
-  });
-  return albedo;
+  const auto seen = surfaces(scope, ray, first_hit(scope, ray, active), active);
+  return select(seen.here, seen.albedo, {Real(0), Real(0), Real(0)});
 }
 
 template <class Real>
@@ -53,19 +33,17 @@ Vec3<Real> object_feature(WorldScope& scope, const Ray<Real>& ray, Mask<Real> ac
 
 template <class Real>
 Vec3<Real> shadow_feature(WorldScope& scope, const Ray<Real>& ray, Mask<Real> active) {
+  const Hit<Real> hit = first_hit(scope, ray, active);
+  const auto seen = surfaces(scope, ray, hit, active);
   const std::vector<Lamp>& lamps = scope.world.lamps;
-  Real share(1);
-  for_each_surface(scope, ray, active,
-                   [&](const SurfacePoint<Real>& at, const Hit<Real>& hit, int, Mask<Real> here) {
-                     if (lamps.empty()) return;
-                     Real seen(0);
-                     for (const Lamp& lamp : lamps) {
-                       const Real cosine =
-                           visible_cosine(scope, at, lamp, shadow_offset(hit.t, at.p), here);
-                       seen = seen + select(cosine > Real(0), Real(1), Real(0));
-                     }
-                     share = select(here, seen / Real(static_cast<float>(lamps.size())), share);
-                   });
+  if (lamps.empty() || !any(seen.here)) return {Real(1), Real(1), Real(1)};
+  const Real offset = shadow_offset(hit.t, seen.at.p);
+  Real lit(0);
+  for (const Lamp& lamp : lamps) {
+    const Real cosine = visible_cosine(scope, seen.at, lamp, offset, seen.here);
+    lit = lit + select(cosine > Real(0), Real(1), Real(0));
+  }
+  const Real share = select(seen.here, lit / Real(static_cast<float>(lamps.size())), Real(1));
   return {share, share, share};
 }
 
@@ -79,9 +57,9 @@ Vec3<Real> cost_feature(WorldScope& scope, const Ray<Real>& ray, Mask<Real> acti
       return Vec3f{static_cast<float>(lane(v.x, i)), static_cast<float>(lane(v.y, i)),
                    static_cast<float>(lane(v.z, i))};
     };
-    std::int64_t tests = 0;
-    closest_hit(scope.world, Ray<float>{alone(ray.origin), alone(ray.direction)}, true, tests);
-    cost[static_cast<std::size_t>(i)] = static_cast<LaneOf<Real>>(tests);
+    Effort effort([&](std::int64_t work) { scope.effort.test(work); });
+    closest_hit(scope.world, Ray<float>{alone(ray.origin), alone(ray.direction)}, true, effort);
+    cost[static_cast<std::size_t>(i)] = static_cast<LaneOf<Real>>(effort.tests());
   }
   const Real all = load<Real>(cost.data());
   return {all, all, all};

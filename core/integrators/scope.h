@@ -7,25 +7,25 @@
 
 namespace tia {
 
-/// RayTally: rays of one block by kind, exact; and tests of boxes and surfaces, which depend on how
-/// the rays were packed.
+/// RayTally: rays of one block by kind, exact.
 struct RayTally {
-  std::int64_t primary = 0, shadow = 0, tests = 0;
+  std::int64_t primary = 0, shadow = 0;
 };
 
 /// Scope: the world as one block of the picture sees it, and what the block's rays count to. Of two
 /// kinds, which ask the same in their own way; an integrator is a template over them.
 struct WorldScope {
   const World& world;
+  Effort effort;
   RayTally rays{};
 
   template <class Real>
   Hit<Real> closest(const Ray<Real>& ray, Mask<Real> active) {
-    return closest_hit(world, ray, active, rays.tests);
+    return closest_hit(world, ray, active, effort);
   }
   template <class Real>
   Mask<Real> blocked(const Ray<Real>& ray, const Real& t_max, const Lamp& lamp, Mask<Real> active) {
-    return occluded(world, ray, t_max, lamp, active, rays.tests);
+    return occluded(world, ray, t_max, lamp, active, effort);
   }
   template <class Real>
   SurfacePoint<Real> surface_of(const Ray<Real>& ray, const Hit<Real>& hit, int part,
@@ -61,6 +61,28 @@ template <class Scope, class Real>
 Hit<Real> first_hit(Scope& scope, const Ray<Real>& ray, Mask<Real> active) {
   scope.rays.primary += count(active);
   return scope.closest(ray, active);
+}
+
+/// Seen: the surfaces that a packet's rays have hit, each lane its own, so that what follows, their
+/// shadow rays above all, is done for all lanes at once.
+template <class Point, class Real>
+struct Seen {
+  Mask<Real> here;  ///< the lanes that have hit anything; the others are meaningless
+  Point at{};
+  Vec3<Real> albedo{}, emission{};
+};
+
+template <class Scope, class Real>
+auto surfaces(const Scope& scope, const Ray<Real>& ray, const Hit<Real>& hit, Mask<Real> active) {
+  using Point = decltype(scope.surface_of(ray, hit, 0, active));
+  Seen<Point, Real> seen{active && hit.t < Real(infinity)};
+  for_each_winner(hit, active, [&](int part, Mask<Real> here) {
+    const Matte& matte = scope.world.matte_of(part);
+    seen.at.take(scope.surface_of(ray, hit, part, here), here);
+    seen.albedo = select(here, lift<Real>(matte.albedo), seen.albedo);
+    seen.emission = select(here, lift<Real>(matte.emission), seen.emission);
+  });
+  return seen;
 }
 
 /// How far a shadow ray starts above its surface: 1e-4 at the thesis' distances, in proportion to

@@ -11,10 +11,14 @@ void RayMeter::add(RayTally& rays) {
   const RayTally more = std::exchange(rays, {});
   primary_ += more.primary;
   shadow_ += more.shadow;
-  if (tests_.fetch_add(more.tests) + more.tests > tests_a_ray * max_rays_) too_many_tests();
   const std::int64_t spent = more.primary + more.shadow;
   if (all_.fetch_add(spent) + spent <= max_rays_) return;
   throw too_many_rays("a picture of more", max_rays_);
+}
+
+void RayMeter::add_work(std::int64_t work) {
+  if (stop_.stop_requested()) throw Stopped();
+  if (work_.fetch_add(work) + work > max_work_) throw too_much_work(max_work_);
 }
 
 void RayMeter::add_many(RayTally& rays) {

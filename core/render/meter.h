@@ -21,12 +21,8 @@ class RayMeter {
  public:
   /// How many rays a thread may trace before it adds them up.
   static constexpr long often = 1L << 18;
-  /// How many tests of boxes and surfaces a whole render may take, in its limit of rays: more than
-  /// ordinary scenes take, where rays share theirs in packets.
-  static constexpr std::int64_t tests_a_ray = 100;
-
-  RayMeter(std::int64_t max_rays, std::stop_token stop)
-      : max_rays_(max_rays), stop_(std::move(stop)) {}
+  RayMeter(std::int64_t max_rays, std::int64_t max_work, std::stop_token stop)
+      : max_rays_(max_rays), max_work_(max_work), stop_(std::move(stop)) {}
   /// Adds the rays and sets them to none. Errors: InputError once the sum passes the limit, which
   /// no order of threads changes.
   void add(RayTally& rays);
@@ -34,14 +30,16 @@ class RayMeter {
   void add_if_many(RayTally& rays) {
     if (rays.primary + rays.shadow >= often) add_many(rays);
   }
+  /// Adds a portion of work. Errors: Stopped; InputError once the sum passes the limit.
+  void add_work(std::int64_t work);
   RayCounts counts() const { return {.primary = primary_, .shadow = shadow_}; }
 
  private:
   void add_many(RayTally& rays);
 
-  std::int64_t max_rays_;
+  std::int64_t max_rays_, max_work_;
   std::stop_token stop_;
-  std::atomic<std::int64_t> all_ = 0, primary_ = 0, shadow_ = 0, tests_ = 0;
+  std::atomic<std::int64_t> all_ = 0, primary_ = 0, shadow_ = 0, work_ = 0;
 };
 
 }  // namespace tia

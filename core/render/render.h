@@ -10,6 +10,7 @@
 #include "core/film/image.h"
 #include "core/render/pool.h"
 #include "core/render/trace_block.h"
+#include "core/scene/limits.h"
 
 namespace tia {
 
@@ -29,13 +30,15 @@ struct RenderOptions {
   int samples = 1;       ///< rays a pixel, 1 .. 65536; 1 goes through the centre of pixel and lens
   double threshold = 0;  ///< what the standard error of a pixel may be, 0 .. 1; 0: any (Sampler)
   std::int64_t seed = 0;
-  std::int64_t max_rays = 2'000'000'000;  ///< of all kinds, of the whole window
+  std::int64_t max_rays = Limits{}.max_rays;  ///< of all kinds, of the whole window
+  std::int64_t max_work = Limits{}.max_work;  ///< of the whole window
 };
 
 /// Traces the window and hands each finished block, in window coordinates, to `develop`, from
 /// several threads at once, each pixel in exactly one block.
-/// Errors: Stopped when `stop` is requested; InputError of one `limit` fault at /samples when more
-/// than max_rays are traced. Both come between tiles, or within one that takes many rays.
+/// Errors: Stopped when `stop` is requested; InputError of one `limit` fault, at /samples when more
+/// than max_rays are traced, at /scene when more than max_work is done. They come between tiles, or
+/// within one that takes long.
 RayCounts render(const World& world, const View& view, const Window& window,
                  const RenderOptions& options, Pool& pool, const std::stop_token& stop,
                  const std::function<void(const Block&)>& develop);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <tuple>
 
 namespace tia {
 namespace {
@@ -27,7 +28,7 @@ class Tracer {
       const Beam beam(shot.view, x0, y0, x0 + block.width, y0 + block.height);
       return {shot.world, candidates(shot.world, beam)};
     } else {
-      return {shot.world};
+      return {shot.world, Effort([&](std::int64_t work) { shot.meter.add_work(work); })};
     }
   }
 
@@ -35,30 +36,63 @@ class Tracer {
   Scope scope_;
 };
 
+// Patch: the pixels of one packet, as near to a square as its lanes allow: rays that stay together
+// meet fewer boxes.
+template <class Real>
+struct Patch {
+  static constexpr int width = lanes<Real> >= 4 ? 4 : 1, height = lanes<Real> / width;
+  static_assert(Block::size % width == 0 && Block::size % height == 0);
+
+  /// Each lane's column and row.
+  static Real column() {
+    return by_lane([](int lane) { return lane % width; });
+  }
+  static Real row() {
+    return by_lane([](int lane) { return lane / width; });
+  }
+  /// Stores the lanes where a plane of the block has their pixels.
+  static void store(const Real& value, float* corner) {
+    std::array<float, lanes<Real>> each;
+    tia::store(value, each.data());
+    for (int y = 0; y < height; ++y)
+      std::copy_n(&each[static_cast<std::size_t>(y * width)], width, corner + y * Block::size);
+  }
+
+ private:
+  template <class F>
+  static Real by_lane(F value) {
+    std::array<LaneOf<Real>, lanes<Real>> each;
+    for (int i = 0; i < lanes<Real>; ++i)
+      each[static_cast<std::size_t>(i)] = static_cast<LaneOf<Real>>(value(i));
+    return load<Real>(each.data());
+  }
+};
+
 // ---- one ray a pixel of a perspective view: what most pictures are -----------------------------
 
 template <class Real, class Scope>
 [[gnu::flatten]] void trace_centers(const Shot& shot, int x0, int y0, Block& block) {
-  constexpr int n = lanes<Real>;
+  using Patch = tia::Patch<Real>;
   Tracer<Real, Scope> tracer(shot, x0, y0, block);
   const Vec3<Real> origin = lift<Real>(shot.view.origin);
-  const Real lane_index = iota<Real>();
-  const Real width(static_cast<float>(block.width));
-  std::array<Vec3<Real>, Block::size / n> columns;
-  for (int x = 0; x < block.width; x += n)
-    columns[static_cast<std::size_t>(x / n)] =
-        shot.view.column(Real(static_cast<float>(x0 + x)) + lane_index);
+  const Real column_of = Patch::column(), row_of = Patch::row();
+  const auto number = [](int i) { return Real(static_cast<float>(i)); };
+  std::array<Vec3<Real>, Block::size / Patch::width> columns;
+  for (int x = 0; x < block.width; x += Patch::width)
+    columns[static_cast<std::size_t>(x / Patch::width)] =
+        shot.view.column(number(x0 + x) + column_of);
 
-  for (int y = 0; y < block.height; ++y) {
-    const Vec3<Real> row = shot.view.row(Real(static_cast<float>(y0 + y)));
-    for (int x = 0; x < block.width; x += n) {
-      const Real in_block = Real(static_cast<float>(x)) + lane_index;
-      const Ray<Real> ray{origin, normalize(columns[static_cast<std::size_t>(x / n)] + row)};
-      const Vec3<Real> light = tracer.light(ray, in_block < width);
+  for (int y = 0; y < block.height; y += Patch::height) {
+    const Vec3<Real> row = shot.view.row(number(y0 + y) + row_of);
+    const Mask<Real> rows = row_of < number(block.height - y);
+    for (int x = 0; x < block.width; x += Patch::width) {
+      const Vec3<Real>& column = columns[static_cast<std::size_t>(x / Patch::width)];
+      const Mask<Real> active = rows && column_of < number(block.width - x);
+      const Vec3<Real> light = tracer.light({origin, normalize(column + row)}, active);
       const auto i = static_cast<std::size_t>(y * Block::size + x);
-      store(light.x, &block.r[i]);
-      store(light.y, &block.g[i]);
-      store(light.z, &block.b[i]);
+      Patch::store(light.x, &block.r[i]);
+      Patch::store(light.y, &block.g[i]);
+      Patch::store(light.z, &block.b[i]);
     }
   }
   shot.meter.add(tracer.rays());
@@ -179,12 +213,25 @@ void develop(const std::vector<Estimate>& estimates, Block& block) {
   }
 }
 
+// The block's pixels, patch by patch.
+template <class Real>
+std::vector<int> in_patches(const Block& block) {
+  constexpr int w = Patch<Real>::width, h = Patch<Real>::height;
+  std::vector<int> pixels(static_cast<std::size_t>(block.width * block.height));
+  std::iota(pixels.begin(), pixels.end(), 0);
+  const auto place = [&](int pixel) {
+    const int x = pixel % block.width, y = pixel / block.width;
+    return std::tuple(y / h, x / w, pixel);
+  };
+  std::ranges::sort(pixels, {}, place);
+  return pixels;
+}
+
 template <class Real, class Scope>
 void trace_samples(const Shot& shot, int x0, int y0, Block& block) {
   Tracer<Real, Scope> tracer(shot, x0, y0, block);
   std::vector<Estimate> estimates(static_cast<std::size_t>(block.width * block.height));
-  std::vector<int> unsettled(estimates.size());
-  std::iota(unsettled.begin(), unsettled.end(), 0);
+  std::vector<int> unsettled = in_patches<Real>(block);
   for (int round = 0; round < shot.sampler.rounds() && !unsettled.empty(); ++round) {
     for (std::size_t begin = 0; begin < unsettled.size(); begin += Pixels<Real>::size) {
       Pixels<Real> pixels;

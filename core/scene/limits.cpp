@@ -22,4 +22,11 @@ InputError too_many_rays(const std::string& got, std::int64_t max_rays) {
                      "at most " + std::to_string(max_rays) + " rays (option TIA_MAX_RAYS)"});
 }
 
+InputError too_much_work(std::int64_t max_work) {
+  return InputError({FaultKind::limit, "/scene", Value("a scene that costs more"),
+                     "at most " + std::to_string(max_work) +
+                         " tests of rays against boxes and surfaces (option TIA_MAX_WORK); what "
+                         "overlaps is tried one by one"});
+}
+
 }  // namespace tia

@@ -9,8 +9,9 @@ namespace tia {
 
 /// Limits: what one request may ask for.
 struct Limits {
-  std::int64_t max_pixels = 16'777'216;   ///< pixels of the whole picture
-  std::int64_t max_rays = 2'000'000'000;  ///< rays of all kinds, of the window that is drawn
+  std::int64_t max_pixels = 16'777'216;    ///< pixels of the whole picture
+  std::int64_t max_rays = 2'000'000'000;   ///< rays of all kinds, of the window that is drawn
+  std::int64_t max_work = 10'000'000'000;  ///< tests of boxes and surfaces (Effort)
 };
 
 /// Errors: InputError of one `limit` fault that names the limit and the option that sets it.
@@ -19,5 +20,7 @@ void check_size(int width, int height, const Limits& limits);
 void check_rays(std::int64_t pixels, std::int64_t samples, const Limits& limits);
 /// What a request for too many rays is refused with, before tracing or while it goes on.
 InputError too_many_rays(const std::string& got, std::int64_t max_rays);
+/// What a request is refused with whose rays would be tried on too much.
+InputError too_much_work(std::int64_t max_work);
 
 }  // namespace tia

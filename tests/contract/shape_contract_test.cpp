@@ -39,8 +39,8 @@ class ShapeContract : public testing::Test {
   }
   template <class Real>
   static Hit<Real> hit_of(const World& world, const Ray<Real>& ray) {
-    std::int64_t tests = 0;
-    return closest_hit(world, ray, iota<Real>() >= Real(0), tests);
+    Effort effort;
+    return closest_hit(world, ray, iota<Real>() >= Real(0), effort);
   }
 };
 

@@ -32,6 +32,8 @@ const Numeric numerics[] = {
      1'099'511'627'776, [](const Config& c) { return c.max_scenes_bytes; }},
     {"max_rays", "--max-rays", "TIA_MAX_RAYS", 2'000'000'000, 1, 1'000'000'000'000'000,
      [](const Config& c) { return c.max_rays; }},
+    {"max_work", "--max-work", "TIA_MAX_WORK", 10'000'000'000, 1, 1'000'000'000'000'000,
+     [](const Config& c) { return c.max_work; }},
     {"max_pixels", "--max-pixels", "TIA_MAX_PIXELS", 16'777'216, 1, 268'435'456,
      [](const Config& c) { return c.max_pixels; }},
 };

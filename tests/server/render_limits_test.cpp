@@ -54,6 +54,21 @@ TEST(RenderLimits, MaxPixelsIsTheOptionsNotAConstant) {
   EXPECT_THAT(only_error(beyond).allowed, HasSubstr("48"));
 }
 
+// ---- work ------------------------------------------------------------------------------------
+
+TEST(RenderLimits, ObjectsThatOverlapByTheMillionAreRefusedNamingTheOption) {
+  Config config;
+  config.max_work = 1'000'000;
+  Host host(config);
+  const Response response = host.post("/render", R"({"width":8,"height":6,"scene":{"objects":[
+      {"type":"group","repeat":{"count":[1000000,1,1],"step":[1e-6,1,1]},
+       "children":[{"type":"sphere","center":[0,0,-9],"radius":2}]}]}})");
+  EXPECT_EQ(response.status, 422);
+  EXPECT_EQ(problem_of(response).type, "/problems/limit");
+  EXPECT_EQ(only_error(response).pointer, "/scene");
+  EXPECT_THAT(only_error(response).allowed, HasSubstr("TIA_MAX_WORK"));
+}
+
 // ---- rays ------------------------------------------------------------------------------------
 
 Config with_rays(std::int64_t max_rays) {

@@ -17,8 +17,10 @@ Aabb random_box(Random& random, double extent, double size) {
 
 int depth_of(const Bvh& bvh, std::uint32_t at = 0) {
   const Bvh::Node& node = bvh.nodes[at];
-  if (node.count > 0) return 1;
-  return 1 + std::max(depth_of(bvh, at + 1), depth_of(bvh, node.first));
+  int below = 0;
+  for (std::size_t i = 0; i < node.boxes.count; ++i)
+    if (node.count[i] == 0) below = std::max(below, depth_of(bvh, node.first[i]));
+  return 1 + below;
 }
 
 bool holds(const Box32& box, const Aabb& inner) {
@@ -26,24 +28,26 @@ bool holds(const Box32& box, const Aabb& inner) {
   return lower(low, inner.min) == low && upper(high, inner.max) == high;
 }
 
-// Every thing below a node is within the node's box. Returns: how many there are.
+// Every thing below a child is within the child's box. Returns: how many there are.
 std::size_t check_below(const Bvh& bvh, std::uint32_t at, const std::vector<Aabb>& boxes,
-                        std::vector<const Bvh::Node*>& above) {
+                        std::vector<Box32>& above) {
   const Bvh::Node& node = bvh.nodes[at];
-  above.push_back(&node);
-  std::size_t things = node.count;
-  for (std::uint32_t i = 0; i < node.count; ++i)
-    for (const Bvh::Node* each : above)
-      EXPECT_TRUE(holds(each->box, boxes[bvh.order[node.first + i]]));
-  if (node.count == 0)
-    things = check_below(bvh, at + 1, boxes, above) + check_below(bvh, node.first, boxes, above);
-  above.pop_back();
+  std::size_t things = 0;
+  for (std::size_t i = 0; i < node.boxes.count; ++i) {
+    above.push_back(node.boxes.box(i));
+    things += node.count[i];
+    for (std::uint32_t k = 0; k < node.count[i]; ++k)
+      for (const Box32& each : above)
+        EXPECT_TRUE(holds(each, boxes[bvh.order[node.first[i] + k]]));
+    if (node.count[i] == 0) things += check_below(bvh, node.first[i], boxes, above);
+    above.pop_back();
+  }
   return things;
 }
 
 void expect_sound(const std::vector<Aabb>& boxes) {
   const Bvh bvh = build_bvh(boxes);
-  std::vector<const Bvh::Node*> above;
+  std::vector<Box32> above;
   EXPECT_EQ(check_below(bvh, 0, boxes, above), boxes.size());
   EXPECT_LE(depth_of(bvh), Bvh::deepest);
   std::vector<std::uint32_t> all = bvh.order;
@@ -67,17 +71,17 @@ TEST(Bvh, HoldsEveryThingOnceInBoxesThatHoldIt) {
 TEST(Bvh, OfNothingIsEmptyAndVisitsNothing) {
   const Bvh bvh = build_bvh({});
   EXPECT_TRUE(bvh.nodes.empty());
-  std::int64_t tests = 0;
-  traverse<float>(bvh, {{0, 0, 0}, {0, 0, -1}, 0}, true, infinity, tests,
+  Effort effort;
+  traverse<float>(bvh, {{0, 0, 0}, {0, 0, -1}, 0}, true, infinity, effort,
                   [](std::uint32_t, bool, bool) { FAIL(); });
-  EXPECT_EQ(tests, 0);
+  EXPECT_EQ(effort.tests(), 0);
 }
 
 TEST(Bvh, OfBoxesInOnePlaceIsAsShallowAsHalvingIs) {
-  // No split separates them: 10 000 things in leaves of at most 8 are 11 halvings and a leaf.
+  // No split separates them: 10 000 things in leaves of at most 8 are 11 halvings, three a node.
   const std::vector<Aabb> same(10'000, Aabb{{1, 2, 3}, {4, 5, 6}});
   expect_sound(same);
-  EXPECT_EQ(depth_of(build_bvh(same)), 12);
+  EXPECT_EQ(depth_of(build_bvh(same)), 4);
   const std::vector<Aabb> points(10'000, Aabb{{1, 2, 3}, {1, 2, 3}});
   expect_sound(points);
 }
@@ -175,6 +179,66 @@ TEST(BoxRay, NeverMissesABoxThatTheRayMeets) {
   EXPECT_LT(entered - met, all / 50) << "and hardly ever finds one that it does not meet";
 }
 
+// All rays of a packet together: the bundle never misses what one of them meets, and one ray alone
+// is told apart as finely as by its own test.
+TEST(Bundle, NeverMissesABoxThatOneOfItsRaysMeets) {
+  constexpr std::size_t n = Wide::size;
+  Random random(105);
+  int met = 0, told = 0;
+  for (int round = 0; round < 10'000; ++round) {
+    std::array<std::array<float, n>, 6> parts;
+    std::array<Ray<float>, n> rays;
+    const Vec3d eye = random.point(4), way = random.direction();
+    const double spread = std::pow(10, random.in(-4, 0.5));
+    for (std::size_t i = 0; i < n; ++i) {
+      const Vec3d aside = random.point(spread), turn = random.point(spread);
+      rays[i] = round % 4 == 0 ? grid_ray(random)
+                               : Ray<float>{lift<float>(eye + aside),
+                                            normalize(lift<float>(way + turn))};
+      const auto& [o, d] = rays[i];
+      const float all[] = {o.x, o.y, o.z, d.x, d.y, d.z};
+      for (std::size_t k = 0; k < 6; ++k) parts[k][i] = all[k];
+    }
+    const auto vector = [&](std::size_t k) -> Vec3<Wide> {
+      return {load<Wide>(parts[k].data()), load<Wide>(parts[k + 1].data()),
+              load<Wide>(parts[k + 2].data())};
+    };
+    const Wide lane_index = iota<Wide>();
+    const float first_out = static_cast<float>(1 + random.below(static_cast<int>(n)));
+    const WideMask active = lane_index < Wide(first_out);
+    const Bundle bundle(BoxRay<Wide>(vector(0), vector(3), Wide(0)), active);
+    const float t_max = static_cast<float>(random.in(0, 12));
+
+    BoxSet boxes;
+    std::vector<Aabb> exact;
+    const int count = 1 + random.below(8);
+    for (int i = 0; i < count; ++i) {
+      exact.push_back(random_box(random, 3, 3));
+      boxes.add(rounded_outwards(exact.back()));
+    }
+    BoxSet::Floats near, alone_near;
+    const unsigned entered = bundle.enters(boxes, t_max, near);
+    EXPECT_EQ(entered >> count, 0U);
+    for (std::size_t lane = 0; lane < static_cast<std::size_t>(first_out); ++lane) {
+      const BoxRay<float> one(rays[lane].origin, rays[lane].direction, 0);
+      const unsigned alone = Bundle(one, true).enters(boxes, t_max, alone_near);
+      EXPECT_EQ(alone & ~entered, 0U);
+      for (std::size_t i = 0; i < boxes.count; ++i) {
+        const bool meets_it = meets(exact[i], rays[lane], double(t_max));
+        EXPECT_TRUE(!meets_it || (alone >> i & 1U) != 0);
+        EXPECT_EQ((alone >> i & 1U) != 0, one.enters(boxes.box(i), t_max));
+        if ((alone >> i & 1U) != 0) {
+          EXPECT_LE(near[i], alone_near[i]);
+        }
+        met += meets_it;
+        told += alone >> i & 1U;
+      }
+    }
+  }
+  EXPECT_GT(met, 10'000);
+  EXPECT_LT(told - met, met / 50);
+}
+
 TEST(BoxRay, OriginWithinTheBlurNeverMissesEither) {
   Random random(103);
   for (int i = 0; i < 20'000; ++i) {
@@ -195,19 +259,19 @@ TEST(Bvh, RayVisitsEveryThingWhoseBoxItMeets) {
   std::vector<Aabb> boxes;
   for (int i = 0; i < 500; ++i) boxes.push_back(random_box(random, 10, 2));
   const Bvh bvh = build_bvh(boxes);
-  std::int64_t tests = 0;
+  Effort effort;
   for (int i = 0; i < 500; ++i) {
     const Ray<float> ray{lift<float>(random.point(12)), normalize(lift<float>(random.direction()))};
     const float t_max = static_cast<float>(random.in(0, 30));
     std::vector<int> visits(boxes.size());
-    traverse<float>(bvh, {ray.origin, ray.direction, 0}, true, t_max, tests,
+    traverse<float>(bvh, {ray.origin, ray.direction, 0}, true, t_max, effort,
                     [&](std::uint32_t thing, bool, bool) { ++visits[thing]; });
     for (std::size_t k = 0; k < boxes.size(); ++k) {
       EXPECT_LE(visits[k], 1);
       EXPECT_GE(visits[k], meets(boxes[k], ray, double(t_max)));
     }
   }
-  EXPECT_LT(tests, 500 * 100) << "of 500 boxes and more";
+  EXPECT_LT(effort.tests(), 500 * 100) << "of 500 boxes and more";
 }
 
 }  // namespace

@@ -63,15 +63,15 @@ TEST_P(MixedWorld, OccludedEqualsBruteForceInEveryWidth) {
   const Scene scene = test::mixed_scene(random, objects / 10, GetParam());
   const World world = compile(scene), brute = test::without_index(world);
   const Lamp lamp{{}, {}, -1, 0};
-  std::int64_t tests = 0;
+  Effort effort;
   int dark = 0, all = 0;
   for (int i = 0; i < 5 * packets; ++i) {
     const auto rays = some_rays(random, GetParam(), world);
     const float far = static_cast<float>(random.in(0, 20) * GetParam());
-    const auto wide = occluded(world, test::packed(rays), Wide(far), lamp, WideMask(true), tests);
+    const auto wide = occluded(world, test::packed(rays), Wide(far), lamp, WideMask(true), effort);
     for (std::size_t k = 0; k < Wide::size; ++k) {
       const bool expected = hit_of(brute, rays[k]).t < far;
-      ASSERT_EQ(occluded(world, rays[k], far, lamp, true, tests), expected);
+      ASSERT_EQ(occluded(world, rays[k], far, lamp, true, effort), expected);
       ASSERT_EQ((bits(wide) >> k & 1U) != 0, expected);
       dark += expected;
       ++all;
@@ -88,10 +88,10 @@ TEST_P(MixedWorld, LanesThatAreNotActiveChangeNothing) {
   for (int i = 0; i < packets; ++i) {
     const auto rays = some_rays(random, GetParam(), world);
     const Wide number = iota<Wide>();
-    std::int64_t tests = 0;
+    Effort effort;
     const int from = random.below(lanes<Wide>);
     const auto active = number >= Wide(static_cast<float>(from));
-    const Hit<Wide> hit = closest_hit(world, test::packed(rays), active, tests);
+    const Hit<Wide> hit = closest_hit(world, test::packed(rays), active, effort);
     for (int k = 0; k < lanes<Wide>; ++k) {
       const auto alone = all_of(hit_of(world, rays[static_cast<std::size_t>(k)]));
       if (k >= from) {
@@ -222,11 +222,11 @@ double tests_a_ray(int n) {
   for (int i = 0; i < n; ++i)
     scene.objects.push_back(test::ball(random.point(10), 6 / std::cbrt(double(n))));
   const World world = compile(scene);
-  std::int64_t tests = 0;
+  Effort effort;
   constexpr int rays = 500;
   for (int i = 0; i < rays; ++i)
-    closest_hit(world, ray_in<float>({random.point(10), random.direction()}), true, tests);
-  return double(tests) / rays;
+    closest_hit(world, ray_in<float>({random.point(10), random.direction()}), true, effort);
+  return double(effort.tests()) / rays;
 }
 
 TEST(Search, WorkGrowsAsTheLogarithmOfTheBalls) {
@@ -243,14 +243,14 @@ TEST(Search, AMillionCopiesCostAsManyTestsAsTheirLogarithm) {
   scene.objects = {object_of(Group{{test::ball({}, 0.3)}, Repeat{{100, 100, 100}, {1, 1, 1}}})};
   const World world = compile(scene);
   Random random(206);
-  std::int64_t tests = 0;
+  Effort effort;
   constexpr int rays = 200;
   for (int i = 0; i < rays; ++i) {
     const Vec3d target = Vec3d{50, 50, 50} + random.point(40);
     const Vec3d origin = Vec3d{50, 50, 50} + random.direction() * 200.0;
-    closest_hit(world, ray_in<float>({origin, normalize(target - origin)}), true, tests);
+    closest_hit(world, ray_in<float>({origin, normalize(target - origin)}), true, effort);
   }
-  EXPECT_LT(tests / rays, 200);
+  EXPECT_LT(effort.tests() / rays, 200);
 }
 
 }  // namespace

@@ -125,10 +125,10 @@ TEST(World, OccludedMeansAnyHitBeforeTheDistanceButOnesOwn) {
   const World world = compile(scene);
   const Ray<float> ray{{0, 0, 0}, {0, 0, -1}};
   const Lamp point{{}, {}, -1, 0}, first{{}, {}, 0, 0};
-  std::int64_t tests = 0;
+  Effort effort;
   const auto dark = [&](const Ray<float>& way, float distance, const Lamp& lamp) {
     const bool by_list = occluded_by_balls(world, way, distance, lamp);
-    EXPECT_EQ(occluded(world, way, distance, lamp, true, tests), by_list);
+    EXPECT_EQ(occluded(world, way, distance, lamp, true, effort), by_list);
     return by_list;
   };
   EXPECT_TRUE(dark(ray, 20, point));

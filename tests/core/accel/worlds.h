@@ -107,10 +107,11 @@ inline Scene mixed_scene(Random& random, int objects, double scale) {
 inline World without_index(World world) {
   const auto as_leaf = [](std::vector<std::uint32_t> all) {
     Bvh leaf;
-    const auto count = static_cast<std::uint16_t>(all.size());
-    if (count > 0)
-      leaf.nodes.push_back(
-          {{{-infinity, -infinity, -infinity}, {infinity, infinity, infinity}}, 0, count, 0});
+    if (!all.empty()) {
+      Bvh::Node& root = leaf.nodes.emplace_back();
+      root.boxes.add({{-infinity, -infinity, -infinity}, {infinity, infinity, infinity}});
+      root.count[0] = static_cast<std::uint16_t>(all.size());
+    }
     leaf.order = std::move(all);
     return leaf;
   };
@@ -169,8 +170,8 @@ inline Ray<Wide> packed(const std::vector<Ray<float>>& rays) {
 
 template <class Real>
 Hit<Real> hit_of(const World& world, const Ray<Real>& ray) {
-  std::int64_t tests = 0;
-  return closest_hit(world, ray, iota<Real>() >= Real(0), tests);
+  Effort effort;
+  return closest_hit(world, ray, iota<Real>() >= Real(0), effort);
 }
 inline Hit<float> lane_of(const Hit<Wide>& hit, int k) {
   return {lane(hit.t, k), lane(hit.part, k), lane(hit.element, k), lane(hit.copy, k)};

@@ -198,7 +198,7 @@ TEST(Samples, LimitAndStopAreSeenWithinOneTile) {
   RayTally many;
   many.primary = RayMeter::often;
   std::stop_source source;
-  RayMeter meter(1LL << 60, source.get_token());
+  RayMeter meter(1LL << 60, 1LL << 60, source.get_token());
   EXPECT_NO_THROW(meter.add_if_many(many));
   EXPECT_EQ(many.primary, 0);
   EXPECT_EQ(meter.counts().primary, RayMeter::often);

@@ -1,0 +1,37 @@
+// Effort: what tracing has cost so far.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <utility>
+
+namespace tia {
+
+/// Effort: counts tests of boxes and surfaces, and hands the work that they are on in portions to
+/// whoever bounds it: a ray that meets a million things that overlap must not be one step.
+/// Space/units: work in tests of a box or a ball by a whole packet; so its sum depends on how rays
+/// are packed.
+class Effort {
+ public:
+  /// Takes a portion of work; may throw, which ends the tracing.
+  using Report = std::function<void(std::int64_t work)>;
+  static constexpr std::int64_t portion = 1 << 16;
+
+  /// One that only counts.
+  Effort() = default;
+  explicit Effort(Report report) : report_(std::move(report)) {}
+
+  /// One test more. Errors: what the report throws.
+  void test(std::int64_t work = 1) {
+    ++tests_;
+    work_ += work;
+    if (work_ >= portion && report_) report_(std::exchange(work_, 0));
+  }
+  std::int64_t tests() const { return tests_; }
+
+ private:
+  std::int64_t tests_ = 0, work_ = 0;
+  Report report_;
+};
+
+}  // namespace tia
