@@ -1,5 +1,7 @@
 // /explain: one pixel or one ray in, what the ray meets out, as JSON.
 #include "core/input/json.h"
+#include "core/integrators/shown.h"
+#include "core/render/sampler.h"
 #include "server/handlers.h"
 #include "server/parameters.h"
 
@@ -26,16 +28,20 @@ struct FreeRay {
 };
 
 /// ExplainRequest: the parameters of /explain.
-struct ExplainRequest : ViewRequest {
+struct ExplainRequest : TraceRequest {
   std::optional<int> x, y;
+  int sample = 0;
   std::optional<FreeRay> ray;
 
   template <class Visitor>
   static void fields(Visitor&& visit) {
     using E = ExplainRequest;
-    ViewRequest::fields(visit);
+    constexpr double most_samples = 16 * 65536 - 1;
+    TraceRequest::fields(visit);
     visit("x", &E::x, Spec{.about = "the pixel's column, from the left", .min = 0, .max = most_px});
     visit("y", &E::y, Spec{.about = "the pixel's row, from the top", .min = 0, .max = most_px});
+    visit("sample", &E::sample,
+          Spec{.about = "which of the pixel's rays, from 0", .min = 0, .max = most_samples});
     visit("ray", &E::ray, Spec{.about = "a ray of its own instead of a pixel's"});
   }
 
@@ -57,23 +63,33 @@ struct ExplainRequest : ViewRequest {
   }
 };
 
-Ray<double> ray_of(const ExplainRequest& asked, const Scene& scene) {
-  if (asked.ray) return {asked.ray->origin, normalize(asked.ray->direction)};
-  const View view = view_of(scene.camera, asked.width, asked.height);
-  return view.ray<double>(*asked.x, *asked.y);
+RenderOptions options_of(const ExplainRequest& asked, const Scene& scene, const Service& service) {
+  const RenderOptions options = options_of(TraceRequest(asked), scene, service.studio);
+  if (shown(options.integrator) != Shown::light)
+    throw InputError({FaultKind::out_of_range, "/integrator", Value(name_of(options.integrator)),
+                      "thesis or whitted, which gather light"});
+  const int rays = least_samples(options.samples, options.threshold);
+  const int most = options.threshold > 0 ? 16 * rays : rays;
+  if (asked.sample >= most)
+    throw InputError({FaultKind::out_of_range, "/sample", Value(asked.sample),
+                      range_text({.min = 0, .max = most - 1.0}, true) + ", of the pixel's rays"});
+  return options;
+}
+
+Explanation explanation_of(const ExplainRequest& asked, const Service& service) {
+  const SharedScene scene = scene_of(asked, service.studio);
+  const RenderOptions options = options_of(asked, *scene, service);
+  if (asked.ray)
+    return explain(*scene, {asked.ray->origin, normalize(asked.ray->direction)}, options);
+  const View view = view_of(scene->camera, asked.width, asked.height);
+  return explain(*scene, view, *asked.x, *asked.y, asked.sample, options);
 }
 
 Response explained(const Value& parameters, const Service& service) {
   const auto asked = read_described<ExplainRequest>(parameters);
   check_size(asked.width, asked.height, service.studio.limits);
-  const SharedScene scene = scene_of(asked, service.studio);
-  Value::Object answer = value_of(explain(*scene, ray_of(asked, *scene)));
-  if (!asked.ray) {
-    answer.emplace_back("pixel", Value::Array{*asked.x, *asked.y});
-    answer.emplace_back("sample", 0);
-  }
   return {.content_type = "application/json",
-          .body = to_json(answer),
+          .body = to_json(value_of(explanation_of(asked, service))),
           .headers = {{"Cache-Control", "no-cache"}}};
 }
 

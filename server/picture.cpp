@@ -28,19 +28,10 @@ std::string_view media_type_of(Format format) {
 Plan plan_of(const PictureRequest& asked, const Studio& studio) {
   check_size(asked.width, asked.height, studio.limits);
   Plan plan{scene_of(asked, studio), asked.window(), {}, {}};
-  const SceneOptions& own = plan.scene->options;
   RenderOptions& options = plan.options;
-  options.integrator =
-      asked.integrator ? *asked.integrator : own.integrator.value_or(IntegratorName::thesis);
+  options = options_of(asked, *plan.scene, studio);
   options.threads = std::min(asked.threads.value_or(studio.pool.threads()), studio.pool.threads());
-  if (averages(options.integrator)) {
-    options.samples = asked.samples ? *asked.samples : own.samples.value_or(1);
-    options.threshold = asked.threshold ? *asked.threshold : own.threshold.value_or(0);
-  }
-  options.seed = asked.seed.value_or(own.seed);
-  options.max_rays = studio.limits.max_rays;
-  options.max_work = studio.limits.max_work;
-  plan.display = {shown(options.integrator), asked.transfer.value_or(own.transfer)};
+  plan.display = {shown(options.integrator), asked.transfer.value_or(plan.scene->options.transfer)};
   const Window& window = plan.window;
   check_rays(static_cast<std::int64_t>(window.width()) * window.height(),
              least_samples(options.samples, options.threshold), studio.limits);

@@ -26,12 +26,8 @@ struct tia::Names<tia::server::Format> {
 namespace tia::server {
 
 /// PictureRequest: the parameters of /render.
-struct PictureRequest : ViewRequest {
+struct PictureRequest : TraceRequest {
   std::optional<std::array<int, 4>> crop;
-  std::optional<IntegratorName> integrator;
-  std::optional<int> samples;
-  std::optional<double> threshold;
-  std::optional<std::int64_t> seed;
   std::optional<Transfer> transfer;
   Format format = Format::png;
   std::optional<int> threads;
@@ -39,22 +35,12 @@ struct PictureRequest : ViewRequest {
   template <class Visitor>
   static void fields(Visitor&& visit) {
     using P = PictureRequest;
-    ViewRequest::fields(visit);
+    TraceRequest::fields(visit);
     visit("crop", &P::crop,
           Spec{.about = "x0,y0,x1,y1: the window x0 <= x < x1, y0 <= y < y1 of the picture",
                .unit = "pixels",
                .min = 0,
                .max = most_px});
-    visit("integrator", &P::integrator, Spec{.about = "how light is gathered"});
-    visit("samples", &P::samples,
-          Spec{.about = "rays a pixel; 1 goes through its centre", .min = 1, .max = 65536});
-    visit("threshold", &P::threshold,
-          Spec{.about = "more rays where a pixel's own disagree: the standard error that its mean "
-                        "may keep; 0 is off",
-               .min = 0,
-               .max = 1});
-    visit("seed", &P::seed,
-          Spec{.about = "the random stream", .min = 0, .max = SceneOptions::last_seed});
     visit("transfer", &P::transfer, Spec{.about = "curve from linear light to stored codes"});
     visit("format", &P::format, Spec{.about = "png, or pfm for linear light in float"});
     visit("threads", &P::threads,

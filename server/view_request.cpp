@@ -1,5 +1,7 @@
 #include "server/view_request.h"
 
+#include "core/integrators/shown.h"
+
 namespace tia {
 namespace {
 
@@ -72,6 +74,21 @@ SharedScene scene_of(const ViewRequest& asked, const Studio& studio) {
   if (asked.key) return std::make_shared<const Scene>(press(*scene, *asked.key));
   if (asked.light) return std::make_shared<const Scene>(with_light(*scene, *asked.light));
   return scene;
+}
+
+RenderOptions options_of(const TraceRequest& asked, const Scene& scene, const Studio& studio) {
+  const SceneOptions& own = scene.options;
+  RenderOptions options;
+  options.integrator = asked.integrator.value_or(own.integrator);
+  options.max_depth = asked.max_depth.value_or(own.max_depth);
+  if (averages(options.integrator)) {
+    options.samples = asked.samples ? *asked.samples : own.samples.value_or(1);
+    options.threshold = asked.threshold ? *asked.threshold : own.threshold.value_or(0);
+  }
+  options.seed = asked.seed.value_or(own.seed);
+  options.max_rays = studio.limits.max_rays;
+  options.max_work = studio.limits.max_work;
+  return options;
 }
 
 }  // namespace tia::server

@@ -43,6 +43,35 @@ struct ViewRequest {
   void check(const Place& at, Faults& faults) const;
 };
 
+/// TraceRequest: what besides decides a pixel's light.
+struct TraceRequest : ViewRequest {
+  std::optional<IntegratorName> integrator;
+  std::optional<int> samples;
+  std::optional<double> threshold;
+  std::optional<int> max_depth;
+  std::optional<std::int64_t> seed;
+
+  template <class Visitor>
+  static void fields(Visitor&& visit) {
+    using T = TraceRequest;
+    ViewRequest::fields(visit);
+    visit("integrator", &T::integrator, Spec{.about = "how light is gathered"});
+    visit("samples", &T::samples,
+          Spec{.about = "rays a pixel; 1 goes through its centre", .min = 1, .max = 65536});
+    visit("threshold", &T::threshold,
+          Spec{.about = "more rays where a pixel's own disagree: the standard error that its mean "
+                        "may keep; 0 is off",
+               .min = 0,
+               .max = 1});
+    visit("max_depth", &T::max_depth,
+          Spec{.about = "how often light is mirrored or refracted on its way; 0 is never",
+               .min = 0,
+               .max = SceneOptions::deepest});
+    visit("seed", &T::seed,
+          Spec{.about = "the random stream", .min = 0, .max = SceneOptions::last_seed});
+  }
+};
+
 /// What every picture needs of its host.
 struct Studio {
   const Gallery& gallery;
@@ -57,6 +86,9 @@ SharedScene find_scene(const std::string& name, const Studio& studio);
 /// The scene that is asked for: with its camera patched, then its key pressed or its light moved.
 /// It may be the request's own, and lives no longer. Errors: InputError.
 SharedScene scene_of(const ViewRequest& asked, const Studio& studio);
+
+/// How the scene's light is traced: as the request says, else as the scene does.
+RenderOptions options_of(const TraceRequest& asked, const Scene& scene, const Studio& studio);
 
 }  // namespace tia::server
 

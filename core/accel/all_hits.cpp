@@ -32,24 +32,16 @@ class Collector {
       case Item::copies: return meet(world_.copies[at], packet);
     }
   }
-  bool add(double t, int part, int element, const Packet<double>& packet) {
-    if (!(t > 0 && t < Aabb::far)) return false;
+  void add(double t, int part, int element, const Packet<double>& packet) {
+    if (!(t > 0 && t < Aabb::far)) return;
     if (found_.size() == most_hits)
       fail("a ray that crosses at most " + std::to_string(most_hits) + " surfaces");
     found_.push_back({.t = t, .part = part, .element = element, .copy = packet.copy});
-    return true;
   }
-  // Boundaries alternate: in, out. What a solid is cut with has its own outside within it.
   void meet(const Solid& solid, Packet<double>& packet) {
     effort_.test(solid.work);
-    bool enters = true;
-    for (const Boundary& each : spans(solid, world_.parts, packet.line(0))) {
-      if (add(each.t, each.part, each.element, packet)) {
-        found_.back().front = enters;
-        found_.back().of_solid = true;
-      }
-      enters = !enters;
-    }
+    for (const Boundary& each : spans(solid, world_.parts, packet.line(0)))
+      add(each.t, each.part, each.element, packet);
   }
   void meet_part(int part, Packet<double>& packet) {
     effort_.test(world_.part(part).work);
@@ -111,9 +103,7 @@ std::vector<Meeting> all_hits(const World& world, const Ray<double>& ray) {
     each.normal = normals_at(world, each.point, each.part, each.element, each.copy).ng;
     each.uv = uv_at(world, each.point, each.part, each.element, each.copy);
     if (!(dot(each.normal, each.normal) > 0)) each.normal = -ray.direction;  // too small for one
-    const bool faces_ray = dot(each.normal, ray.direction) < 0;
-    if (!each.of_solid) each.front = faces_ray;
-    else if (faces_ray != each.front) each.normal = -each.normal;
+    each.front = dot(each.normal, ray.direction) < 0;
   }
   return found;
 }

@@ -16,8 +16,7 @@ struct Meeting {
   std::int64_t copy = 0;
   Vec3d point{}, normal{};
   Vec2d uv{};
-  bool front = false;     ///< whether the ray meets the outer side
-  bool of_solid = false;  ///< a CSG's: its outside counts, not that of what cuts it
+  bool front = false;  ///< whether the ray meets the outer side
 };
 
 inline constexpr std::size_t most_hits = 10'000;

@@ -11,11 +11,30 @@ constexpr std::size_t few = 16;
 
 Vec3d rgb(const Color& c) { return {c.r, c.g, c.b}; }
 
+// A point as far as the thesis can tell, whose light does not fade.
+bool is_plain_point(const Lamp& lamp) {
+  const bool point = std::holds_alternative<PointForm>(lamp.form) ||
+                     std::holds_alternative<SphereForm>(lamp.form);
+  return point && lamp.fade_distance == 0;
+}
+
 bool emits(const Vec3d& light) { return light.x > 0 || light.y > 0 || light.z > 0; }
 
-Matte matte_of(const Material& material) {
+Matter matter_of(const Material& material, const Vec3d& ambient_light) {
   const auto& finish = std::get<Finish>(material.kind);
-  return {rgb(finish.color) * finish.diffuse, rgb(finish.emission)};
+  Matter matter;
+  matter.albedo = rgb(finish.color) * finish.diffuse;
+  matter.ambient = rgb(finish.color) * ambient_light * finish.ambient;
+  matter.emission = rgb(finish.emission);
+  matter.absorption = rgb(finish.absorption);
+  matter.brilliance = finish.brilliance;
+  matter.specular = finish.specular;
+  matter.exponent = 1 / finish.roughness;
+  matter.reflection = finish.reflection;
+  matter.transmission = finish.transmission;
+  matter.ior = finish.ior;
+  matter.fresnel = finish.fresnel;
+  return matter;
 }
 
 // By how much a map scales all lengths alike; nothing where it does not.
@@ -32,29 +51,31 @@ std::optional<double> similarity(const Affine& map) {
 /// What an object takes from its ancestors.
 struct Inherited {
   Affine place{};  ///< from the object's parent's space to the space of the world
-  int matte = 0;
+  int matter = 0;
   int space = 0;
+  bool inverted = false;  ///< whether it is cut out of a solid
 };
 
 class Compiler {
  public:
   explicit Compiler(const Scene& scene) : scene_(scene) {
     world_.background = rgb(scene.background);
+    world_.transparent_shadows = scene.options.transparent_shadows;
     world_.spaces.emplace_back();
-    world_.mattes.push_back(tia::matte_of(Material{}));
+    world_.matters.push_back(matter_of(Material{}));
     for (const auto& [name, material] : scene.materials) {
-      named_.emplace(name, static_cast<int>(world_.mattes.size()));
-      world_.mattes.push_back(tia::matte_of(material));
+      named_.emplace(name, static_cast<int>(world_.matters.size()));
+      world_.matters.push_back(matter_of(material));
     }
   }
 
   World compile() {
     for (const Object& object : scene_.objects) add(object, {});
-    for (const Light& light : scene_.lights) add(light);
-    if (scene_.key_light) add(*scene_.key_light);
+    add_lights();
     for (Space& space : world_.spaces) index(space);
     world_.few_balls = world_.balls.size() == world_.parts.size() && world_.copies.empty() &&
-                       world_.balls.size() <= few;
+                       world_.balls.size() <= few &&
+                       std::ranges::all_of(world_.lamps, is_plain_point);
     for (const MeshIndex& mesh : world_.meshes) world_.degenerate += mesh.degenerate;
     return std::move(world_);
   }
@@ -65,13 +86,17 @@ class Compiler {
     return static_cast<int>(list.size()) - 1;
   };
 
-  int matte_index(const Object& object, int inherited) {
+  Matter matter_of(const Material& material) const {
+    return tia::matter_of(material, rgb(scene_.ambient_light));
+  }
+  int matter_index(const Object& object, int inherited) {
     if (!object.material) return inherited;
     if (const auto* name = std::get_if<std::string>(&*object.material)) return named_.at(*name);
-    return pushed(world_.mattes, tia::matte_of(std::get<Material>(*object.material)));
+    return pushed(world_.matters, matter_of(std::get<Material>(*object.material)));
   }
   Inherited below(const Object& object, const Inherited& above) {
-    return {above.place * object.transform.affine(), matte_index(object, above.matte), above.space};
+    return {above.place * object.transform.affine(), matter_index(object, above.matter),
+            above.space, above.inverted};
   }
 
   void add(const Object& object, const Inherited& above) {
@@ -94,9 +119,10 @@ class Compiler {
     const Aabb box = bounds(form);
     if (box.bounded()) part.middle = box.center();
     if constexpr (requires { work_of(form); }) part.work = work_of(form);
-    part.matte = own.matte;
+    part.matter = own.matter;
     part.object = object;
     part.space = own.space;
+    part.inverted = own.inverted;
     return pushed(world_.parts, part);
   }
   template <class F>
@@ -104,8 +130,14 @@ class Compiler {
     const int part = add_part(form, own, world_.objects++);
     put({Item::part, part}, bounds_of(own.place, bounds(form)), own.space);
   }
-  // A sphere that stays round is a ball, too.
+  // A luminous one is a light.
   void add_surface(const Sphere& sphere, const Inherited& own) {
+    const int part = add_ball(sphere, own);
+    const Constant emission = world_.matter_of(part).emission;
+    if (emits(emission.exact)) add_lamps(own.place.point(sphere.center), emission, part);
+  }
+  // A sphere that stays round is a ball, too. Returns: its part.
+  int add_ball(const Sphere& sphere, const Inherited& own) {
     const int part = add_part(sphere, own, world_.objects++);
     const Vec3d center = own.place.point(sphere.center);
     if (const auto scale = similarity(own.place)) {
@@ -116,8 +148,7 @@ class Compiler {
     } else {
       put({Item::part, part}, bounds_of(own.place, bounds(sphere)), own.space);
     }
-    const Constant emission = world_.matte_of(part).emission;
-    if (emits(emission.exact)) add_lamps(center, emission, part);
+    return part;
   }
   // One lamp for each copy of a luminous ball.
   void add_lamps(const Vec3d& center, const Constant& color, int part) {
@@ -129,7 +160,10 @@ class Compiler {
     }
     for (std::int64_t copy = 0; copy < copies; ++copy) {
       const Vec3d place = world_.to_space(world_.part(part).space, copy).inverse().point(center);
-      world_.lamps.push_back({place, color, part, static_cast<int>(copy)});
+      Lamp lamp{PointForm{place}, place, color};
+      lamp.part = part;
+      lamp.copy = static_cast<int>(copy);
+      world_.lamps.push_back(lamp);
     }
   }
 
@@ -155,7 +189,7 @@ class Compiler {
     const Aabb all = bounds_of(own.place, group.repeat->swept(copies.box));
     const int number = pushed(world_.copies, copies);
     world_.spaces.back().copies = number;
-    for (const Object& child : group.children) add(child, {Affine{}, own.matte, inside});
+    for (const Object& child : group.children) add(child, {Affine{}, own.matter, inside, false});
     put({Item::copies, number}, all, own.space);
   }
 
@@ -173,7 +207,9 @@ class Compiler {
   void add_operands(const std::vector<Object>& children, Operation operation,
                     const Inherited& above, int object, Solid& solid) {
     for (std::size_t i = 0; i < children.size(); ++i) {
-      add_operand(children[i], below(children[i], above), object, solid);
+      Inherited own = below(children[i], above);
+      if (i > 0 && operation == Operation::difference) own.inverted = !own.inverted;
+      add_operand(children[i], own, object, solid);
       if (i > 0) solid.steps.push_back({-1, operation});
     }
   }
@@ -192,15 +228,52 @@ class Compiler {
 
   // ---- lights ---------------------------------------------------------------------------------
 
-  void add(const Light& light) {
-    if (!light.position()) return;  // a key light that no key has lit yet
-    const Vec3d color = rgb(light.color) * light.intensity;
-    if (const auto* ball = std::get_if<SphereLight>(&light.kind)) {
-      const int matte = pushed(world_.mattes, Matte{{}, color});
-      add_surface(Sphere{*ball->position, ball->radius}, {Affine{}, matte, 0});
-    } else if (emits(color)) {
-      world_.lamps.push_back({*light.position(), color});
+  void add_lights() {
+    Vec3d skies{};
+    bool sky = false;
+    const auto add = [&](const Light& light, const std::string& name) {
+      if (light.awaited() != nullptr) return;  // a key light that no key has lit yet
+      const Vec3d color = rgb(light.color) * light.intensity;
+      if (std::holds_alternative<SkyLight>(light.kind)) {
+        skies = skies + color;
+        sky = true;
+      }
+      std::visit([&](const auto& kind) { add_light(kind, light, color, name); }, light.kind);
+    };
+    for (std::size_t i = 0; i < scene_.lights.size(); ++i)
+      add(scene_.lights[i], "/lights/" + std::to_string(i));
+    if (scene_.key_light) add(*scene_.key_light, "/key_light");
+    if (sky) world_.background = skies;
+  }
+  template <class Kind>
+  void add_light(const Kind& kind, const Light& light, const Vec3d& color,
+                 const std::string& name) {
+    if constexpr (MovableLight<Kind>) {
+      Lamp lamp{prepare(kind), light.place().value_or(Vec3d{}), color};
+      if (light.fade_distance) lamp.fade_distance = *light.fade_distance;
+      lamp.fade_power = light.fade_power;
+      lamp.name = name;
+      if constexpr (requires { kind.samples; }) {
+        lamp.places = Strata(kind.samples);
+        lamp.part = static_cast<int>(world_.parts.size());
+        Matter glow;
+        glow.emission = color;
+        add_luminous(kind, {Affine{}, pushed(world_.matters, glow), 0, false});
+      }
+      if (emits(color)) world_.lamps.push_back(lamp);
     }
+  }
+  void add_luminous(const SphereLight& light, const Inherited& own) {
+    add_ball(Sphere{*light.position, light.radius}, own);
+  }
+  void add_luminous(const QuadLight& light, const Inherited& own) {
+    Mesh mesh;
+    const Vec3d corners[] = {*light.corner, *light.corner + light.u,
+                             *light.corner + light.u + light.v, *light.corner + light.v};
+    for (const Vec3d& p : corners)
+      mesh.positions.values.insert(mesh.positions.values.end(), {p.x, p.y, p.z});
+    mesh.indices.values = {0, 1, 2, 0, 2, 3};
+    add_kind(mesh, own);
   }
 
   // ---- the index ------------------------------------------------------------------------------

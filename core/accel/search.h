@@ -14,9 +14,10 @@ namespace tia {
 template <class Real>
 struct Nearest {
   Hit<Real> hit{};
+  int own = -1, own_copy = 0;  ///< the part that does not count; -1: none
 
   const Real& limit() const { return hit.t; }
-  bool skips(int, int) const { return false; }
+  bool skips(int part, int copy) const { return part == own && copy == own_copy; }
   void offer(const Real& t, const Real& part, const Real& element, int copy, Mask<Real> here) {
     const Real number(static_cast<float>(copy));
     const auto first = [](const Real& a, const Real& b, Mask<Real> after) -> Mask<Real> {
@@ -126,6 +127,7 @@ class Search {
   }
 
   void meet_mesh(int part, Packet<Real>& packet, Mask<Real> here) {
+    if (query_.skips(part, packet.copy)) return;
     const Part& own = world_.part(part);
     const MeshIndex& mesh = world_.meshes[static_cast<std::size_t>(own.mesh)];
     Packet<Real> inside = packet.seen_through(own.to_object);

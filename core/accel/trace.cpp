@@ -25,6 +25,44 @@ Mask<Real> occluded(const World& world, const Ray<Real>& ray, const Real& t_max,
 
 namespace {
 
+// What the lanes' hits let through.
+template <class Real>
+Real transmissions(const World& world, const Hit<Real>& hit, Mask<Real> met) {
+  Real share(0);
+  for_each_winner(hit, met, [&](int part, Mask<Real> here) {
+    share = select(here, lift<Real>(world.matter_of(part).transmission), share);
+  });
+  return share;
+}
+
+}  // namespace
+
+// From surface to surface. The offset behind each is as far as a shadow ray's in front of its own.
+template <class Real>
+Real transmitted(const World& world, const Ray<Real>& ray, const Real& t_max, const Lamp& lamp,
+                 Mask<Real> active, Effort& effort) {
+  Real share(1), done(0);
+  Mask<Real> going = active;
+  while (any(going)) {
+    const Vec3<Real> from = ray.at(done);
+    Nearest<Real> query;
+    query.own = lamp.part;
+    query.own_copy = lamp.copy;
+    Packet<Real> packet(Ray<Real>{from, ray.direction});
+    Search<Real, Nearest<Real>>(world, query, effort).through(world.spaces.front(), packet, going);
+    const Real t = done + query.hit.t;
+    going = going && t < t_max;
+    share = select(going, share * transmissions(world, query.hit, going), share);
+    going = going && share > Real(0);
+    const Vec3<Real> p = ray.at(t);
+    const Real extent = max_of(max_of(abs_of(p.x), abs_of(p.y)), abs_of(p.z));
+    done = select(going, t + Real(5e-6F) * max_of(t, extent), done);
+  }
+  return share;
+}
+
+namespace {
+
 Affine to_object(const World& world, const Part& part, std::int64_t copy) {
   return part.space == 0 ? part.to_object : part.to_object * world.to_space(part.space, copy);
 }
@@ -41,7 +79,9 @@ Normals normals_at(const World& world, const Vec3d& p, int part, int element, st
   const Affine map = to_object(world, own, copy);
   const Vec3d local = map.point(p);
   // Normals are carried out by the inverse transpose.
-  const auto outwards = [&](const Vec3d& n) { return normalize(map.row(n)); };
+  const auto outwards = [&](const Vec3d& n) {
+    return normalize(map.row(own.inverted ? -n : n));
+  };
   if (own.mesh >= 0) {
     const MeshPoint at = mesh_point(world, own, local, element);
     return {outwards(at.n), outwards(at.ng)};
@@ -78,7 +118,7 @@ SurfacePoint<Real> surface_by_lanes(const World& world, const Ray<Real>& ray, co
     return {load<Real>(parts[k].data()), load<Real>(parts[k + 1].data()),
             load<Real>(parts[k + 2].data())};
   };
-  return {vector(0), vector(3), vector(6)};
+  return {vector(0), vector(3), vector(6), {}};
 }
 
 // ---- the three scalars ----------------------------------------------------------------------
@@ -87,6 +127,8 @@ SurfacePoint<Real> surface_by_lanes(const World& world, const Ray<Real>& ray, co
   template Hit<Real> closest_hit(const World&, const Ray<Real>&, Mask<Real>, Effort&);           \
   template Mask<Real> occluded(const World&, const Ray<Real>&, const Real&, const Lamp&,         \
                                Mask<Real>, Effort&);                                             \
+  template Real transmitted(const World&, const Ray<Real>&, const Real&, const Lamp&,            \
+                            Mask<Real>, Effort&);                                                \
   template SurfacePoint<Real> surface_by_lanes(const World&, const Ray<Real>&, const Hit<Real>&, \
                                                int, Mask<Real>);
 TIA_TRACE(Wide)

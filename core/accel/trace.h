@@ -35,7 +35,13 @@ template <class Real>
 Mask<Real> occluded(const World& world, const Ray<Real>& ray, const Real& t_max, const Lamp& lamp,
                     Mask<Real> active, Effort& effort);
 
-/// The same in a world of few balls.
+/// The share of a lamp's light that goes straight from t_max to the ray's origin through all that
+/// transmits: each surface on the way takes its own. Errors: as occluded's.
+template <class Real>
+Real transmitted(const World& world, const Ray<Real>& ray, const Real& t_max, const Lamp& lamp,
+                 Mask<Real> active, Effort& effort);
+
+/// The same as occluded in a world of few balls.
 template <class Real>
 Mask<Real> occluded_by_balls(const World& world, const Ray<Real>& ray, const Real& t_max,
                              const Lamp& lamp) {
@@ -51,15 +57,18 @@ Mask<Real> occluded_by_balls(const World& world, const Ray<Real>& ray, const Rea
 template <class Real>
 struct SurfacePoint {
   Vec3<Real> p, n, ng;  ///< n is what shading uses, ng is the surface's own
+  Mask<Real> front{};   ///< where the viewer is outside
   const Vec3<Real>& side() const { return ng; }
   void take(const SurfacePoint& other, Mask<Real> here) {
     p = select(here, other.p, p);
     n = select(here, other.n, n);
     ng = select(here, other.ng, ng);
+    front = (here && other.front) || (!here && front);
   }
 };
 
-/// Normals: the surface's own and the one that shading uses, outwards and unit.
+/// Normals: the surface's own and the one that shading uses, unit and outwards; where a solid is
+/// cut, out of what is left.
 struct Normals {
   Vec3d n, ng;
 };
@@ -84,6 +93,7 @@ Vec3<Real> turned(const Vec3<Real>& n, const Real& cosine, const Vec3<Real>& dir
 template <class Real>
 struct BallPoint {
   Vec3<Real> p, n;
+  Mask<Real> front{};
   const Vec3<Real>& side() const { return n; }
   void take(const BallPoint& other, Mask<Real> here) {
     p = select(here, other.p, p);
@@ -95,7 +105,9 @@ BallPoint<Real> ball_surface(const Ball& ball, const Ray<Real>& ray, const Real&
   BallPoint<Real> at;
   at.p = ray.at(t);
   at.n = normal(ball.sphere, at.p);
-  at.n = turned(at.n, dot(at.n, ray.direction), ray.direction);
+  const Real cosine = dot(at.n, ray.direction);
+  at.front = cosine <= Real(0);
+  at.n = turned(at.n, cosine, ray.direction);
   return at;
 }
 
@@ -107,12 +119,13 @@ SurfacePoint<Real> surface(const World& world, const Ray<Real>& ray, const Hit<R
   if (own.ball >= 0 && own.space == 0) {
     const Ball& ball = world.balls[static_cast<std::size_t>(own.ball)];
     const BallPoint<Real> at = ball_surface(ball, ray, hit.t);
-    return {at.p, at.n, at.n};
+    return {at.p, at.n, at.n, at.front};
   }
   SurfacePoint<Real> at = surface_by_lanes(world, ray, hit, part, here);
   const Real cosine = dot(at.ng, ray.direction);
   at.n = turned(at.n, cosine, ray.direction);
   at.ng = turned(at.ng, cosine, ray.direction);
+  at.front = cosine <= Real(0);
   return at;
 }
 

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "core/accel/bvh.h"
@@ -11,24 +12,39 @@
 #include "core/accel/mesh_index.h"
 #include "core/accel/part.h"
 #include "core/accel/solid.h"
+#include "core/lights/light.h"
+#include "core/math/strata.h"
 #include "core/scene/beam.h"
 #include "core/scene/scene.h"
 
 namespace tia {
 
-/// Matte: what shading needs of a material. Linear RGB.
-struct Matte {
+/// Matter: what shading needs of a material. Linear RGB.
+struct Matter {
   Constant albedo;    ///< diffuse * color
+  Constant ambient;   ///< what it sends back of the light from everywhere
   Constant emission;  ///< light of its own
-  bool operator==(const Matte&) const = default;
+  Constant absorption;
+  double brilliance = 1;
+  double specular = 0, exponent = 20;
+  double reflection = 0, transmission = 0, ior = 1;
+  bool fresnel = false;
+
+  bool parts_light() const { return reflection > 0 || transmission > 0; }
+  bool operator==(const Matter&) const = default;
 };
 
-/// Lamp: a light as the thesis sees it, a point.
+/// Lamp: a light that shines on points.
 struct Lamp {
-  Constant position;
-  Constant color;  ///< color * intensity
-  int part = -1;   ///< its own ball, which never blocks it; -1: none
-  int copy = 0;    ///< which copy of it
+  LightForm form;
+  Constant middle;           ///< of what has one
+  Constant color;            ///< color * intensity
+  double fade_distance = 0;  ///< 0: it does not fade
+  double fade_power = 0;
+  Strata places{1};  ///< of its area, that shine; 1: its middle alone
+  int part = -1;    ///< its own surface, which never blocks it; -1: none
+  int copy = 0;     ///< which copy of it
+  std::string name{};  ///< the JSON Pointer of one of the scene's lights; "": a luminous object
 };
 
 /// Ball: a sphere as whole packets are tried on it, in its space.
@@ -59,15 +75,16 @@ struct World {
   std::vector<MeshIndex> meshes;
   std::vector<Solid> solids;
   std::vector<Copies> copies;
-  std::vector<Matte> mattes;
+  std::vector<Matter> matters;
   std::vector<Lamp> lamps;
   Constant background;
   int objects = 0;             ///< how many; the luminous lights are the last
-  bool few_balls = false;      ///< so few and nothing else that they are tried one after another
+  bool transparent_shadows = false;  ///< whether light goes straight through what transmits
+  bool few_balls = false;  ///< so few, lit from points, that they are tried one after another
   std::size_t degenerate = 0;  ///< triangles without area, which nothing meets
 
   const Part& part(int i) const { return parts[static_cast<std::size_t>(i)]; }
-  const Matte& matte_of(int i) const { return mattes[static_cast<std::size_t>(part(i).matte)]; }
+  const Matter& matter_of(int i) const { return matters[static_cast<std::size_t>(part(i).matter)]; }
   Space& space(int i) { return spaces[static_cast<std::size_t>(i)]; }
   /// From the world to that copy of a space.
   Affine to_space(int space, std::int64_t copy) const;

@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "core/integrators/direct.h"
+
 namespace tia {
 template <class Real>
 Vec3<Real> normal_feature(WorldScope& scope, const Ray<Real>& ray, Mask<Real> active) {
@@ -33,15 +35,13 @@ Vec3<Real> object_feature(WorldScope& scope, const Ray<Real>& ray, Mask<Real> ac
 
 template <class Real>
 Vec3<Real> shadow_feature(WorldScope& scope, const Ray<Real>& ray, Mask<Real> active) {
-  const Hit<Real> hit = first_hit(scope, ray, active);
-  const auto seen = surfaces(scope, ray, hit, active);
+  const auto seen = surfaces(scope, ray, first_hit(scope, ray, active), active);
   const std::vector<Lamp>& lamps = scope.world.lamps;
   if (lamps.empty() || !any(seen.here)) return {Real(1), Real(1), Real(1)};
-  const Real offset = shadow_offset(hit.t, seen.at.p);
   Real lit(0);
   for (const Lamp& lamp : lamps) {
-    const Real cosine = visible_cosine(scope, seen.at, lamp, offset, seen.here);
-    lit = lit + select(cosine > Real(0), Real(1), Real(0));
+    const auto from = scope.from_middle(lamp, seen.at.p);
+    lit = lit + light_from<false>(scope, lamp, from, seen, ray.direction, {}).visible;
   }
   const Real share = select(seen.here, lit / Real(static_cast<float>(lamps.size())), Real(1));
   return {share, share, share};

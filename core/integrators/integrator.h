@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/integrators/features.h"
-#include "core/integrators/thesis.h"
+#include "core/integrators/whitted.h"
 
 namespace tia {
 
@@ -11,7 +11,7 @@ namespace tia {
 /// out meaningless and do not count as rays.
 template <class Real>
 Vec3<Real> radiance(IntegratorName name, WorldScope& scope, const Ray<Real>& ray,
-                    Mask<Real> active) {
+                    Mask<Real> active, const Draws<Real>& draws) {
   switch (name) {
     case IntegratorName::normal: return normal_feature(scope, ray, active);
     case IntegratorName::depth: return depth_feature(scope, ray, active);
@@ -19,9 +19,10 @@ Vec3<Real> radiance(IntegratorName name, WorldScope& scope, const Ray<Real>& ray
     case IntegratorName::object: return object_feature(scope, ray, active);
     case IntegratorName::shadow: return shadow_feature(scope, ray, active);
     case IntegratorName::cost: return cost_feature(scope, ray, active);
-    case IntegratorName::thesis: break;
+    case IntegratorName::thesis: return thesis(scope, ray, active, draws);
+    case IntegratorName::whitted: break;
   }
-  return thesis(scope, ray, active);
+  return whitted(scope, ray, active, draws);
 }
 
 }  // namespace tia

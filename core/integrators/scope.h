@@ -1,15 +1,22 @@
-// What integrators share: the world, what this thread counts, first hits and shadow rays.
+// What integrators share: the world, what this thread counts, first hits and the surfaces there.
 #pragma once
 
 #include <vector>
 
 #include "core/accel/trace.h"
+#include "core/integrators/path.h"
 
 namespace tia {
 
 /// RayTally: rays of one block by kind, exact.
 struct RayTally {
-  std::int64_t primary = 0, shadow = 0;
+  std::int64_t primary = 0, shadow = 0, reflection = 0, refraction = 0;
+  std::int64_t all() const { return primary + shadow + reflection + refraction; }
+  void count(RayKind kind, int rays) {
+    (kind == RayKind::primary      ? primary
+     : kind == RayKind::reflection ? reflection
+                                   : refraction) += rays;
+  }
 };
 
 /// Scope: the world as one block of the picture sees it, and what the block's rays count to. Of two
@@ -17,15 +24,23 @@ struct RayTally {
 struct WorldScope {
   const World& world;
   Effort effort;
+  int max_depth = 0;
   RayTally rays{};
 
   template <class Real>
   Hit<Real> closest(const Ray<Real>& ray, Mask<Real> active) {
     return closest_hit(world, ray, active, effort);
   }
+  /// The share of the light that comes from t_max to the ray's origin.
   template <class Real>
-  Mask<Real> blocked(const Ray<Real>& ray, const Real& t_max, const Lamp& lamp, Mask<Real> active) {
-    return occluded(world, ray, t_max, lamp, active, effort);
+  Real visible(const Ray<Real>& ray, const Real& t_max, const Lamp& lamp, Mask<Real> active) {
+    if (world.transparent_shadows) return transmitted(world, ray, t_max, lamp, active, effort);
+    const Mask<Real> dark = occluded(world, ray, t_max, lamp, active, effort);
+    return select(dark, Real(0), Real(1));
+  }
+  template <class Real>
+  Incoming<Real> from_middle(const Lamp& lamp, const Vec3<Real>& p) const {
+    return std::visit([&](const auto& form) { return incoming(form, p); }, lamp.form);
   }
   template <class Real>
   SurfacePoint<Real> surface_of(const Ray<Real>& ray, const Hit<Real>& hit, int part,
@@ -34,8 +49,8 @@ struct WorldScope {
   }
 };
 
-/// A world of few balls and nothing else, of which the camera rays may meet those listed: small
-/// enough to be tried one after another in registers.
+/// A world of few balls, lit from points, and nothing else, of which the camera rays may meet those
+/// listed: small enough to be tried one after another in registers.
 struct BallScope {
   const World& world;
   std::vector<int> balls;
@@ -46,8 +61,12 @@ struct BallScope {
     return closest_ball(world, balls, ray);
   }
   template <class Real>
-  Mask<Real> blocked(const Ray<Real>& ray, const Real& t_max, const Lamp& lamp, Mask<Real>) const {
-    return occluded_by_balls(world, ray, t_max, lamp);
+  Real visible(const Ray<Real>& ray, const Real& t_max, const Lamp& lamp, Mask<Real>) const {
+    return select(occluded_by_balls(world, ray, t_max, lamp), Real(0), Real(1));
+  }
+  template <class Real>
+  Incoming<Real> from_middle(const Lamp& lamp, const Vec3<Real>& p) const {
+    return incoming_from(lift<Real>(lamp.middle), p);
   }
   template <class Real>
   BallPoint<Real> surface_of(const Ray<Real>& ray, const Hit<Real>& hit, int part,
@@ -56,10 +75,11 @@ struct BallScope {
   }
 };
 
-/// What a camera ray meets first. Lanes that are not active do not count.
+/// What rays meet first. Lanes that are not active do not count.
 template <class Scope, class Real>
-Hit<Real> first_hit(Scope& scope, const Ray<Real>& ray, Mask<Real> active) {
-  scope.rays.primary += count(active);
+Hit<Real> first_hit(Scope& scope, const Ray<Real>& ray, Mask<Real> active,
+                    RayKind kind = RayKind::primary) {
+  scope.rays.count(kind, count(active));
   return scope.closest(ray, active);
 }
 
@@ -70,43 +90,29 @@ struct Seen {
   Mask<Real> here;  ///< the lanes that have hit anything; the others are meaningless
   Point at{};
   Vec3<Real> albedo{}, emission{};
+  Real offset{};  ///< how far above or below the surface new rays start
 };
+
+/// How far a ray starts from its surface: 1e-4 at the thesis' distances, in proportion to the
+/// distance elsewhere, so that scenes of other scales have neither acne nor leaks.
+template <class Real>
+Real offset_of(const Real& t, const Vec3<Real>& p) {
+  const Real extent = max_of(max_of(abs_of(p.x), abs_of(p.y)), abs_of(p.z));
+  return Real(5e-6F) * max_of(t, extent);
+}
 
 template <class Scope, class Real>
 auto surfaces(const Scope& scope, const Ray<Real>& ray, const Hit<Real>& hit, Mask<Real> active) {
   using Point = decltype(scope.surface_of(ray, hit, 0, active));
   Seen<Point, Real> seen{active && hit.t < Real(infinity)};
   for_each_winner(hit, active, [&](int part, Mask<Real> here) {
-    const Matte& matte = scope.world.matte_of(part);
+    const Matter& matter = scope.world.matter_of(part);
     seen.at.take(scope.surface_of(ray, hit, part, here), here);
-    seen.albedo = select(here, lift<Real>(matte.albedo), seen.albedo);
-    seen.emission = select(here, lift<Real>(matte.emission), seen.emission);
+    seen.albedo = select(here, lift<Real>(matter.albedo), seen.albedo);
+    seen.emission = select(here, lift<Real>(matter.emission), seen.emission);
   });
+  seen.offset = offset_of(hit.t, seen.at.p);
   return seen;
-}
-
-/// How far a shadow ray starts above its surface: 1e-4 at the thesis' distances, in proportion to
-/// the distance elsewhere, so that scenes of other scales have neither acne nor leaks.
-template <class Real>
-Real shadow_offset(Real t, const Vec3<Real>& p) {
-  const Real extent = max_of(max_of(abs_of(p.x), abs_of(p.y)), abs_of(p.z));
-  return Real(5e-6F) * max_of(t, extent);
-}
-
-/// n.l where the point sees the lamp, else 0. Lanes outside `here` cast no shadow rays.
-template <class Scope, class Point, class Real>
-Real visible_cosine(Scope& scope, const Point& at, const Lamp& lamp, Real offset, Mask<Real> here) {
-  const Vec3<Real> to_lamp = lift<Real>(lamp.position) - at.p;
-  const Real distance = length(to_lamp);
-  const Vec3<Real> l = to_lamp * (Real(1) / distance);
-  const Real n_dot_l = dot(at.n, l);
-  // Infinite or NaN where the lamp is nearer than float can tell.
-  const Mask<Real> lit = here && n_dot_l > Real(0) && n_dot_l < Real(infinity);
-  if (!any(lit)) return Real(0);
-  scope.rays.shadow += count(lit);
-  const Ray<Real> shadow_ray{at.p + at.side() * offset, l};
-  const Mask<Real> dark = scope.blocked(shadow_ray, distance, lamp, lit);
-  return select(lit && !dark, n_dot_l, Real(0));
 }
 
 }  // namespace tia

@@ -14,7 +14,8 @@ inline Shown shown(IntegratorName name) {
     case IntegratorName::shadow: return Shown::share;
     case IntegratorName::cost: return Shown::cost;
     case IntegratorName::albedo:
-    case IntegratorName::thesis: break;
+    case IntegratorName::thesis:
+    case IntegratorName::whitted: break;
   }
   return Shown::light;
 }

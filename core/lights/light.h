@@ -1,18 +1,31 @@
-// THE LIST of lights. A new kind is one file beside this one and one entry here.
+// THE LIST of lights. A new kind is one file beside this one and one entry here: its description,
+// and a form that tells what comes in from it (incoming.h).
 #pragma once
 
 #include <variant>
 
+#include "core/input/errors.h"
+#include "core/lights/directional.h"
 #include "core/lights/point.h"
+#include "core/lights/quad_light.h"
+#include "core/lights/sky.h"
 #include "core/lights/sphere_light.h"
+#include "core/lights/spot.h"
 
 namespace tia {
 
+/// A kind that stands somewhere, and that a key can put elsewhere: it has `place_field`, `waits()`
+/// (whether that field is not known yet), `place()` and `move_to(place, target)`.
+template <class Kind>
+concept MovableLight = requires(Kind kind, const Vec3d& p) { kind.move_to(p, p); };
+
 /// Light: a kind and what all kinds share. It sends color * intensity.
 struct Light {
-  std::variant<PointLight, SphereLight> kind;
+  std::variant<PointLight, DirectionalLight, SpotLight, SphereLight, QuadLight, SkyLight> kind;
   Color color{1, 1, 1};
   double intensity = 1;
+  std::optional<double> fade_distance;  ///< none: the light does not fade
+  double fade_power = 2;
 
   template <class Visitor>
   static void fields(Visitor&& visit) {
@@ -20,16 +33,30 @@ struct Light {
     visit("color", &Light::color, Spec{.about = "linear RGB", .max = 1e6});
     visit("intensity", &Light::intensity,
           Spec{.about = "factor on the colour", .min = 0, .max = 1e6});
+    visit("fade_distance", &Light::fade_distance,
+          Spec{.about = "where the light is as bright as it is without fading: its factor is "
+                        "2 / (1 + (d / fade_distance)^fade_power)",
+               .min = 0,
+               .max = 1e9,
+               .open_min = true});
+    visit("fade_power", &Light::fade_power,
+          Spec{.about = "how fast it fades", .min = 0, .max = 100});
   }
+  /// Fading of what has no distance.
+  void check(const Place& at, Faults& faults) const;
   bool operator==(const Light&) const = default;
 
-  const std::optional<Vec3d>& position() const {
-    return std::visit(
-        [](const auto& light) -> const auto& { return light.position; }, kind);
-  }
-  void move_to(const Vec3d& position) {
-    std::visit([&](auto& light) { light.position = position; }, kind);
-  }
+  bool movable() const;
+  /// The field that it needs to shine and does not have yet, else null.
+  const char* awaited() const;
+  /// Its middle, if it has one and that is known.
+  std::optional<Vec3d> place() const;
+  /// Puts its middle there; what has none shines from there towards the target.
+  /// Domain: a movable one.
+  void move_to(const Vec3d& to, const Vec3d& target);
 };
+
+/// LightForm: any light made ready.
+using LightForm = std::variant<PointForm, DirectionalForm, SpotForm, SphereForm, QuadForm>;
 
 }  // namespace tia

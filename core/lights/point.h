@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "core/input/fields.h"
-#include "core/math/vec3.h"
+#include "core/lights/incoming.h"
 
 namespace tia {
 
@@ -20,6 +20,21 @@ struct PointLight {
           Spec{.about = "where the light is", .min = -1e9, .max = 1e9});
   }
   bool operator==(const PointLight&) const = default;
+
+  static constexpr const char* place_field = "position";
+  bool waits() const { return !position; }
+  std::optional<Vec3d> place() const { return position; }
+  void move_to(const Vec3d& to, const Vec3d&) { position = to; }
 };
+
+struct PointForm {
+  Constant position;
+};
+inline PointForm prepare(const PointLight& light) { return {*light.position}; }
+template <class Real>
+Incoming<Real> incoming(const PointForm& light, const Vec3<Real>& p) {
+  return incoming_from(lift<Real>(light.position), p);
+}
+static_assert(LitForm<PointForm>);
 
 }  // namespace tia

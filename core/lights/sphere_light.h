@@ -5,23 +5,75 @@
 #include <string_view>
 
 #include "core/input/fields.h"
-#include "core/math/vec3.h"
+#include "core/lights/incoming.h"
+#include "core/math/onb.h"
+#include "core/math/warp.h"
 
 namespace tia {
+
+/// The most places of its area that a light is asked for at one point.
+inline constexpr int most_light_samples = 4096;
+inline constexpr Spec light_samples{
+    .about = "places of its area that shine on a point, at random but evenly spread; 1: its middle",
+    .min = 1,
+    .max = most_light_samples};
 
 /// SphereLight. Space/units: world space, scene units. The thesis lights with its centre alone.
 struct SphereLight {
   static constexpr std::string_view type = "sphere";
   std::optional<Vec3d> position;
   double radius = 0;
+  int samples = 1;
 
   template <class Visitor>
   static void fields(Visitor&& visit) {
     visit("position", &SphereLight::position, Spec{.about = "the centre", .min = -1e9, .max = 1e9});
     visit("radius", &SphereLight::radius,
           Spec{.about = "the radius", .min = 0, .max = 1e9, .open_min = true, .required = true});
+    visit("samples", &SphereLight::samples, light_samples);
   }
   bool operator==(const SphereLight&) const = default;
+
+  static constexpr const char* place_field = "position";
+  bool waits() const { return !position; }
+  std::optional<Vec3d> place() const { return position; }
+  void move_to(const Vec3d& to, const Vec3d&) { position = to; }
 };
+
+struct SphereForm {
+  Constant center;
+  double radius;
+};
+inline SphereForm prepare(const SphereLight& light) { return {*light.position, light.radius}; }
+template <class Real>
+Incoming<Real> incoming(const SphereForm& light, const Vec3<Real>& p) {
+  return incoming_from(lift<Real>(light.center), p);
+}
+/// Even over the solid angle of the ball; from within it, from its centre.
+/// Source: Shirley, Wang, "Direct lighting calculation by Monte Carlo integration", 1991: cosines
+/// of the cone are even between 1 and that of its edge.
+template <class Real>
+Incoming<Real> incoming(const SphereForm& light, const Vec3<Real>& p, const Real& u,
+                        const Real& v) {
+  using std::sqrt;
+  const Incoming<Real> middle = incoming(light, p);
+  const Real radius = lift<Real>(light.radius);
+  const Mask<Real> outside = middle.distance > radius;
+  const Real sine = select(outside, radius / middle.distance, Real(0)), square = sine * sine;
+  // 1 - cos of the edge, without its cancellation.
+  const Real height = square / (Real(1) + sqrt(Real(1) - square));
+  const DiscPoint<Real> at = square_to_disc(u, v);
+  const Real rise = (at.x * at.x + at.y * at.y) * height;
+  const Real aside = sqrt(height * (Real(2) - rise));
+  const auto [x, y] = axes_around(middle.way);
+  const Vec3<Real> way = normalize(middle.way * (Real(1) - rise) + x * (at.x * aside) +
+                                   y * (at.y * aside));
+  // As far as the near side of the ball; the ball itself never blocks.
+  const Real along = dot(way, middle.way);
+  const Real reach = square - (Real(1) - along * along);
+  const Real near = middle.distance * (along - sqrt(max_of(reach, Real(0))));
+  return {way, select(outside, near, middle.distance), Real(1)};
+}
+static_assert(AreaForm<SphereForm>);
 
 }  // namespace tia

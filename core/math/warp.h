@@ -1,6 +1,8 @@
 // Maps from the unit square to where samples are wanted.
 #pragma once
 
+#include <utility>
+
 #include "core/math/wide.h"
 
 namespace tia {
@@ -31,6 +33,16 @@ DiscPoint<Real> square_to_disc(Real u, Real v) {
       square * (Real(0.5F) - square * (Real(1.0F / 24) -
                                        square * (Real(1.0F / 720) - square * Real(1.0F / 40320))));
   return {radius * select(flat, cosine, sine), radius * select(flat, sine, cosine)};
+}
+
+/// Two axes across a unit vector and each other, right-handed with it.
+/// Source: Duff et al., "Building an Orthonormal Basis, Revisited", JCGT 6(1), 2017.
+template <class Real>
+std::pair<Vec3<Real>, Vec3<Real>> axes_around(const Vec3<Real>& n) {
+  const Real sign = select(n.z < Real(0), Real(-1), Real(1));
+  const Real a = Real(-1) / (sign + n.z), b = n.x * n.y * a;
+  return {{Real(1) + sign * n.x * n.x * a, sign * b, -sign * n.x},
+          {b, sign + n.y * n.y * a, -n.y}};
 }
 
 }  // namespace tia

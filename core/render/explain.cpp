@@ -1,34 +1,53 @@
 #include "core/render/explain.h"
 
 #include "core/input/codec.h"
+#include "core/integrators/whitted.h"
+#include "core/render/meter.h"
+#include "core/render/sampler.h"
 
 namespace tia {
+namespace {
 
-Explanation explain(const Scene& scene, const Ray<double>& ray) {
-  const World world = compile(scene);
-  const std::vector<ObjectLabel> labels = object_labels(scene);
-  Explanation explanation{ray, {}};
-  for (const Meeting& each : all_hits(world, ray)) {
-    const auto object = static_cast<std::size_t>(world.part(each.part).object);
-    explanation.hits.push_back({labels[object], each});
-  }
-  return explanation;
+std::unique_ptr<RayNode> tree_of(const World& world, const Ray<float>& ray,
+                                 const Draws<float>& draws, const RenderOptions& options) {
+  RayMeter meter(options.max_rays, options.max_work, {});
+  WorldScope scope{world, Effort([&](std::int64_t work) { meter.add_work(work); }),
+                   options.max_depth};
+  return options.integrator == IntegratorName::thesis ? explain_thesis(scope, ray, draws)
+                                                      : explain_whitted(scope, ray, draws);
 }
 
-Value::Object value_of(const Explanation& explanation) {
-  const auto& [origin, direction] = explanation.ray;
-  Value::Array hits;
-  for (const auto& [object, at] : explanation.hits)
-    hits.push_back(Value::Object{{"t", at.t},
-                                 {"object", object.name},
-                                 {"type", object.type},
-                                 {"point", write_value(at.point)},
-                                 {"normal", write_value(at.normal)},
-                                 {"uv", Value::Array{at.uv.u, at.uv.v}},
-                                 {"front", at.front}});
-  return {{"ray",
-           Value::Object{{"origin", write_value(origin)}, {"direction", write_value(direction)}}},
-          {"hits", std::move(hits)}};
+}  // namespace
+
+Explanation explain(const Scene& scene, const Ray<double>& ray, const RenderOptions& options) {
+  Explanation all{compile(scene), object_labels(scene), {}, ray, {}, {}};
+  all.hits = all_hits(all.world, ray);
+  const Ray<float> rounded{lift<float>(ray.origin), normalize(lift<float>(ray.direction))};
+  all.tree = tree_of(all.world, rounded, Draws<float>{}, options);
+  return all;
+}
+
+Explanation explain(const Scene& scene, const View& view, int x, int y, int sample,
+                    const RenderOptions& options) {
+  const Sampler sampler(options.samples, options.threshold, options.seed);
+  const bool centered = sampler.centered();
+  const Aim<float> aim = centered ? Aim<float>{} : sampler.aim(x, y, sample);
+  const auto ray = [&]<class Real>(const Aim<Real>& at) {
+    const Vec3<Real> center = view.column(static_cast<Real>(x)) + view.row(static_cast<Real>(y));
+    return Eye<Real>(view).ray(center, at);
+  };
+  Explanation all{compile(scene), object_labels(scene), {}, ray(Aim<double>{aim.dx, aim.dy,
+                  aim.lens_x, aim.lens_y}), {}, {}};
+  const Vec2d raster{x + 0.5 + aim.dx, y + 0.5 + aim.dy};
+  const Vec2d ndc{raster.u / view.width, raster.v / view.height};
+  all.pixel = {x, y, sample, raster, ndc, {2 * ndc.u - 1, 1 - 2 * ndc.v}};
+  all.hits = all_hits(all.world, all.ray);
+  const Draws<float> draws{{static_cast<std::uint32_t>(x)},
+                           {static_cast<std::uint32_t>(y)},
+                           static_cast<std::uint32_t>(sample),
+                           sampler.key()};
+  all.tree = tree_of(all.world, ray(aim), draws, options);
+  return all;
 }
 
 }  // namespace tia

@@ -1,30 +1,45 @@
-// Why a pixel looks as it does: what its ray meets, in words and in double.
+// Why a pixel looks as it does: what its ray meets, in double, and every term that makes its
+// colour, as the picture adds them.
 #pragma once
 
+#include <memory>
+#include <optional>
 #include <vector>
 
 #include "core/accel/all_hits.h"
+#include "core/integrators/notes.h"
+#include "core/render/render.h"
 #include "core/scene/labels.h"
+#include "core/scene/view.h"
 
 namespace tia {
 
-/// ExplainedHit: one crossing of the ray, with the object that it belongs to.
-struct ExplainedHit {
-  ObjectLabel object;
-  Meeting at;
+/// ExplainedPixel: one sample of one pixel of a picture.
+struct ExplainedPixel {
+  int x = 0, y = 0, sample = 0;
+  Vec2d raster{}, ndc{}, screen{};  ///< where its ray goes through: in pixels, [0,1], [-1,1]
 };
 
 /// Explanation. Space/units: world space; the ray's direction is unit.
 struct Explanation {
+  World world;
+  std::vector<ObjectLabel> labels;  ///< of the world's objects
+  std::optional<ExplainedPixel> pixel;
   Ray<double> ray;
-  std::vector<ExplainedHit> hits;  ///< all along the ray, the nearest first
+  std::vector<Meeting> hits;  ///< all along the ray, the nearest first
+  std::unique_ptr<RayNode> tree;
 };
 
-/// Domain: a ray of unit direction. Errors: InputError (limit) where it crosses too much.
-Explanation explain(const Scene& scene, const Ray<double>& ray);
+/// A ray that belongs to no picture. Domain: a unit direction; an integrator of light.
+/// Errors: InputError (limit) where it crosses too much or its tree grows too large.
+Explanation explain(const Scene& scene, const Ray<double>& ray, const RenderOptions& options);
+/// The ray of the sample of pixel (x, y); its tree's colour is that sample's, bit for bit.
+/// Domain: a pixel of the view, one of the options' samples. Errors: as above.
+Explanation explain(const Scene& scene, const View& view, int x, int y, int sample,
+                    const RenderOptions& options);
 
-/// {"ray": {"origin", "direction"}, "hits": [{"t", "object", "type", "point", "normal", "uv",
-/// "front"}]}.
+/// {"pixel", "sample", "hits": [{"t", "object", "type", "point", "normal", "uv", "front"}],
+/// "tree": {"ray", "depth", "winner", "point", "normal", "terms", "color"}}.
 Value::Object value_of(const Explanation& explanation);
 
 }  // namespace tia

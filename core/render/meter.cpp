@@ -11,7 +11,9 @@ void RayMeter::add(RayTally& rays) {
   const RayTally more = std::exchange(rays, {});
   primary_ += more.primary;
   shadow_ += more.shadow;
-  const std::int64_t spent = more.primary + more.shadow;
+  reflection_ += more.reflection;
+  refraction_ += more.refraction;
+  const std::int64_t spent = more.all();
   if (all_.fetch_add(spent) + spent <= max_rays_) return;
   throw too_many_rays("a picture of more", max_rays_);
 }

@@ -6,7 +6,7 @@
 #include <stop_token>
 #include <utility>
 
-#include "core/integrators/integrator.h"
+#include "core/integrators/scope.h"
 
 namespace tia {
 
@@ -28,18 +28,19 @@ class RayMeter {
   void add(RayTally& rays);
   /// Adds them where they have become many. Errors: also Stopped, if that is asked for.
   void add_if_many(RayTally& rays) {
-    if (rays.primary + rays.shadow >= often) add_many(rays);
+    if (rays.all() >= often) add_many(rays);
   }
   /// Adds a portion of work. Errors: Stopped; InputError once the sum passes the limit.
   void add_work(std::int64_t work);
-  RayCounts counts() const { return {.primary = primary_, .shadow = shadow_}; }
+  RayCounts counts() const { return {primary_, shadow_, reflection_, refraction_}; }
 
  private:
   void add_many(RayTally& rays);
 
   std::int64_t max_rays_, max_work_;
   std::stop_token stop_;
-  std::atomic<std::int64_t> all_ = 0, primary_ = 0, shadow_ = 0, work_ = 0;
+  std::atomic<std::int64_t> all_ = 0, work_ = 0;
+  std::atomic<std::int64_t> primary_ = 0, shadow_ = 0, reflection_ = 0, refraction_ = 0;
 };
 
 }  // namespace tia

@@ -23,7 +23,8 @@ struct Window {
 };
 
 struct RenderOptions {
-  IntegratorName integrator = IntegratorName::thesis;
+  IntegratorName integrator = IntegratorName::whitted;
+  int max_depth = SceneOptions{}.max_depth;
   int threads = 1;
   int tile = Block::size;  ///< pixels a side, at most Block::size
   Scalar scalar = Scalar::wide;

@@ -5,26 +5,11 @@
 #include <vector>
 
 #include "core/math/rng.h"
+#include "core/math/strata.h"
 #include "core/math/warp.h"
 #include "core/scene/view.h"
 
 namespace tia {
-
-/// Strata: the unit square cut into n cells of equal area, whatever n: round(sqrt n) rows, each
-/// as high as it has cells, their numbers differing by at most one.
-class Strata {
- public:
-  struct Cell {
-    float x, y, width, height;
-  };
-  /// Domain: 1 <= n < 2^24.
-  explicit Strata(int n);
-  int count() const { return static_cast<int>(cells_.size()); }
-  const Cell& operator[](std::uint32_t i) const { return cells_[i]; }
-
- private:
-  std::vector<Cell> cells_;
-};
 
 /// Sampler: the rays of each pixel. Without a threshold one round of `samples`, one in each of as
 /// many strata of the pixel. With one, at least 4 in the first round, and as long as the pixel's

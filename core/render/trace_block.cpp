@@ -4,6 +4,8 @@
 #include <numeric>
 #include <tuple>
 
+#include "core/integrators/integrator.h"
+
 namespace tia {
 namespace {
 
@@ -14,21 +16,26 @@ class Tracer {
   Tracer(const Shot& shot, int x0, int y0, const Block& block)
       : eye(shot.view), shot_(shot), scope_{scope_of(shot, x0, y0, block)} {}
 
-  Vec3<Real> light(const Ray<Real>& ray, Mask<Real> active) {
-    if constexpr (std::is_same_v<Scope, BallScope>) return thesis(scope_, ray, active);
-    else return radiance(shot_.integrator, scope_, ray, active);
+  Vec3<Real> light(const Ray<Real>& ray, Mask<Real> active, const Draws<Real>& draws) {
+    if constexpr (std::is_same_v<Scope, BallScope>) return thesis(scope_, ray, active, draws);
+    else return radiance(shot_.integrator, scope_, ray, active, draws);
   }
   RayTally& rays() { return scope_.rays; }
 
   Eye<Real> eye;
 
  private:
-  static Scope scope_of(const Shot& shot, int x0, int y0, const Block& block) {
+  // A tree of rays may grow without end: its rays are counted while it does.
+  void spent(std::int64_t work) {
+    shot_.meter.add_work(work);
+    shot_.meter.add(rays());
+  }
+  Scope scope_of(const Shot& shot, int x0, int y0, const Block& block) {
     if constexpr (std::is_same_v<Scope, BallScope>) {
       const Beam beam(shot.view, x0, y0, x0 + block.width, y0 + block.height);
       return {shot.world, candidates(shot.world, beam)};
     } else {
-      return {shot.world, Effort([&](std::int64_t work) { shot.meter.add_work(work); })};
+      return {shot.world, Effort([this](std::int64_t work) { spent(work); }), shot.max_depth};
     }
   }
 
@@ -49,6 +56,12 @@ struct Patch {
   }
   static Real row() {
     return by_lane([](int lane) { return lane / width; });
+  }
+  static void number(int x, int y, Draws<Real>& draws) {
+    for (int i = 0; i < lanes<Real>; ++i) {
+      draws.x[static_cast<std::size_t>(i)] = static_cast<std::uint32_t>(x + i % width);
+      draws.y[static_cast<std::size_t>(i)] = static_cast<std::uint32_t>(y + i / width);
+    }
   }
   /// Stores the lanes where a plane of the block has their pixels.
   static void store(const Real& value, float* corner) {
@@ -73,6 +86,9 @@ struct Patch {
 template <class Real, class Scope>
 [[gnu::flatten]] void trace_centers(const Shot& shot, int x0, int y0, Block& block) {
   using Patch = tia::Patch<Real>;
+  constexpr bool draws_much = std::is_same_v<Scope, WorldScope>;
+  Draws<Real> draws;
+  draws.key = shot.sampler.key();
   Tracer<Real, Scope> tracer(shot, x0, y0, block);
   const Vec3<Real> origin = lift<Real>(shot.view.origin);
   const Real column_of = Patch::column(), row_of = Patch::row();
@@ -88,7 +104,8 @@ template <class Real, class Scope>
     for (int x = 0; x < block.width; x += Patch::width) {
       const Vec3<Real>& column = columns[static_cast<std::size_t>(x / Patch::width)];
       const Mask<Real> active = rows && column_of < number(block.width - x);
-      const Vec3<Real> light = tracer.light({origin, normalize(column + row)}, active);
+      if constexpr (draws_much) Patch::number(x0 + x, y0 + y, draws);
+      const Vec3<Real> light = tracer.light({origin, normalize(column + row)}, active, draws);
       const auto i = static_cast<std::size_t>(y * Block::size + x);
       Patch::store(light.x, &block.r[i]);
       Patch::store(light.y, &block.g[i]);
@@ -179,9 +196,11 @@ template <class Real, class Scope>
   const Mask<Real> active = pixels.active();
   const int count = shot.sampler.strata(round).count();
   Vec3<Real> first = pixels.first();
+  Draws<Real> draws{pixels.x, pixels.y, 0, shot.sampler.key()};
   Sums<Real> sums;
   for (int i = 0; i < count; ++i) {
-    const Vec3<Real> light = tracer.light(tracer.eye.ray(center, aims(i)), active);
+    draws.sample = static_cast<std::uint32_t>(shot.sampler.before(round) + i);
+    const Vec3<Real> light = tracer.light(tracer.eye.ray(center, aims(i)), active, draws);
     sums.add(light);
     if (shot.sampler.adaptive()) {
       const Vec3<Real> shown = clamped(light);

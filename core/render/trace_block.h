@@ -16,6 +16,7 @@ struct Shot {
   const World& world;
   const View& view;
   IntegratorName integrator;
+  int max_depth;  ///< how often light may be mirrored or refracted
   const Sampler& sampler;
   RayMeter& meter;
 };

@@ -1,5 +1,7 @@
 #include "core/scene/keys.h"
 
+#include <algorithm>
+
 #include "core/scene/read_scene.h"
 #include "core/scene/view.h"
 
@@ -27,9 +29,16 @@ Vec3d looked_at(const Scene& scene, const Vec3d& axis) {
   return scene.camera.location + axis * (depth > 0 ? depth / count : 1);
 }
 
-const Light* key_light_of(const Scene& scene) {
+// The key light: the scene's own, else its first light that can be moved.
+template <class AnyScene>
+auto* key_light_of(AnyScene& scene) {
   if (scene.key_light) return &*scene.key_light;
-  return scene.lights.empty() ? nullptr : &scene.lights.front();
+  const auto found = std::ranges::find_if(scene.lights, &Light::movable);
+  return found == scene.lights.end() ? nullptr : &*found;
+}
+
+Vec3d axis_of(const Scene& scene) {
+  return normalize(view_of(scene.camera, 1, 1).forward);
 }
 
 // As seen from the camera, around the point looked at, at the distance that the light had (the
@@ -42,8 +51,8 @@ Vec3d default_place(const Scene& scene, const Vec3d& towards) {
   const Vec3d up = dot(across, view.up) < 0 ? -across : across;  // a view plane may mirror
   const Vec3d target = looked_at(scene, axis);
   const Light* light = key_light_of(scene);
-  const Vec3d from =
-      light != nullptr && light->position() ? *light->position() : scene.camera.location;
+  const auto place = light != nullptr ? light->place() : std::nullopt;
+  const Vec3d from = place.value_or(scene.camera.location);
   const Vec3d way = normalize(right * towards.x + up * towards.y - axis * towards.z);
   return target + way * length(from - target);
 }
@@ -87,9 +96,10 @@ Scene press(const Scene& scene, std::string_view key, std::string_view pointer) 
 }
 
 Scene with_light(Scene scene, const Vec3d& position) {
-  if (scene.key_light) scene.key_light->move_to(position);
-  else if (!scene.lights.empty()) scene.lights.front().move_to(position);
-  else scene.lights.push_back({PointLight{position}});
+  const Vec3d target = looked_at(scene, axis_of(scene));
+  Light* light = key_light_of(scene);
+  if (light == nullptr) light = &scene.lights.emplace_back();
+  light->move_to(position, target);
   return scene;
 }
 

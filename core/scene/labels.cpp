@@ -18,9 +18,13 @@ void add_objects(const std::vector<Object>& list, const Place& at,
   }
 }
 
+// Luminous ones are things that a ray can meet.
 void add_light(const Light& light, const Place& at, std::vector<ObjectLabel>& labels) {
-  if (std::holds_alternative<SphereLight>(light.kind) && light.position())
+  if (light.awaited() != nullptr) return;
+  if (std::holds_alternative<SphereLight>(light.kind))
     labels.push_back({at.pointer(), SphereLight::type});
+  if (std::holds_alternative<QuadLight>(light.kind))
+    labels.push_back({at.pointer(), QuadLight::type});
 }
 
 }  // namespace

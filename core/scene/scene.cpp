@@ -158,9 +158,9 @@ void Scene::check_links(const Place& at, Faults& faults) const {
   const Place all_lights = at.at("lights");
   for (std::size_t i = 0; i < lights.size() && !faults.full(); ++i) {
     const Place light = all_lights.at(i);
-    if (lights[i].position() || faults.within(light.pointer())) continue;
-    faults.add(
-        {FaultKind::missing, light.at("position").pointer(), std::nullopt, "where the light is"});
+    if (lights[i].awaited() == nullptr || faults.within(light.pointer())) continue;
+    faults.add({FaultKind::missing, light.at(lights[i].awaited()).pointer(), std::nullopt,
+                "where the light is"});
   }
 }
 

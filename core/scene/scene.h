@@ -22,19 +22,22 @@ namespace tia {
 using KeyBinding = std::variant<Vec3d, Value>;
 
 /// How light is gathered along a ray.
-enum class IntegratorName { thesis, normal, depth, albedo, object, shadow, cost };
+enum class IntegratorName { thesis, whitted, normal, depth, albedo, object, shadow, cost };
 template <>
 struct Names<IntegratorName> {
-  static constexpr std::array<std::string_view, 7> names{"thesis", "normal", "depth", "albedo",
-                                                         "object", "shadow", "cost"};
+  static constexpr std::array<std::string_view, 8> names{
+      "thesis", "whitted", "normal", "depth", "albedo", "object", "shadow", "cost"};
 };
 
 struct SceneOptions {
   static constexpr double last_seed = 9007199254740991;  // 2^53 - 1
-  std::optional<IntegratorName> integrator;              ///< none: the server's
+  static constexpr int deepest = 64;
+  IntegratorName integrator = IntegratorName::whitted;
   Transfer transfer = Transfer::srgb;
   std::optional<int> samples;       ///< none: 1
   std::optional<double> threshold;  ///< none: off
+  int max_depth = 5;
+  bool transparent_shadows = false;
   std::int64_t seed = 0;
 
   template <class Visitor>
@@ -49,6 +52,13 @@ struct SceneOptions {
                         "may keep; 0 is off",
                .min = 0,
                .max = 1});
+    visit("max_depth", &SceneOptions::max_depth,
+          Spec{.about = "how often light is mirrored or refracted on its way; 0 is never",
+               .min = 0,
+               .max = deepest});
+    visit("transparent_shadows", &SceneOptions::transparent_shadows,
+          Spec{.about = "whether light goes straight through what transmits, each surface taking "
+                        "its share"});
     visit("seed", &SceneOptions::seed,
           Spec{.about = "the random stream", .min = 0, .max = last_seed});
   }
@@ -59,6 +69,7 @@ struct Scene {
   std::string title, description;
   Camera camera;
   Color background{};
+  Color ambient_light{1, 1, 1};
   std::map<std::string, Material> materials;
   std::vector<Object> objects;
   std::vector<Light> lights;
@@ -73,6 +84,8 @@ struct Scene {
     visit("camera", &Scene::camera, Spec{.about = "where the eye is and what it sees"});
     visit("background", &Scene::background,
           Spec{.about = "linear RGB of rays that hit nothing", .max = 1e6});
+    visit("ambient_light", &Scene::ambient_light,
+          Spec{.about = "linear RGB of the light from everywhere", .max = 1e6});
     visit("materials", &Scene::materials, Spec{.about = "materials by name"});
     visit("objects", &Scene::objects, Spec{.about = "what can be hit"});
     visit("lights", &Scene::lights, Spec{.about = "what sends light"});

@@ -1,0 +1,111 @@
+// What an integrator can tell about a ray while it computes its light: every term of the sum.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/input/errors.h"
+#include "core/input/fields.h"
+#include "core/integrators/scope.h"
+
+namespace tia {
+
+/// TermName: the terms of a ray's light, in the order in which they are added.
+enum class TermName { background, emission, ambient, diffuse, specular, reflection, refraction };
+template <>
+struct Names<TermName> {
+  static constexpr std::array<std::string_view, 7> names{
+      "background", "emission", "ambient", "diffuse", "specular", "reflection", "refraction"};
+};
+
+/// LampNote: what a lamp is to a point. The way is that to its middle.
+struct LampNote {
+  int lamp = -1;  ///< which of the world's; -1: none
+  Incoming<float> from{};
+  float n_dot_l = 0;
+  float visible = 0;  ///< the share of its places before the surface that are seen
+  float fade = 1;
+};
+
+struct RayNode;
+
+/// Term: weight * value, as the picture adds it.
+struct Term {
+  TermName name = TermName::background;
+  float weight = 1;
+  Vec3f value{};
+  LampNote light{};
+  std::unique_ptr<RayNode> node{};  ///< of a mirrored or refracted ray
+};
+
+/// RayNode: one ray of the tree and what it met.
+struct RayNode {
+  Ray<float> ray{};
+  int depth = 0;
+  Hit<float> hit{};
+  Vec3f point{}, normal{};
+  Vec3f above{};  ///< where its shadow rays start
+  std::vector<Term> terms{};
+  Vec3f color{};                 ///< what it found: the sum of the terms
+  Vec3f transmittance{1, 1, 1};  ///< what the medium that it came through has left of that
+};
+
+/// NoNotes: what a picture takes down: nothing.
+struct NoNotes {
+  static constexpr bool taken = false;
+  void begin(const auto&...) {}
+  void term(const auto&...) {}
+  void child(const auto&...) {}
+  void end(const auto&...) {}
+};
+
+/// Notes: takes down every term of a single ray and of those that it makes. A ray begins, has its
+/// terms, among them children that begin and end, and ends. Errors: InputError (limit) where there
+/// are too many for an answer.
+class Notes {
+ public:
+  static constexpr bool taken = true;
+  LampNote light{};  ///< whose terms come next
+
+  void begin(const Ray<float>& ray, int depth, const Hit<float>& hit, const Vec3f& point,
+             const Vec3f& normal, const Vec3f& above) {
+    if (++rays_ > most_rays)
+      throw InputError({FaultKind::limit, "/max_depth", std::nullopt,
+                        "a tree of at most " + std::to_string(most_rays) + " rays"});
+    auto node = std::make_unique<RayNode>();
+    *node = {.ray = ray, .depth = depth, .hit = hit, .point = point, .normal = normal,
+             .above = above};
+    open_.push_back(std::move(node));
+  }
+  void term(TermName name, float weight, const Vec3f& value) {
+    Term& term = open_.back()->terms.emplace_back();
+    term.name = name;
+    term.weight = weight;
+    term.value = value;
+    term.light = light;
+  }
+  /// The light of the ray that ended last, as a term of the one that it came from.
+  void child(TermName name, float weight, const Vec3f& value) {
+    term(name, weight, value);
+    open_.back()->terms.back().node = std::move(ended_);
+  }
+  void end(const Vec3f& color, const Vec3f& transmittance) {
+    ended_ = std::move(open_.back());
+    open_.pop_back();
+    ended_->color = color;
+    ended_->transmittance = transmittance;
+  }
+  /// The ray that ended last: the first one, once all is done.
+  std::unique_ptr<RayNode> take() { return std::move(ended_); }
+
+ private:
+  static constexpr int most_rays = 10'000;  // an answer of some ten megabytes
+  int rays_ = 0;
+  std::vector<std::unique_ptr<RayNode>> open_;
+  std::unique_ptr<RayNode> ended_;
+};
+
+}  // namespace tia

@@ -1,0 +1,48 @@
+// DirectionalLight: light from infinitely far, the same way everywhere.
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "core/input/errors.h"
+#include "core/input/fields.h"
+#include "core/lights/incoming.h"
+#include "core/math/onb.h"
+
+namespace tia {
+
+/// DirectionalLight. Space/units: world space; of any length.
+struct DirectionalLight {
+  static constexpr std::string_view type = "directional";
+  std::optional<Vec3d> direction;
+
+  template <class Visitor>
+  static void fields(Visitor&& visit) {
+    visit("direction", &DirectionalLight::direction,
+          Spec{.about = "the way the light travels", .min = -1e9, .max = 1e9});
+  }
+  /// A direction of no length.
+  void check(const Place& at, Faults& faults) const;
+  bool operator==(const DirectionalLight&) const = default;
+
+  static constexpr const char* place_field = "direction";
+  bool waits() const { return !direction; }
+  /// Infinitely far: it has none that can be told.
+  std::optional<Vec3d> place() const { return std::nullopt; }
+  /// Shines from there towards the target.
+  void move_to(const Vec3d& from, const Vec3d& target) { direction = target - from; }
+};
+
+struct DirectionalForm {
+  Constant way;  ///< towards the light, unit
+};
+inline DirectionalForm prepare(const DirectionalLight& light) {
+  return {unit(*light.direction) * -1.0};
+}
+template <class Real>
+Incoming<Real> incoming(const DirectionalForm& light, const Vec3<Real>&) {
+  return {lift<Real>(light.way), Real(infinity), Real(1)};
+}
+static_assert(LitForm<DirectionalForm>);
+
+}  // namespace tia

@@ -1,0 +1,62 @@
+// QuadLight: a luminous parallelogram that shines to both sides. It is seen and blocks other
+// lights, never its own.
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "core/input/errors.h"
+#include "core/input/fields.h"
+#include "core/lights/sphere_light.h"
+
+namespace tia {
+
+/// QuadLight. Space/units: world space, scene units: corner, corner + u, corner + u + v, corner + v.
+struct QuadLight {
+  static constexpr std::string_view type = "quad";
+  std::optional<Vec3d> corner;
+  Vec3d u{}, v{};
+  int samples = 1;
+
+  template <class Visitor>
+  static void fields(Visitor&& visit) {
+    visit("corner", &QuadLight::corner, Spec{.about = "one corner", .min = -1e9, .max = 1e9});
+    visit("u", &QuadLight::u,
+          Spec{.about = "one edge from there", .min = -1e9, .max = 1e9, .required = true});
+    visit("v", &QuadLight::v,
+          Spec{.about = "the other edge from there", .min = -1e9, .max = 1e9, .required = true});
+    visit("samples", &QuadLight::samples, light_samples);
+  }
+  /// Edges that span nothing.
+  void check(const Place& at, Faults& faults) const;
+  bool operator==(const QuadLight&) const = default;
+
+  static constexpr const char* place_field = "corner";
+  bool waits() const { return !corner; }
+  /// Its middle.
+  std::optional<Vec3d> place() const {
+    if (!corner) return std::nullopt;
+    return *corner + (u + v) * 0.5;
+  }
+  void move_to(const Vec3d& to, const Vec3d&) { corner = to - (u + v) * 0.5; }
+};
+
+struct QuadForm {
+  Constant corner, u, v, middle;
+};
+inline QuadForm prepare(const QuadLight& light) {
+  return {*light.corner, light.u, light.v, *light.place()};
+}
+template <class Real>
+Incoming<Real> incoming(const QuadForm& light, const Vec3<Real>& p) {
+  return incoming_from(lift<Real>(light.middle), p);
+}
+/// Even over its area.
+template <class Real>
+Incoming<Real> incoming(const QuadForm& light, const Vec3<Real>& p, const Real& u, const Real& v) {
+  return incoming_from(
+      lift<Real>(light.corner) + lift<Real>(light.u) * u + lift<Real>(light.v) * v, p);
+}
+static_assert(AreaForm<QuadForm>);
+
+}  // namespace tia

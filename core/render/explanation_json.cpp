@@ -1,0 +1,117 @@
+// An explanation as JSON.
+#include "core/input/codec.h"
+#include "core/render/explain.h"
+
+namespace tia {
+namespace {
+
+Value triple(const Vec3f& v) { return Value::Array{v.x, v.y, v.z}; }
+
+Value::Object ray_value(const auto& ray) {
+  return {{"origin", write_value(static_cast<Vec3d>(ray.origin))},
+          {"direction", write_value(static_cast<Vec3d>(ray.direction))}};
+}
+
+class Writer {
+ public:
+  explicit Writer(const Explanation& all) : all_(all) {}
+
+  Value::Array hits() const {
+    Value::Array hits;
+    for (const Meeting& at : all_.hits) {
+      const ObjectLabel& object = label_of(at.part);
+      hits.push_back(Value::Object{{"t", at.t},
+                                   {"object", object.name},
+                                   {"type", object.type},
+                                   {"point", write_value(at.point)},
+                                   {"normal", write_value(at.normal)},
+                                   {"uv", Value::Array{at.uv.u, at.uv.v}},
+                                   {"front", at.front}});
+    }
+    return hits;
+  }
+
+  Value::Object node(const RayNode& node) const {
+    const bool hit = node.hit.t < infinity;
+    Value::Array terms;
+    for (const Term& each : node.terms) terms.push_back(term(node, each));
+    Value::Object object{{"ray", ray_value(node.ray)},
+                         {"depth", node.depth},
+                         {"winner", hit ? Value(label_of(part_of(node.hit)).name) : Value()},
+                         {"terms", std::move(terms)},
+                         {"color", triple(node.color)}};
+    if (hit) {
+      object.emplace_back("t", node.hit.t);
+      object.emplace_back("point", triple(node.point));
+      object.emplace_back("normal", triple(node.normal));
+    }
+    if (!(node.transmittance == Vec3f{1, 1, 1}))
+      object.emplace_back("transmittance", triple(node.transmittance));
+    return object;
+  }
+
+ private:
+  static int part_of(const Hit<float>& hit) { return static_cast<int>(hit.part); }
+  const ObjectLabel& label_of(int part) const {
+    return all_.labels[static_cast<std::size_t>(all_.world.part(part).object)];
+  }
+  std::string lamp_name(const Lamp& lamp) const {
+    if (lamp.part >= 0) return label_of(lamp.part).name;
+    return lamp.name;
+  }
+
+  Value::Object term(const RayNode& node, const Term& term) const {
+    Value::Object object{{"name", name_of(term.name)},
+                         {"weight", term.weight},
+                         {"value", triple(term.value)}};
+    if (term.light.lamp >= 0) add_light(node, term.light, object);
+    if (term.node) object.emplace_back("node", this->node(*term.node));
+    return object;
+  }
+  void add_light(const RayNode& node, const LampNote& note, Value::Object& object) const {
+    const Lamp& lamp = all_.world.lamps[static_cast<std::size_t>(note.lamp)];
+    object.emplace_back("light", lamp_name(lamp));
+    // A directional light's is infinite, which JSON has no number for.
+    object.emplace_back("distance",
+                        note.from.distance < infinity ? Value(note.from.distance) : Value());
+    object.emplace_back("direction", triple(note.from.way));
+    object.emplace_back("n_dot_l", note.n_dot_l);
+    object.emplace_back("visible", note.visible);
+    object.emplace_back("fade", note.fade * note.from.strength);
+    if (note.n_dot_l > 0 && note.visible < 1) object.emplace_back("blocker", blocker(node, note));
+  }
+  // What stands first on the way to the lamp's middle.
+  Value blocker(const RayNode& node, const LampNote& note) const {
+    const Lamp& lamp = all_.world.lamps[static_cast<std::size_t>(note.lamp)];
+    Effort effort;
+    const auto hit =
+        closest_hit(all_.world, Ray<float>{node.above, note.from.way}, true, effort);
+    const bool blocks = hit.t < note.from.distance && part_of(hit) != lamp.part;
+    return blocks ? Value(label_of(part_of(hit)).name) : Value();
+  }
+
+  const Explanation& all_;
+};
+
+}  // namespace
+
+Value::Object value_of(const Explanation& all) {
+  const Writer writer(all);
+  Value::Object tree = writer.node(*all.tree);
+  Value::Object answer;
+  if (all.pixel) {
+    const auto& at = *all.pixel;
+    answer.emplace_back("pixel", Value::Array{at.x, at.y});
+    answer.emplace_back("sample", at.sample);
+    auto& ray = std::get<Value::Object>(tree.front().second.is);
+    ray.emplace_back("raster", Value::Array{at.raster.u, at.raster.v});
+    ray.emplace_back("ndc", Value::Array{at.ndc.u, at.ndc.v});
+    ray.emplace_back("screen", Value::Array{at.screen.u, at.screen.v});
+  }
+  answer.emplace_back("ray", ray_value(all.ray));
+  answer.emplace_back("hits", writer.hits());
+  answer.emplace_back("tree", std::move(tree));
+  return answer;
+}
+
+}  // namespace tia
