@@ -3,7 +3,7 @@
 
 #include "core/input/codec.h"
 #include "core/input/numbers.h"
-#include "core/scene/placement.h"
+#include "core/input/placement.h"
 #include "tests/core/faults.h"
 #include "tests/core/schema_corpus.h"
 
