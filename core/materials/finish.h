@@ -1,9 +1,10 @@
 // Finish: the slides' and POV-Ray's surface words.
 #pragma once
 
+#include <optional>
 #include <string_view>
 
-#include "core/input/fields.h"
+#include "core/materials/texture.h"
 
 namespace tia {
 
@@ -13,6 +14,7 @@ struct Finish {
   Color color{1, 1, 1};
   double diffuse = 1;
   Color emission{};
+  std::optional<Texture> texture = {};
 
   template <class Visitor>
   static void fields(Visitor&& visit) {
@@ -21,6 +23,8 @@ struct Finish {
           Spec{.about = "share of the light that is scattered", .min = 0, .max = 1});
     visit("emission", &Finish::emission,
           Spec{.about = "light of its own; a luminous sphere is a light too", .max = 1e6});
+    visit("texture", &Finish::texture,
+          Spec{.about = "colours from place to place; replaces color"});
   }
   bool operator==(const Finish&) const = default;
 };
