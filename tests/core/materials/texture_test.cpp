@@ -130,9 +130,9 @@ TEST(Blur, FlatSurfacesAtCellEdgesShowNoSpeckles) {
 
 TEST(Blur, IsALengthInObjectSpaceWhateverTheTransform) {
   const double off = 1e-3;
-  for (const char* more : {R"("scale":0.25)", R"("scale":64)",
-                           R"("transform":[{"scale":[0.01,5,7]}])",
-                           R"("scale":3,"transform":[{"rotate_degrees":[0,0,90]},{"scale":8}])"}) {
+  for (const char* more :
+       {R"("scale":0.25)", R"("scale":64)", R"("transform":[{"scale":[0.01,5,7]}])",
+        R"("scale":3,"transform":[{"rotate_degrees":[0,0,90]},{"scale":8}])"}) {
     const TextureForm form =
         texture_form(std::string(R"({"type":"stripes","colors":[0.5,0.25],)") + more + "}");
     for (const Vec3d& axis : {Vec3d{1, 0, 0}, Vec3d{0, 1, 0}}) {
@@ -174,8 +174,8 @@ TEST(Gradient, IsTheFractionOfX) {
 }
 
 TEST(Gradient, StopsStandAtEvenDistancesWithLinesBetween) {
-  const TextureForm form = texture_form(
-      R"({"type":"gradient","colors":[[1,0,0],[0,1,0],[0,0,1],[1,1,1],[0,8,0]]})");
+  const TextureForm form =
+      texture_form(R"({"type":"gradient","colors":[[1,0,0],[0,1,0],[0,0,1],[1,1,1],[0,8,0]]})");
   EXPECT_EQ(color_at(form, {0, 0, 0}), (Vec3d{1, 0, 0}));
   EXPECT_EQ(color_at(form, {0.25, 0, 0}), (Vec3d{0, 1, 0}));
   EXPECT_EQ(color_at(form, {0.5, 0, 0}), (Vec3d{0, 0, 1}));

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <string_view>
 
 #include "tests/core/support.h"
 
@@ -84,6 +85,58 @@ TEST(GradientNoise, FarAwayIsANumberAndNanIsNone) {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_TRUE(std::isnan(gradient_noise({nan, 0, 0})));
   EXPECT_TRUE(std::isnan(gradient_noise({0, std::numeric_limits<double>::infinity(), 0})));
+}
+
+// ---- the same noise by another road: a sum over the eight corners, every gradient written out
+// ----
+
+// The published permutation, two hexadecimal digits a number.
+constexpr std::string_view published =
+    "97a0895b5a0f830dc95f6035c2e907e18c24671e458e086325f0150a17be0694"
+    "f778ea4b001ac53e5efcdbcb75230b2039b12158ed953857ae147d88aba844af"
+    "4aa547868b301ba64d929ee7536fe57a3cd385e6dc695c29372ef528f4668f36"
+    "41193fa101d85049d14c84bbd05912a9c8c4878274bc9f56a4646dc6adba0340"
+    "34d9e2fa7c7b05ca2693767eff5255d4cfce3be32f103a11b6bd1c2adfb7aad5"
+    "77f898022c9aa346dd99659ba72bac09811627fd13626c6e4f71e0e8b2b97068"
+    "daf661e4fb22f2c1eed2900cbfb3a2f1513391ebf90eef6b31c0d61fb5c76a9d"
+    "b854ccb07379322d7f0496fe8aeccd5dde72431d1848f38d80c34e42d73d9cb4";
+
+int published_at(int i) {
+  const auto digit = [&](int at) {
+    const char c = published[static_cast<std::size_t>(2 * (i & 255) + at)];
+    return c <= '9' ? c - '0' : c - 'a' + 10;
+  };
+  return 16 * digit(0) + digit(1);
+}
+
+double reference_noise(const Vec3d& p) {
+  const Vec3d gradients[] = {{1, 1, 0}, {-1, 1, 0}, {1, -1, 0}, {-1, -1, 0},
+                             {1, 0, 1}, {-1, 0, 1}, {1, 0, -1}, {-1, 0, -1},
+                             {0, 1, 1}, {0, -1, 1}, {0, 1, -1}, {0, -1, -1},
+                             {1, 1, 0}, {0, -1, 1}, {-1, 1, 0}, {0, -1, -1}};
+  const auto weight = [](double distance) {  // 1 at the corner, 0 from 1 on
+    const double t = 1 - std::fabs(distance);
+    return 6 * t * t * t * t * t - 15 * t * t * t * t + 10 * t * t * t;
+  };
+  double sum = 0;
+  for (int corner = 0; corner < 8; ++corner) {
+    const Vec3d at{std::floor(p.x) + corner % 2, std::floor(p.y) + corner / 2 % 2,
+                   std::floor(p.z) + corner / 4};
+    int hash = 0;
+    for (const double axis : {at.x, at.y, at.z})
+      hash = published_at(hash + (static_cast<int>(axis) & 255));
+    const Vec3d from = p - at;
+    sum += weight(from.x) * weight(from.y) * weight(from.z) * dot(gradients[hash % 16], from);
+  }
+  return sum;
+}
+
+TEST(GradientNoise, IsTheSumOverTheCornersOfACell) {
+  Random random(305);
+  for (int i = 0; i < 20'000; ++i) {
+    const Vec3d p = random.point(i % 2 == 0 ? 3 : 600);
+    ASSERT_NEAR(gradient_noise(p), reference_noise(p), 1e-13);
+  }
 }
 
 TEST(Turbulence, IsTheSumOfItsOctaves) {
