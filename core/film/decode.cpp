@@ -62,22 +62,49 @@ int scans_of(File jpeg) {
   return scans;
 }
 
-// A PNG whose palette names all 256 colours, those that were missing black: stb_image reads beyond
-// a shorter one. A chunk is its length, its name, its bytes, a checksum.
-Bytes with_whole_palette(File png) {
-  constexpr std::size_t whole = 3 * 256, around = 12;
-  Bytes out(png.begin(), png.end());
-  for (std::size_t at = 8; png.size() - at >= around;) {
+// Whether one of the Huffman tables of a segment, of which `at` is the length, has more codes than
+// there are bytes: stb_image writes them all. A segment is its length and its tables, a table its
+// class and number, how many codes there are of each of 16 lengths, and their values.
+// Source: ITU-T T.81, B.2.4.2.
+bool has_too_many_codes(File jpeg, std::size_t at) {
+  const auto byte = [&](std::size_t i) { return i < jpeg.size() ? int{jpeg[i]} : 0; };
+  int length = 256 * byte(at) + byte(at + 1) - 2;
+  for (at += 2; length > 0;) {
+    int codes = 0;
+    for (std::size_t i = 1; i <= 16; ++i) codes += byte(at + i);
+    if (codes > 256) return byte(at) >> 4 <= 1 && (byte(at) & 15) <= 3;
+    length -= 17 + codes;
+    at += 17 + static_cast<std::size_t>(codes);
+  }
+  return false;
+}
+// Wherever such a segment may begin, for stb_image does not say where it found one.
+bool has_broken_tables(File jpeg) {
+  for (std::size_t i = 1; i < jpeg.size(); ++i)
+    if (jpeg[i - 1] == 0xFF && jpeg[i] == 0xC4 && has_too_many_codes(jpeg, i + 1)) return true;
+  return false;
+}
+
+// A PNG's chunks as stb_image can take them: a palette names all 256 colours, those that were
+// missing black, for it reads beyond a shorter one; and no pixels' chunk is empty, for it copies
+// that to nowhere. What follows the end, or the last whole chunk, is dropped. A chunk is its
+// length, its name, its bytes, a checksum. Source: W3C PNG (third edition), 5.3.
+Bytes mended(File png) {
+  constexpr std::size_t signature = 8, around = 12, whole = 3 * 256;
+  Bytes out(png.begin(), png.begin() + signature);
+  for (std::size_t at = signature; png.size() - at >= around;) {
     const std::size_t length = big_endian(png.subspan(at));
     if (length > png.size() - at - around) break;
-    if (starts_with(png.subspan(at + 4), "PLTE")) {
-      if (length >= whole || length % 3 != 0) break;
-      out.insert(out.begin() + static_cast<std::ptrdiff_t>(at + 8 + length), whole - length, 0);
-      out[at + 2] = whole >> 8U;
-      out[at + 3] = whole & 0xFFU;
-      break;
-    }
-    at += around + length;
+    const File chunk = png.subspan(at, around + length), name = chunk.subspan(4);
+    at += chunk.size();
+    if (length == 0 && starts_with(name, "IDAT")) continue;
+    const std::size_t start = out.size();
+    out.insert(out.end(), chunk.begin(), chunk.end());
+    if (starts_with(name, "IEND")) break;
+    if (!starts_with(name, "PLTE") || length >= whole || length % 3 != 0) continue;
+    out.insert(out.end() - 4, whole - length, 0);
+    out[start + 2] = whole >> 8U;
+    out[start + 3] = whole & 0xFFU;
   }
   return out;
 }
@@ -101,6 +128,7 @@ std::variant<PictureSize, PictureFault> measure_picture(File file) {
                         "a picture of at most " + std::to_string(most_picture_bytes) + " bytes"};
   if (!is_png(file) && !is_jpeg(file))
     return PictureFault{false, "bytes that begin like neither", "a whole PNG or JPEG picture"};
+  if (is_jpeg(file) && has_broken_tables(file)) return broken;
   PictureSize size;
   int channels = 0;
   most_at_once = memory_for({}, file.size());
@@ -122,7 +150,7 @@ std::variant<Image8, PictureFault> decode_picture(File file) {
   const auto measured = measure_picture(file);
   if (const auto* fault = std::get_if<PictureFault>(&measured)) return *fault;
   const auto size = std::get<PictureSize>(measured);
-  const Bytes whole = is_png(file) ? with_whole_palette(file) : Bytes(file.begin(), file.end());
+  const Bytes whole = is_png(file) ? mended(file) : Bytes(file.begin(), file.end());
   most_at_once = memory_for(size, whole.size());
   Image8 image(size.width, size.height);
   int width = 0, height = 0, channels = 0;

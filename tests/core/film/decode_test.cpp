@@ -74,6 +74,17 @@ TEST(Decode, ColoursBeyondThePaletteAreBlack) {
   EXPECT_EQ(decoded(file).rgb, (Codes{6, 5, 4, 0, 0, 0, 0, 0, 0, 0, 0, 0}));
 }
 
+TEST(Decode, EmptyChunksOfPixelsAreNothing) {
+  const Bytes file = test::png({1, 1, 8, test::grey}, "\x40");
+  const Bytes name = test::bytes_of("IDAT");
+  const std::string empty = test::png_chunk("IDAT", "");
+  const auto pixels = std::search(file.begin(), file.end(), name.begin(), name.end()) - 4;
+  Bytes more(file.begin(), pixels);
+  more.insert(more.end(), empty.begin(), empty.end());
+  more.insert(more.end(), pixels, file.end());
+  EXPECT_EQ(decoded(more).rgb, (Codes{64, 64, 64}));
+}
+
 // ---- JPEG -----------------------------------------------------------------------------------
 
 // A block whose only coefficient is the mean: quantised by 8, it is 8 times the mean's distance
@@ -84,6 +95,7 @@ TEST(Decode, FlatGreyJpegsAreTheirMean) {
     EXPECT_EQ(image.width, 8);
     EXPECT_EQ(image.height, 8);
     EXPECT_THAT(image.rgb, testing::Each(static_cast<std::uint8_t>(mean)));
+    EXPECT_EQ(decoded(test::flat_jpeg({mean}, test::JpegKind::progressive)).rgb, image.rgb);
   }
 }
 
@@ -133,7 +145,7 @@ TEST(Decode, WhatIsNoPictureIsRefused) {
 
 TEST(Decode, EveryStartOfAPngIsRefused) {
   const Bytes file = test::png({3, 3, 8, test::rgb}, std::string(27, 'x'));
-  for (std::size_t length = 0; length + 4 < file.size(); ++length)
+  for (std::size_t length = 0; length < file.size(); ++length)
     expect_broken(Bytes(file.begin(), file.begin() + static_cast<std::ptrdiff_t>(length)));
 }
 
@@ -161,6 +173,16 @@ TEST(Decode, AJpegOfTooManyScansIsRefused) {
   const Bytes scan{0xFF, 0xDA};
   for (int i = 0; i < most_picture_scans; ++i) file.insert(file.end(), scan.begin(), scan.end());
   expect_beyond(file, "65 scans", "at most 64 scans");
+}
+
+// The table of one code of length 1 says that it has 16 x 255.
+TEST(Decode, AJpegWithTooManyCodesIsRefused) {
+  Bytes file = test::flat_jpeg({100});
+  const Bytes table{0xFF, 0xC4, 0, 20, 0x10};
+  const auto at = std::search(file.begin(), file.end(), table.begin(), table.end());
+  ASSERT_NE(at, file.end());
+  std::fill_n(at + 5, 16, 255);
+  expect_broken(file);
 }
 
 std::int64_t peak_bytes() {
@@ -194,7 +216,8 @@ TEST(Decode, DamagedFilesAreTheSameEachTime) {
   const Bytes files[] = {
       test::bytes_of(encode_png(image)),
       test::png({4, 2, 8, test::palette}, "\x01\x02\x80\xFF\x01\x02\x80\xFF", "\x09\x08\x07"),
-      test::flat_jpeg({100}), test::flat_jpeg({100, 140, 150})};
+      test::flat_jpeg({100, 140, 150}),
+      test::flat_jpeg({100, 140, 150}, test::JpegKind::progressive)};
   for (int i = 0; i < 4000; ++i) {
     Bytes file = files[i % 4];
     for (int changes = 1 + random.below(4); changes > 0; --changes)

@@ -133,29 +133,36 @@ inline void put_difference(int difference, BitWriter& scan) {
   scan.put(difference >= 0 ? difference : difference + (1 << size) - 1, size);
 }
 
-/// A baseline JPEG of 8 x 8 pixels whose every component (one, or Y, Cb and Cr) is flat. Each block
+enum class JpegKind : std::uint8_t { baseline = 0xC0, progressive = 0xC2 };
+
+/// A JPEG of 8 x 8 pixels whose every component (one, or Y, Cb and Cr) is flat. Each block
 /// is the difference of its mean to 128, whose size class s has the code s of 4 bits, and the code
-/// 0 of 1 bit for the end of the block. Source: ITU-T T.81, B.2.
-inline Bytes flat_jpeg(const std::vector<int>& means) {
+/// 0 of 1 bit for the end of the block. A progressive one has the ends in scans of their own.
+/// Source: ITU-T T.81, B.2.
+inline Bytes flat_jpeg(const std::vector<int>& means, JpegKind kind = JpegKind::baseline) {
   const auto count = static_cast<std::uint8_t>(means.size());
   const auto three = static_cast<std::uint8_t>(3 * count);
   Bytes file{0xFF, 0xD8, 0xFF, 0xDB, 0, 67, 0};
   file.insert(file.end(), 64, 8);  // quantised by 8
   const auto add = [&](const Bytes& more) { file.insert(file.end(), more.begin(), more.end()); };
-  add({0xFF, 0xC0, 0, static_cast<std::uint8_t>(8 + three), 8, 0, 8, 0, 8, count});
+  add({0xFF, static_cast<std::uint8_t>(kind), 0, static_cast<std::uint8_t>(8 + three), 8, 0, 8, 0,
+       8, count});
   for (std::uint8_t i = 1; i <= count; ++i) add({i, 0x11, 0});
   add({0xFF, 0xC4, 0, 28, 0x00, 0, 0, 0, 9, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0});
   add({0, 1, 2, 3, 4, 5, 6, 7, 8});
   add({0xFF, 0xC4, 0, 20, 0x10, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0});
+  const bool baseline = kind == JpegKind::baseline;
   add({0xFF, 0xDA, 0, static_cast<std::uint8_t>(6 + three - count), count});
   for (std::uint8_t i = 1; i <= count; ++i) add({i, 0});
-  add({0, 63, 0});
+  add({0, static_cast<std::uint8_t>(baseline ? 63 : 0), 0});
   BitWriter scan;
   for (const int mean : means) {
     put_difference(mean - 128, scan);
-    scan.put(0, 1);
+    if (baseline) scan.put(0, 1);
   }
   add(scan.bytes());
+  for (std::uint8_t i = 1; i <= count && !baseline; ++i)
+    add({0xFF, 0xDA, 0, 8, 1, i, 0, 1, 63, 0, 0x7F});
   add({0xFF, 0xD9});
   return file;
 }
