@@ -159,8 +159,9 @@ TEST(ImageTexture, OtherFieldsHaveTheirRangesAndPatternsTheirs) {
   const auto range = FaultKind::out_of_range;
   expect_faults(texture_faults(image_json(picture(), R"(,"repeat":[0,1])")),
                 {{range, "/repeat/0", "0", "not 0"}});
-  expect_faults(texture_faults(image_json(picture(), R"(,"filter":"linear")")),
-                {{FaultKind::unknown_name, "/filter", "\"linear\"", "bilinear, nearest", "bilinear"}});
+  expect_faults(
+      texture_faults(image_json(picture(), R"(,"filter":"linear")")),
+      {{FaultKind::unknown_name, "/filter", "\"linear\"", "bilinear, nearest", "bilinear"}});
   expect_faults(texture_faults(image_json(picture(), R"(,"scale":2)")),
                 {{FaultKind::unknown_name, "/scale", "\"scale\"", "data", ""}});
 }
