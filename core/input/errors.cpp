@@ -50,6 +50,12 @@ void Faults::raise() const {
   if (!list_.empty()) throw InputError(list_);
 }
 
+bool Faults::take_pixels(std::int64_t pixels) {
+  if (pixels > pixels_left_) return false;
+  pixels_left_ -= pixels;
+  return true;
+}
+
 InputError::InputError(std::vector<Fault> faults) : faults_(std::move(faults)) {
   for (const Fault& fault : faults_) {
     if (!text_.empty()) text_ += '\n';

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <exception>
 #include <optional>
 #include <string>
@@ -50,9 +51,11 @@ struct Place {
 Value excerpt(const Value& got);
 
 /// Faults: collects all faults of an input, keeps the first 20, each with an excerpt of what came.
+/// It also counts the pixels of the input's pictures, of which a few bytes can hold millions.
 class Faults {
  public:
   static constexpr std::size_t most = 20;
+  static constexpr std::int64_t most_pixels = 1 << 24;  ///< of all pictures together
   void add(Fault fault);
   /// How many were added, those that were not kept included.
   std::size_t count() const { return count_; }
@@ -67,9 +70,14 @@ class Faults {
   /// Errors: throws InputError if anything was added.
   void raise() const;
 
+  /// Takes the pixels of a picture from those that the whole input may hold. Returns: whether so
+  /// many were left; else none are taken.
+  bool take_pixels(std::int64_t pixels);
+
  private:
   std::vector<Fault> list_;
   std::size_t count_ = 0;
+  std::int64_t pixels_left_ = most_pixels;
 };
 
 /// InputError: an input that cannot be used, with every fault found in it.

@@ -1,9 +1,11 @@
 // Finish: the slides' and POV-Ray's surface words.
 #pragma once
 
+#include <optional>
 #include <string_view>
 
 #include "core/input/fields.h"
+#include "core/materials/texture.h"
 
 namespace tia {
 
@@ -16,6 +18,7 @@ struct Finish {
   double reflection = 0, transmission = 0, ior = 1.5;
   bool fresnel = false;
   Color absorption{}, emission{};
+  std::optional<Texture> texture;  ///< in the colour's place
 
   template <class Visitor>
   static void fields(Visitor&& visit) {
@@ -44,6 +47,7 @@ struct Finish {
                .max = 1e6});
     visit("emission", &Finish::emission,
           Spec{.about = "light of its own; a luminous sphere is a light too", .max = 1e6});
+    visit("texture", &Finish::texture, Spec{.about = "what gives each point its colour instead"});
   }
   bool operator==(const Finish&) const = default;
 };

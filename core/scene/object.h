@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "core/input/codec.h"
+#include "core/input/placement.h"
 #include "core/materials/material.h"
-#include "core/scene/placement.h"
 #include "core/shapes/shape.h"
 
 namespace tia {

@@ -3,7 +3,7 @@
 
 #include "core/input/codec.h"
 #include "core/input/numbers.h"
-#include "core/scene/placement.h"
+#include "core/input/placement.h"
 #include "tests/core/faults.h"
 #include "tests/core/schema_corpus.h"
 
@@ -13,11 +13,11 @@ namespace {
 using enum FaultKind;
 using test::Expected;
 
-enum class Wood { oak, pine };
+enum class Timber { oak, pine };
 
 }  // namespace
 template <>
-struct Names<Wood> {
+struct Names<Timber> {
   static constexpr std::array<std::string_view, 2> names{"oak", "pine"};
 };
 namespace {
@@ -50,7 +50,7 @@ struct Branch {
   static constexpr std::string_view type = "branch";
   std::vector<Node> children;
   std::array<int, 2> count{1, 1};
-  Wood wood = Wood::oak;
+  Timber wood = Timber::oak;
 
   template <class Visitor>
   static void fields(Visitor&& visit) {

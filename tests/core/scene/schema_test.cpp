@@ -73,6 +73,7 @@ TEST(SceneSchema, AcceptsWhatTheReaderAccepts) {
       R"({"objects":[{"type":"sphere","center":[0,0,0],"radius":1e9,"material":{"color":2}}]})",
       R"({"lights":[{"type":"sphere","position":[0,0,0],"radius":1,"color":[1,1,1]}]})",
       R"({"materials":{"any name":{"type":"finish","emission":3}}})",
+      R"({"materials":{"m":{"texture":{"type":"wood","colors":[1,[1,0,0],0],"scale":2}}}})",
       R"({"keys":{"a":{"light":[1,2,3]},"b":{"title":"x"},"c":{"light":1,"title":"x"},"d":{}}})",
       R"({"options":{"integrator":"thesis","transfer":"srgb","seed":9007199254740991}})"};
   for (const char* json : scenes) {
@@ -111,6 +112,9 @@ TEST(SceneSchema, RefusesWhatTheReaderRefuses) {
         R"({"lights":[{}]})",
         R"({"materials":{"m":{"diffuse":2}}})",
         R"({"materials":{"m":{"colour":1}}})",
+        R"({"materials":{"m":{"texture":{}}}})",
+        R"({"materials":{"m":{"texture":{"type":"checker","colors":[1]}}}})",
+        R"({"materials":{"m":{"texture":{"type":"image","data":"AAA"}}}})",
         R"({"keys":{"a":{"light":[1,2]}}})",
         R"({"keys":{"a":5}})",
         R"({"options":{"seed":-1}})",
@@ -146,6 +150,8 @@ const std::vector<std::string> beyond_schema = {
     "a solid (", "copies in all", "not 0 where there is more than one copy",
     "a group whose children have bounds", "a group without repeat", "can be undone",
     "with the transforms around it", "luminous balls",
+    // pictures: what they decode to
+    "PNG or JPEG picture", "a picture of at most", "pixels together",
     // links: names of materials, places of lights
     "the scene names none", "one of name ", "where the light is"};
 

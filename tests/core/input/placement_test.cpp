@@ -1,4 +1,4 @@
-#include "core/scene/placement.h"
+#include "core/input/placement.h"
 
 #include <gtest/gtest.h>
 

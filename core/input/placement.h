@@ -1,4 +1,5 @@
-// Where an object stands: the scene's `transform`, as it is written and as the map that it gives.
+// Where an object or a texture stands: the scene's `transform`, as it is written and as the map
+// that it gives.
 #pragma once
 
 #include <array>

@@ -1,0 +1,49 @@
+// THE LIST of textures. A new kind is one file beside this one and one entry here.
+#pragma once
+
+#include <concepts>
+#include <string_view>
+#include <variant>
+
+#include "core/materials/checker.h"
+#include "core/materials/gradient.h"
+#include "core/materials/image_texture.h"
+#include "core/materials/marble.h"
+#include "core/materials/noise.h"
+#include "core/materials/stripes.h"
+#include "core/materials/wood.h"
+
+namespace tia {
+
+/// Texture: a surface's linear RGB from place to place.
+struct Texture {
+  static constexpr std::string_view schema_name = "texture";
+  std::variant<Checker, Stripes, Gradient, Noise, Marble, Wood, ImageTexture> kind;
+
+  template <class Visitor>
+  static void fields(Visitor&& visit) {
+    visit.one_of(&Texture::kind, Spec{.about = "the kind of texture", .required = true});
+  }
+  bool operator==(const Texture&) const = default;
+};
+
+/// TextureForm: a texture with its numbers made ready.
+struct TextureForm {
+  std::variant<CheckerForm, StripesForm, GradientForm, NoiseForm, MarbleForm, WoodForm, ImageForm>
+      kind;
+};
+
+/// Domain: a texture that was read without a fault.
+inline TextureForm prepare(const Texture& texture) {
+  return std::visit([](const auto& kind) { return TextureForm{prepare(kind)}; }, texture.kind);
+}
+
+/// Returns: linear RGB, each >= 0, at the point p of a surface whose coordinates there are uv.
+/// Space/units: scene units, the space of the object that has the texture.
+/// Domain: blur >= 0: how far p may be off the surface that it was computed on. What lies within it
+/// below the edge of a cell counts as beyond the edge, lest surfaces along edges show speckles.
+inline Vec3d color_at(const TextureForm& texture, const Vec3d& p, const Vec2d& uv, double blur) {
+  return std::visit([&](const auto& kind) { return color_at(kind, p, uv, blur); }, texture.kind);
+}
+
+}  // namespace tia
