@@ -20,11 +20,11 @@ bool is_plain_point(const Lamp& lamp) {
 
 bool emits(const Vec3d& light) { return light.x > 0 || light.y > 0 || light.z > 0; }
 
-Matter matter_of(const Material& material, const Vec3d& ambient_light) {
-  const auto& finish = std::get<Finish>(material.kind);
+Matter matter_of(const Finish& finish, const Vec3d& ambient_light) {
+  const Vec3d color = finish.texture ? Vec3d{1, 1, 1} : rgb(finish.color);
   Matter matter;
-  matter.albedo = rgb(finish.color) * finish.diffuse;
-  matter.ambient = rgb(finish.color) * ambient_light * finish.ambient;
+  matter.albedo = color * finish.diffuse;
+  matter.ambient = color * ambient_light * finish.ambient;
   matter.emission = rgb(finish.emission);
   matter.absorption = rgb(finish.absorption);
   matter.brilliance = finish.brilliance;
@@ -74,7 +74,7 @@ class Compiler {
     add_lights();
     for (Space& space : world_.spaces) index(space);
     world_.few_balls = world_.balls.size() == world_.parts.size() && world_.copies.empty() &&
-                       world_.balls.size() <= few &&
+                       world_.balls.size() <= few && world_.textures.empty() &&
                        std::ranges::all_of(world_.lamps, is_plain_point);
     for (const MeshIndex& mesh : world_.meshes) world_.degenerate += mesh.degenerate;
     return std::move(world_);
@@ -86,8 +86,11 @@ class Compiler {
     return static_cast<int>(list.size()) - 1;
   };
 
-  Matter matter_of(const Material& material) const {
-    return tia::matter_of(material, rgb(scene_.ambient_light));
+  Matter matter_of(const Material& material) {
+    const auto& finish = std::get<Finish>(material.kind);
+    Matter matter = tia::matter_of(finish, rgb(scene_.ambient_light));
+    if (finish.texture) matter.texture = pushed(world_.textures, prepare(*finish.texture));
+    return matter;
   }
   int matter_index(const Object& object, int inherited) {
     if (!object.material) return inherited;

@@ -1,6 +1,8 @@
 #include "core/accel/trace.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "core/accel/search.h"
 
@@ -121,6 +123,35 @@ SurfacePoint<Real> surface_by_lanes(const World& world, const Ray<Real>& ray, co
   return {vector(0), vector(3), vector(6), {}};
 }
 
+template <class Real>
+Vec3<Real> texture_colors(const World& world, const Ray<Real>& ray, const Hit<Real>& hit, int part,
+                          Mask<Real> here) {
+  constexpr auto n = static_cast<std::size_t>(lanes<Real>);
+  const TextureForm& texture =
+      world.textures[static_cast<std::size_t>(world.matter_of(part).texture)];
+  const bool wants_uv = std::holds_alternative<ImageForm>(texture.kind);
+  std::array<std::array<LaneOf<Real>, n>, 3> rgb{};
+  Packet<Real> packet(ray);
+  for (unsigned left = bits(here); left != 0; left &= left - 1) {
+    const int i = std::countr_zero(left);
+    const auto at = static_cast<std::size_t>(i);
+    const auto copy = static_cast<std::int64_t>(lane(hit.copy, i));
+    const Line line = packet.line(at);
+    const Vec3d p = line.at(lane(hit.t, i));
+    const Affine map = to_object(world, world.part(part), copy);
+    const Vec2d uv =
+        wants_uv ? uv_at(world, p, part, static_cast<int>(lane(hit.element, i)), copy) : Vec2d{};
+    // The point is off its surface along the ray, by the rounding of t and of what t is made of.
+    const double reach = std::max({std::fabs(p.x), std::fabs(p.y), std::fabs(p.z),
+                                   static_cast<double>(lane(hit.t, i))});
+    const double blur = 4e-6 * reach * length(map.vector(line.direction));
+    const Vec3d color = color_at(texture, map.point(p), uv, blur);
+    const double parts[] = {color.x, color.y, color.z};
+    for (std::size_t k = 0; k < 3; ++k) rgb[k][at] = static_cast<LaneOf<Real>>(parts[k]);
+  }
+  return {load<Real>(rgb[0].data()), load<Real>(rgb[1].data()), load<Real>(rgb[2].data())};
+}
+
 // ---- the three scalars ----------------------------------------------------------------------
 
 #define TIA_TRACE(Real)                                                                          \
@@ -129,6 +160,8 @@ SurfacePoint<Real> surface_by_lanes(const World& world, const Ray<Real>& ray, co
                                Mask<Real>, Effort&);                                             \
   template Real transmitted(const World&, const Ray<Real>&, const Real&, const Lamp&,            \
                             Mask<Real>, Effort&);                                                \
+  template Vec3<Real> texture_colors(const World&, const Ray<Real>&, const Hit<Real>&, int,      \
+                                     Mask<Real>);                                                \
   template SurfacePoint<Real> surface_by_lanes(const World&, const Ray<Real>&, const Hit<Real>&, \
                                                int, Mask<Real>);
 TIA_TRACE(Wide)

@@ -77,6 +77,12 @@ Normals normals_at(const World& world, const Vec3d& p, int part, int element, st
 /// A part's surface coordinates at a point of it.
 Vec2d uv_at(const World& world, const Vec3d& p, int part, int element, std::int64_t copy);
 
+/// The colours that a part's texture has where the lanes of `here` hit it. Domain: a part that has
+/// one.
+template <class Real>
+Vec3<Real> texture_colors(const World& world, const Ray<Real>& ray, const Hit<Real>& hit, int part,
+                          Mask<Real> here);
+
 /// The lanes of `here` one by one, not turned to the viewer.
 template <class Real>
 SurfacePoint<Real> surface_by_lanes(const World& world, const Ray<Real>& ray, const Hit<Real>& hit,

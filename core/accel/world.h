@@ -21,16 +21,16 @@ namespace tia {
 
 /// Matter: what shading needs of a material. Linear RGB.
 struct Matter {
-  Constant albedo;    ///< diffuse * color
-  Constant ambient;   ///< what it sends back of the light from everywhere
+  Constant albedo;    ///< diffuse * color, the colour of a texture left out
+  Constant ambient;   ///< what it sends back of the light from everywhere, that colour left out
   Constant emission;  ///< light of its own
   Constant absorption;
   double brilliance = 1;
   double specular = 0, exponent = 20;
   double reflection = 0, transmission = 0, ior = 1;
   bool fresnel = false;
+  int texture = -1;  ///< which of the world's gives its points their colours; -1: none
 
-  bool parts_light() const { return reflection > 0 || transmission > 0; }
   bool operator==(const Matter&) const = default;
 };
 
@@ -76,6 +76,7 @@ struct World {
   std::vector<Solid> solids;
   std::vector<Copies> copies;
   std::vector<Matter> matters;
+  std::vector<TextureForm> textures;
   std::vector<Lamp> lamps;
   Constant background;
   int objects = 0;             ///< how many; the luminous lights are the last

@@ -47,9 +47,14 @@ struct WorldScope {
                                 Mask<Real> here) const {
     return surface(world, ray, hit, part, here);
   }
+  template <class Real>
+  Vec3<Real> colors_of(const Ray<Real>& ray, const Hit<Real>& hit, int part,
+                       Mask<Real> here) const {
+    return texture_colors(world, ray, hit, part, here);
+  }
 };
 
-/// A world of few balls, lit from points, and nothing else, of which the camera rays may meet those
+/// A world of few balls, lit from points, without textures, and nothing else, of which the camera rays may meet those
 /// listed: small enough to be tried one after another in registers.
 struct BallScope {
   const World& world;
@@ -73,6 +78,10 @@ struct BallScope {
                              Mask<Real>) const {
     return ball_surface(world.balls[static_cast<std::size_t>(part)], ray, hit.t);
   }
+  template <class Real>
+  Vec3<Real> colors_of(const Ray<Real>&, const Hit<Real>&, int, Mask<Real>) const {
+    return {Real(1), Real(1), Real(1)};  // it has none
+  }
 };
 
 /// What rays meet first. Lanes that are not active do not count.
@@ -90,6 +99,8 @@ struct Seen {
   Mask<Real> here;  ///< the lanes that have hit anything; the others are meaningless
   Point at{};
   Vec3<Real> albedo{}, emission{};
+  Vec3<Real> tint{Real(1), Real(1), Real(1)};  ///< a texture's colour
+  bool tinted = false;                         ///< whether any lane has one; albedo has it then
   Real offset{};  ///< how far above or below the surface new rays start
 };
 
@@ -110,7 +121,11 @@ auto surfaces(const Scope& scope, const Ray<Real>& ray, const Hit<Real>& hit, Ma
     seen.at.take(scope.surface_of(ray, hit, part, here), here);
     seen.albedo = select(here, lift<Real>(matter.albedo), seen.albedo);
     seen.emission = select(here, lift<Real>(matter.emission), seen.emission);
+    if (matter.texture < 0) return;
+    seen.tint = select(here, scope.colors_of(ray, hit, part, here), seen.tint);
+    seen.tinted = true;
   });
+  if (seen.tinted) seen.albedo = seen.albedo * seen.tint;
   seen.offset = offset_of(hit.t, seen.at.p);
   return seen;
 }

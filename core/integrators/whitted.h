@@ -69,7 +69,8 @@ class Whitted {
       const Real keep = Real(1) - finish.transmission;  // of the surface's own light
       V light{Real(0), Real(0), Real(0)};
       add(light, TermName::emission, keep, seen.emission);
-      add(light, TermName::ambient, keep, finish.ambient);
+      add(light, TermName::ambient, keep,
+          seen.tinted ? finish.ambient * seen.tint : finish.ambient);
       add_lamps(light, ray, seen, finish.gloss, keep, path);
       if (path.depth < scope_.max_depth) add_children(light, ray, hit, seen, finish, keep, path);
       return light;
