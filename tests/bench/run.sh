@@ -76,7 +76,7 @@ row() {  # row WHAT VALUE UNIT RATIO-OF TO TARGET
 }
 
 per_ray() {
-  echo "$(value "many_balls:n:$1") $(value "many_balls:n:$1.rays")" |
+  echo "$(value "many_balls:$1") $(value "many_balls:$1.rays")" |
     awk '{ printf "%.3g", 1e6 * $1 / $2 }'
 }
 
@@ -98,10 +98,10 @@ table() {
     "$(value key_to_png.median_ms)" "median" "2"
   row "10 000 balls, one thread" "$(per_ray 10000)" "ns a ray" "$(per_ray 100)" \
     "that of 100 balls ($(per_ray 100) ns)" "3"
-  row "every shape, 2 threads" "$(value every_shape:samples:1)" ms "$trace2" "the thesis' picture" ""
-  row "the same, 64 rays a pixel" "$(value every_shape:samples:64)" ms \
-    "$(value every_shape:samples:1)" "one ray a pixel" ""
-  row "processors that it uses" "$(value every_shape:samples:64.processors)" "" 2 "both" "0.95"
+  row "every shape, 2 threads" "$(value every_shape:1)" ms "$trace2" "the thesis' picture" ""
+  row "the same, 64 rays a pixel" "$(value every_shape:64)" ms \
+    "$(value every_shape:1)" "one ray a pixel" ""
+  row "processors that it uses" "$(value every_shape:64.processors)" "" 2 "both" "0.95"
   row "start to first picture" "$(value start)" ms 200 "200 ms" "1"
   row "memory after it" "$(value rss)" MiB 30 "30 MiB" "1"
   row "POV-Ray, tracing, 2 threads" "$(value pov-ray)" ms "$trace2" "Tia's" ""

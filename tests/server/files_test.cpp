@@ -27,7 +27,7 @@ std::size_t descriptors(const Tia& tia) {
   return static_cast<std::size_t>(std::distance(begin(each), end(each)));
 }
 
-// The check of virtual calls, which an error's answer makes, needs descriptors of its own.
+// The sanitizer's check of virtual calls needs descriptors of its own, but only the first time.
 #if defined(__SANITIZE_ADDRESS__)
 constexpr bool sanitized = true;
 #else
@@ -38,6 +38,8 @@ constexpr bool sanitized = false;
 TEST(Files, EveryAnswerIsGivenWithoutOpeningOne) {
   Tia tia;
   Host host;
+  for (const char* target : targets)
+    if (sanitized) tia.get(target);
   Connection connection(tia.port());
   connection.send("GET /healthz HTTP/1.1\r\nHost: x\r\n\r\n");
   ASSERT_EQ(connection.receive().status, 200);
@@ -46,7 +48,6 @@ TEST(Files, EveryAnswerIsGivenWithoutOpeningOne) {
   for (const char* target : targets) {
     SCOPED_TRACE(target);
     const Response direct = host.get(target);
-    if (sanitized && direct.status >= 400) continue;
     connection.send(std::string("GET ") + target +
                     " HTTP/1.1\r\nHost: x\r\nX-Request-Id: " + Host::id + "\r\n\r\n");
     const Response response = connection.receive();
