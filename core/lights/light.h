@@ -24,7 +24,7 @@ struct Light {
   std::variant<PointLight, DirectionalLight, SpotLight, SphereLight, QuadLight, SkyLight> kind;
   Color color{1, 1, 1};
   double intensity = 1;
-  std::optional<double> fade_distance;  ///< none: the light does not fade
+  std::optional<double> fade_distance{};  ///< none: the light does not fade
   double fade_power = 2;
 
   template <class Visitor>

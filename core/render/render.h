@@ -23,7 +23,7 @@ struct Window {
 };
 
 struct RenderOptions {
-  IntegratorName integrator = IntegratorName::whitted;
+  IntegratorName integrator = IntegratorName::thesis;
   int max_depth = SceneOptions{}.max_depth;
   int threads = 1;
   int tile = Block::size;  ///< pixels a side, at most Block::size

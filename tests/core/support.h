@@ -81,16 +81,25 @@ inline Scene thesis_scene(char key) {
 }
 
 inline Material matte(const Color& color, const Color& emission = {}) {
-  return {Finish{.color = color, .diffuse = 1, .emission = emission}};
+  Finish finish;
+  finish.color = color;
+  finish.emission = emission;
+  return {finish};
 }
 inline Object ball(const Vec3d& center, double radius, const Material& material = {}) {
   return {"", Sphere{center, radius}, {}, MaterialRef(material)};
 }
 inline Light point_light(const Vec3d& position, const Color& color = {1, 1, 1}) {
-  return {PointLight{position}, color, 1};
+  Light light;
+  light.kind = PointLight{position};
+  light.color = color;
+  return light;
 }
 inline Light sphere_light(const Vec3d& position, double radius, const Color& color = {1, 1, 1}) {
-  return {SphereLight{position, radius}, color, 1};
+  Light light;
+  light.kind = SphereLight{position, radius};
+  light.color = color;
+  return light;
 }
 
 struct Picture {

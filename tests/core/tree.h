@@ -1,4 +1,4 @@
-// The tree of one ray, and the few scenes that tests of light and matter are made of.
+// The tree of one ray in whitted, and the few scenes that tests of light and matter are made of.
 #pragma once
 
 #include "tests/core/support.h"
@@ -7,13 +7,14 @@ namespace tia::test {
 
 inline RenderOptions at_depth(int max_depth) {
   RenderOptions options;
+  options.integrator = IntegratorName::whitted;
   options.max_depth = max_depth;
   return options;
 }
 
 /// What a free ray finds.
 inline std::unique_ptr<RayNode> tree(const Scene& scene, const Vec3d& origin, const Vec3d& way,
-                                     const RenderOptions& options = {}) {
+                                     const RenderOptions& options = at_depth(5)) {
   return explain(scene, Ray<double>{origin, normalize(way)}, options).tree;
 }
 

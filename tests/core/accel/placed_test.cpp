@@ -220,7 +220,7 @@ TEST(Placed, ObjectWithoutMaterialTakesItsNearestAncestors) {
   const World world = world_of({bare(0), outer, row});
   const auto color = [&](double x) {
     const auto hit = hit_of(world, Ray<double>{{x, 0, 5}, {0, 0, -1}});
-    return world.matte_of(static_cast<int>(hit.part)).albedo.exact;
+    return world.matter_of(static_cast<int>(hit.part)).albedo.exact;
   };
   EXPECT_EQ(color(0), (Vec3d{1, 1, 1})) << "the default";
   EXPECT_EQ(color(1), (Vec3d{1, 0, 0})) << "its grandparent's";

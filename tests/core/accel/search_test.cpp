@@ -64,7 +64,7 @@ TEST_P(MixedWorld, OccludedEqualsBruteForceInEveryWidth) {
   Random random(201);
   const Scene scene = test::mixed_scene(random, objects / 10, GetParam());
   const World world = compile(scene), brute = test::without_index(world);
-  const Lamp lamp{{}, {}, -1, 0};
+  const Lamp lamp;
   Effort effort;
   int dark = 0, all = 0;
   for (int i = 0; i < 5 * packets; ++i) {

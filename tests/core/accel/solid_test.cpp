@@ -216,7 +216,7 @@ TEST(Solid, CutFaceShowsTheMaterialOfTheOperandWhoseSurfaceItIs) {
   const World world = world_of(whole);
   const auto color = [&](double x, double y) {
     const auto hit = hit_of(world, Ray<double>{{x, y, 5}, {0, 0, -1}});
-    return world.matte_of(static_cast<int>(hit.part)).albedo.exact;
+    return world.matter_of(static_cast<int>(hit.part)).albedo.exact;
   };
   EXPECT_EQ(color(-1.5, -1.5), (Vec3d{1, 0, 0})) << "the cube's face";
   EXPECT_EQ(color(0.1, 0), (Vec3d{0, 1, 0})) << "the dent is the ball's";

@@ -50,7 +50,7 @@ TEST(World, HasALampForEachLightThatShines) {
   const World world = compile(scene);
   ASSERT_EQ(world.lamps.size(), 3U);
   const auto expect = [&](std::size_t i, const Vec3d& position, const Vec3d& color, int part) {
-    EXPECT_EQ(world.lamps[i].position.exact, position) << i;
+    EXPECT_EQ(world.lamps[i].middle.exact, position) << i;
     EXPECT_EQ(world.lamps[i].color.exact, color) << i;
     EXPECT_EQ(world.lamps[i].part, part) << i;
   };
@@ -61,16 +61,16 @@ TEST(World, HasALampForEachLightThatShines) {
 
 TEST(World, MaterialIsNamedOrOwnOrTheDefault) {
   Scene scene;
-  scene.materials["red"] = Material{Finish{{1, 0, 0}, 0.5, {}}};
-  scene.objects = {ball({}, 1), ball({}, 1, Material{Finish{{0, 1, 0}, 0.25, {0, 0, 2}}}),
+  scene.materials["red"] = Material{Finish{.color = {1, 0, 0}, .diffuse = 0.5}};
+  scene.objects = {ball({}, 1), ball({}, 1, Material{Finish{.color = {0, 1, 0}, .diffuse = 0.25, .emission = {0, 0, 2}}}),
                    ball({}, 1)};
   scene.objects[0].material = "red";
   scene.objects[2].material.reset();
   const World world = compile(scene);
-  EXPECT_EQ(world.matte_of(0).albedo.exact, (Vec3d{0.5, 0, 0}));
-  EXPECT_EQ(world.matte_of(1).albedo.exact, (Vec3d{0, 0.25, 0}));
-  EXPECT_EQ(world.matte_of(1).emission.exact, (Vec3d{0, 0, 2}));
-  EXPECT_EQ(world.matte_of(2).albedo.exact, (Vec3d{1, 1, 1}));
+  EXPECT_EQ(world.matter_of(0).albedo.exact, (Vec3d{0.5, 0, 0}));
+  EXPECT_EQ(world.matter_of(1).albedo.exact, (Vec3d{0, 0.25, 0}));
+  EXPECT_EQ(world.matter_of(1).emission.exact, (Vec3d{0, 0, 2}));
+  EXPECT_EQ(world.matter_of(2).albedo.exact, (Vec3d{1, 1, 1}));
 }
 
 // ---- closest_hit, occluded --------------------------------------------------------------------

@@ -175,9 +175,9 @@ TEST(Glass, IndexOneIsInvisible) {
   scene.lights = {point_light({5, 8, 3})};
   scene.camera.fov_degrees = 50;
   scene.options.transparent_shadows = true;
-  const Image without = picture(scene, 80, 60).image;
+  const Image without = picture(scene, 80, 60, {0, 0, 80, 60}, at_depth(5)).image;
   scene.objects.push_back(object(Sphere{{0.3, 0, -1}, 1.2}, clear_glass(1)));
-  const Image with = picture(scene, 80, 60).image;
+  const Image with = picture(scene, 80, 60, {0, 0, 80, 60}, at_depth(5)).image;
   std::size_t differ = 0;
   for (std::size_t i = 0; i < without.rgb.size(); ++i)
     differ += std::fabs(without.rgb[i] - with.rgb[i]) > 1e-4F;

@@ -110,7 +110,7 @@ TEST(Mirror, RaysAreCountedByKindExactly) {
   Scene scene;
   scene.camera.fov_degrees = 60;
   scene.objects = {object(Plane{{0, -1, 0}, {0, 1, 0}}, mirror(0.5))};
-  const Picture whole = picture(scene, 64, 48);
+  const Picture whole = picture(scene, 64, 48, {0, 0, 64, 48}, at_depth(5));
   EXPECT_EQ(whole.rays, (RayCounts{.primary = 64 * 48, .reflection = 64 * 24}));
   EXPECT_EQ(picture(scene, 64, 48, {0, 0, 64, 48}, at_depth(0)).rays,
             (RayCounts{.primary = 64 * 48}));

@@ -1,4 +1,4 @@
-#include "core/integrators/thesis.h"
+#include "core/integrators/whitted.h"
 
 #include <gtest/gtest.h>
 
@@ -72,7 +72,7 @@ TEST(Thesis, LambertIsTheCosineAtEveryNormalAndDistance) {
 
 TEST(Thesis, ValueIsDiffuseTimesColourTimesLightTimesIntensity) {
   Seen seen({{0, 0, 0}, 1}, {0, 0, 1});
-  seen.scene.objects[0].material = Material{Finish{{0.5, 0.25, 1}, 0.5, {}}};
+  seen.scene.objects[0].material = Material{Finish{.color = {0.5, 0.25, 1}, .diffuse = 0.5}};
   Light light = point_light({0, 0, 3}, {1, 0.5, 0.25});
   light.intensity = 3;
   seen.scene.lights = {light};
@@ -165,7 +165,8 @@ TEST(Thesis, LanesThatAreNotActiveAreNotCounted) {
   for (int active = 0; active <= lanes<Wide>; ++active) {
     BallScope scope{world, {0, 1, 2}};
     const Wide x = Wide(320.0F) + iota<Wide>();
-    thesis(scope, view.ray(x, Wide(100.0F)), iota<Wide>() < Wide(static_cast<float>(active)));
+    thesis(scope, view.ray(x, Wide(100.0F)), iota<Wide>() < Wide(static_cast<float>(active)),
+           Draws<Wide>{});
     EXPECT_EQ(scope.rays.primary, active);
     EXPECT_EQ(scope.rays.shadow, active);  // the ball's upper front: all towards the light
   }

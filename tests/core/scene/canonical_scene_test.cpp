@@ -1,4 +1,16 @@
-// Scene -> canonical text -> the same scene.
+// Finish random_finish(Random& random) {
+  Finish finish;
+  finish.color = test::random_color(random);
+  finish.diffuse = random.unit();
+  finish.ambient = random.unit();
+  finish.transmission = random.unit();
+  finish.ior = 1 + random.unit();
+  finish.fresnel = random.chance(0.5);
+  finish.absorption = test::random_color(random);
+  return finish;
+}
+
+Scene -> canonical text -> the same scene.
 #include <gtest/gtest.h>
 
 #include "core/scene/read_scene.h"
@@ -18,7 +30,7 @@ Scene dressed_scene(std::uint64_t seed) {
   if (random.chance(0.7)) scene.title = name();
   if (random.chance(0.5)) scene.description = name();
   for (int i = random.below(4); i > 0; --i)
-    scene.materials[name()] = Material{Finish{test::random_color(random), random.unit(), {}}};
+    scene.materials[name()] = Material{random_finish(random)};
   for (Object& object : scene.objects) {
     if (random.chance(0.5)) object.name = name();
     if (random.chance(0.3)) object.material.reset();
