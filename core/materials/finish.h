@@ -18,7 +18,7 @@ struct Finish {
   double reflection = 0, transmission = 0, ior = 1.5;
   bool fresnel = false;
   Color absorption{}, emission{};
-  std::optional<Texture> texture;  ///< in the colour's place
+  std::optional<Texture> texture{};  ///< in the colour's place
 
   template <class Visitor>
   static void fields(Visitor&& visit) {

@@ -150,7 +150,7 @@ TYPED_TEST(ShapeContract, LeavingRayDoesNotRehit) {
         const SurfacePoint<Real> at = surface(world, ray, hit, 0, true);
         auto away = lift<Real>(random.direction());
         away = normalize(dot(away, at.ng) < 0 ? -away : away);
-        const Vec3<Real> start = at.p + at.ng * shadow_offset(hit.t, at.p);
+        const Vec3<Real> start = at.p + at.ng * offset_of(hit.t, at.p);
         EXPECT_EQ(this->hit_of(world, Ray<Real>{start, away}).t, Real(infinity)) << scale;
         ++left;
       }

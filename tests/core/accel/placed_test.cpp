@@ -240,7 +240,7 @@ TEST(Repeat, LuminousBallIsALampForEachCopy) {
   std::vector<Vec3d> places;
   for (const Lamp& lamp : world.lamps) {
     EXPECT_EQ(lamp.color.exact, (Vec3d{1, 2, 3}));
-    places.push_back(lamp.position.exact);
+    places.push_back(lamp.middle.exact);
   }
   for (const double x : {2.0, 8.0})
     for (const double y : {0.0, 5.0})
@@ -254,8 +254,8 @@ TEST(Repeat, LampsOwnCopyNeverBlocksItAndTheOthersDo) {
   // From x = -5 along x: the ball at 0, then the one at 1.
   const Ray<float> ray{{-5, 0, 0}, {1, 0, 0}};
   for (const Lamp& lamp : world.lamps) {
-    const auto distance = static_cast<float>(lamp.position.exact.x + 5);
-    EXPECT_EQ(occluded(world, ray, distance, lamp, true, effort), lamp.position.exact.x > 0.5);
+    const auto distance = static_cast<float>(lamp.middle.exact.x + 5);
+    EXPECT_EQ(occluded(world, ray, distance, lamp, true, effort), lamp.middle.exact.x > 0.5);
   }
 }
 

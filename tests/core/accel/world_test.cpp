@@ -124,7 +124,9 @@ TEST(World, OccludedMeansAnyHitBeforeTheDistanceButOnesOwn) {
   scene.objects = {ball({0, 0, -5}, 1), ball({0, 0, -10}, 1)};
   const World world = compile(scene);
   const Ray<float> ray{{0, 0, 0}, {0, 0, -1}};
-  const Lamp point{{}, {}, -1, 0}, first{{}, {}, 0, 0};
+  const Lamp point;
+  Lamp first;
+  first.part = 0;
   Effort effort;
   const auto dark = [&](const Ray<float>& way, float distance, const Lamp& lamp) {
     const bool by_list = occluded_by_balls(world, way, distance, lamp);

@@ -137,7 +137,7 @@ TEST(Thesis, KeyLightWithoutAPlaceLightsNothing) {
   Seen seen({{0, 0, 0}, 1}, {0, 0, 1});
   seen.scene.key_light = Light{SphereLight{std::nullopt, 3}, {1, 1, 1}, 1};
   EXPECT_EQ(seen.light(), (Vec3f{0, 0, 0}));
-  seen.scene.key_light->move_to({0, 0, 40});
+  seen.scene.key_light->move_to({0, 0, 40}, {});
   EXPECT_EQ(seen.light(), (Vec3f{1, 1, 1}));
 }
 

@@ -50,7 +50,7 @@ Scene carried(Scene scene, const Placement& by) {
   const Affine map = by.affine();
   for (Object& object : scene.objects)
     for (const Placement::Step& step : by.steps) object.transform.steps.push_back(step);
-  for (Light& light : scene.lights) light.move_to(map.point(*light.position()));
+  for (Light& light : scene.lights) light.move_to(map.point(*light.place()), {});
   scene.camera.location = map.point(scene.camera.location);
   scene.camera.look_at = map.point(*scene.camera.look_at);
   scene.camera.up = map.vector(scene.camera.up);

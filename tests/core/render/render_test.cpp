@@ -211,7 +211,7 @@ Scene scaled(Scene scene, double factor) {
     sphere = {sphere.center * factor, sphere.radius * factor};
   }
   const auto scale_light = [&](Light& light) {
-    if (light.position()) light.move_to(*light.position() * factor);
+    if (light.place()) light.move_to(*light.place() * factor, {});
     if (auto* lamp = std::get_if<SphereLight>(&light.kind)) lamp->radius *= factor;
   };
   for (Light& light : scene.lights) scale_light(light);

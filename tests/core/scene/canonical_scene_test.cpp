@@ -1,4 +1,15 @@
-// Finish random_finish(Random& random) {
+// Scene -> canonical text -> the same scene.
+#include <gtest/gtest.h>
+
+#include "core/scene/read_scene.h"
+#include "tests/core/random_scene.h"
+
+namespace tia {
+namespace {
+
+using test::Random;
+
+Finish random_finish(Random& random) {
   Finish finish;
   finish.color = test::random_color(random);
   finish.diffuse = random.unit();
@@ -9,17 +20,6 @@
   finish.absorption = test::random_color(random);
   return finish;
 }
-
-Scene -> canonical text -> the same scene.
-#include <gtest/gtest.h>
-
-#include "core/scene/read_scene.h"
-#include "tests/core/random_scene.h"
-
-namespace tia {
-namespace {
-
-using test::Random;
 
 // A random scene with everything else that a scene can hold.
 Scene dressed_scene(std::uint64_t seed) {

@@ -11,7 +11,7 @@ namespace {
 
 using test::Random;
 
-Vec3d place_of(const Light& light) { return light.position().value(); }
+Vec3d place_of(const Light& light) { return light.place().value(); }
 
 // ---- a scene's own keys -----------------------------------------------------------------------
 
@@ -22,7 +22,7 @@ TEST(Keys, OwnBindingPutsTheKeyLightWhereItSays) {
       {"a", {-20, 20, -10}}, {"d", {20, 20, -10}}, {"s", {0, 20, -5}}, {"w", {0, 25, -35}}};
   for (const auto& [key, place] : table) {
     Scene expected = scene;
-    expected.key_light->move_to(place);
+    expected.key_light->move_to(place, {});
     EXPECT_EQ(press(scene, key), expected) << key;
   }
 }

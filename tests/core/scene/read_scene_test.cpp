@@ -41,7 +41,7 @@ TEST(ReadScene, ThesisSceneReadsAsItIsWritten) {
   EXPECT_EQ(floor.color, (Color{0.2, 0.2, 0.2}));
   EXPECT_TRUE(scene.lights.empty());
   EXPECT_EQ(std::get<SphereLight>(scene.key_light->kind).radius, 3);
-  EXPECT_FALSE(scene.key_light->position().has_value());
+  EXPECT_FALSE(scene.key_light->place().has_value());
   EXPECT_EQ(std::get<Vec3d>(scene.keys.at("w")), (Vec3d{0, 25, -35}));
   EXPECT_EQ(scene.options.transfer, Transfer::linear);
 }
