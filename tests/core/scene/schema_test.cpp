@@ -150,6 +150,9 @@ const std::vector<std::string> beyond_schema = {
     "a solid (", "copies in all", "not 0 where there is more than one copy",
     "a group whose children have bounds", "a group without repeat", "can be undone",
     "with the transforms around it", "luminous balls",
+    // lights
+    "a number from radius_degrees", "a point other than position", "an edge that spans an area",
+    "fading of a light that is at some distance",
     // pictures: what they decode to
     "PNG or JPEG picture", "a picture of at most", "pixels together",
     // links: names of materials, places of lights
