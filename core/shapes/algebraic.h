@@ -2,6 +2,7 @@
 // bounds. Its crossings are the roots of the polynomial along the line.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <string_view>
@@ -86,8 +87,12 @@ struct AlgebraicForm {
 };
 
 AlgebraicForm prepare(const Algebraic& algebraic);
-/// A term is expanded once a line; isolating the roots of a high degree takes as long as many.
-inline int work_of(const AlgebraicForm& a) { return 16 + static_cast<int>(a.terms.size()); }
+/// A term is expanded once a line; isolating the roots goes with the square of the degree.
+inline int work_of(const AlgebraicForm& a) {
+  int degree = 0;
+  for (const AlgebraicTerm& term : a.terms) degree = std::max(degree, term.degree());
+  return 16 + static_cast<int>(a.terms.size()) + degree * degree;
+}
 inline int elements(const AlgebraicForm& a) { return 1 + (a.region ? elements(*a.region) : 0); }
 inline Aabb bounds(const AlgebraicForm& a) {
   return a.region ? bounds(*a.region) : Aabb::everything();
