@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "core/integrators/integrator.h"
+#include "core/render/patch.h"
 
 namespace tia {
 namespace {
@@ -41,44 +42,6 @@ class Tracer {
 
   const Shot& shot_;
   Scope scope_;
-};
-
-// Patch: the pixels of one packet, as near to a square as its lanes allow: rays that stay together
-// meet fewer boxes.
-template <class Real>
-struct Patch {
-  static constexpr int width = lanes<Real> >= 4 ? 4 : 1, height = lanes<Real> / width;
-  static_assert(Block::size % width == 0 && Block::size % height == 0);
-
-  /// Each lane's column and row.
-  static Real column() {
-    return by_lane([](int lane) { return lane % width; });
-  }
-  static Real row() {
-    return by_lane([](int lane) { return lane / width; });
-  }
-  static void number(int x, int y, Draws<Real>& draws) {
-    for (int i = 0; i < lanes<Real>; ++i) {
-      draws.x[static_cast<std::size_t>(i)] = static_cast<std::uint32_t>(x + i % width);
-      draws.y[static_cast<std::size_t>(i)] = static_cast<std::uint32_t>(y + i / width);
-    }
-  }
-  /// Stores the lanes where a plane of the block has their pixels.
-  static void store(const Real& value, float* corner) {
-    std::array<float, lanes<Real>> each;
-    tia::store(value, each.data());
-    for (int y = 0; y < height; ++y)
-      std::copy_n(&each[static_cast<std::size_t>(y * width)], width, corner + y * Block::size);
-  }
-
- private:
-  template <class F>
-  static Real by_lane(F value) {
-    std::array<LaneOf<Real>, lanes<Real>> each;
-    for (int i = 0; i < lanes<Real>; ++i)
-      each[static_cast<std::size_t>(i)] = static_cast<LaneOf<Real>>(value(i));
-    return load<Real>(each.data());
-  }
 };
 
 // ---- one ray a pixel of a perspective view: what most pictures are -----------------------------
