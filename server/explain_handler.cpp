@@ -1,6 +1,6 @@
 // /explain: one pixel or one ray in, what the ray meets out, as JSON.
 #include "core/input/json.h"
-#include "core/integrators/shown.h"
+#include "core/integrators/integrator.h"
 #include "core/render/sampler.h"
 #include "server/handlers.h"
 #include "server/parameters.h"
@@ -65,7 +65,7 @@ struct ExplainRequest : TraceRequest {
 
 RenderOptions options_of(const ExplainRequest& asked, const Scene& scene, const Service& service) {
   const RenderOptions options = options_of(TraceRequest(asked), scene, service.studio);
-  if (shown(options.integrator) != Shown::light)
+  if (!gathers_light(options.integrator))
     throw InputError({FaultKind::out_of_range, "/integrator", Value(name_of(options.integrator)),
                       "thesis or whitted, which gather light"});
   const int rays = least_samples(options.samples, options.threshold);

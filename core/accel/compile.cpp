@@ -11,14 +11,20 @@ constexpr std::size_t few = 16;
 
 Vec3d rgb(const Color& c) { return {c.r, c.g, c.b}; }
 
-// A point as far as the thesis can tell, whose light does not fade.
+// A point as seen from anywhere, whose light does not fade.
 bool is_plain_point(const Lamp& lamp) {
   const bool point = std::holds_alternative<PointForm>(lamp.form) ||
                      std::holds_alternative<SphereForm>(lamp.form);
-  return point && lamp.fade_distance == 0;
+  return point && lamp.fade_distance == 0 && lamp.places.count() == 1;
 }
 
 bool emits(const Vec3d& light) { return light.x > 0 || light.y > 0 || light.z > 0; }
+
+// Whether it scatters light and does nothing else.
+bool is_plain(const Matter& matter) {
+  return !emits(matter.ambient.exact) && matter.brilliance == 1 && matter.specular == 0 &&
+         matter.reflection == 0 && matter.transmission == 0 && matter.texture < 0;
+}
 
 Matter matter_of(const Finish& finish, const Vec3d& ambient_light) {
   const Vec3d color = finish.texture ? Vec3d{1, 1, 1} : rgb(finish.color);
@@ -74,7 +80,8 @@ class Compiler {
     add_lights();
     for (Space& space : world_.spaces) index(space);
     world_.few_balls = world_.balls.size() == world_.parts.size() && world_.copies.empty() &&
-                       world_.balls.size() <= few && world_.textures.empty() &&
+                       world_.balls.size() <= few && 
+                       std::ranges::all_of(world_.matters, is_plain) &&
                        std::ranges::all_of(world_.lamps, is_plain_point);
     for (const MeshIndex& mesh : world_.meshes) world_.degenerate += mesh.degenerate;
     return std::move(world_);

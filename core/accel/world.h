@@ -81,7 +81,7 @@ struct World {
   Constant background;
   int objects = 0;             ///< how many; the luminous lights are the last
   bool transparent_shadows = false;  ///< whether light goes straight through what transmits
-  bool few_balls = false;  ///< so few, lit from points, that they are tried one after another
+  bool few_balls = false;  ///< so few, plain and lit from points, that they are tried in turn
   std::size_t degenerate = 0;  ///< triangles without area, which nothing meets
 
   const Part& part(int i) const { return parts[static_cast<std::size_t>(i)]; }

@@ -66,8 +66,7 @@ Incoming<Real> from_area(const Lamp& lamp, int number, int i, const Vec3<Real>& 
 }
 
 /// One place's share. Lanes outside `here` cast no shadow rays.
-/// `whole`: highlights, fading and the like; the thesis has n.l alone.
-template <bool whole, class Scope, class Point, class Real>
+template <class Scope, class Point, class Real>
 Direct<Real> light_from(Scope& scope, const Lamp& lamp, const Incoming<Real>& from,
                         const Seen<Point, Real>& seen, const Vec3<Real>& direction,
                         const Gloss<Real>& gloss) {
@@ -77,46 +76,45 @@ Direct<Real> light_from(Scope& scope, const Lamp& lamp, const Incoming<Real>& fr
   if (!any(lit)) return {};
   scope.rays.shadow += count(lit);
   const Ray<Real> shadow_ray{seen.at.p + seen.at.side() * seen.offset, from.way};
-  const Real visible =
-      select(lit, scope.visible(shadow_ray, from.distance, lamp, lit), Real(0));
+  const Real visible = scope.visible(shadow_ray, from.distance, lamp, lit);
   Direct<Real> light;
-  light.visible = visible;
+  light.visible = select(lit, visible, Real(0));
   Real strength = visible * from.strength;
-  if (lamp.fade_distance > 0) strength = strength * fade(lamp, from.distance);
-  const Mask<Real> shines = strength > Real(0);
-  if constexpr (whole) {
-    light.diffuse = select(shines, strength * raised(n_dot_l, gloss.brilliance, lit), Real(0));
+  if constexpr (Scope::plain) {
+    light.diffuse = select(lit, strength * n_dot_l, Real(0));
+  } else {
+    if (lamp.fade_distance > 0) strength = strength * fade(lamp, from.distance);
+    light.diffuse = select(lit, strength * raised(n_dot_l, gloss.brilliance, lit), Real(0));
+    const Mask<Real> shines = lit && strength > Real(0);
     if (any(shines && gloss.specular > Real(0))) {
       const Real r_dot_l = dot(mirrored(direction, seen.at.n), from.way);
       const Mask<Real> shiny = shines && r_dot_l > Real(0);
       light.specular = select(
           shiny, strength * (gloss.specular * raised(r_dot_l, gloss.exponent, shiny)), Real(0));
     }
-  } else {
-    light.diffuse = select(shines, strength * n_dot_l, Real(0));
   }
   return light;
 }
 
 /// All of a lamp's light; `number` tells the lamp from the scene's others.
-template <bool whole, class Scope, class Point, class Real>
+template <class Scope, class Point, class Real>
 Direct<Real> light_from(Scope& scope, int number, const Seen<Point, Real>& seen,
                         const Vec3<Real>& direction, const Gloss<Real>& gloss,
                         const Path<Real>& path) {
   const Lamp& lamp = scope.world.lamps[static_cast<std::size_t>(number)];
-  if (!whole || lamp.places.count() == 1)
-    return light_from<whole>(scope, lamp, scope.from_middle(lamp, seen.at.p), seen, direction,
-                             gloss);
+  int places = 1;
+  if constexpr (!Scope::plain) places = scope.rules.areas ? lamp.places.count() : 1;
+  if (places == 1)
+    return light_from(scope, lamp, scope.from_middle(lamp, seen.at.p), seen, direction, gloss);
   Direct<Real> sum;
-  for (int i = 0; i < lamp.places.count(); ++i) {
-    const Direct<Real> one =
-        light_from<whole>(scope, lamp, from_area(lamp, number, i, seen.at.p, path), seen,
-                          direction, gloss);
+  for (int i = 0; i < places; ++i) {
+    const Incoming<Real> from = from_area(lamp, number, i, seen.at.p, path);
+    const Direct<Real> one = light_from(scope, lamp, from, seen, direction, gloss);
     sum.diffuse = sum.diffuse + one.diffuse;
     sum.specular = sum.specular + one.specular;
     sum.visible = sum.visible + one.visible;
   }
-  const Real share(1 / static_cast<float>(lamp.places.count()));
+  const Real share(1 / static_cast<float>(places));
   return {sum.diffuse * share, sum.specular * share, sum.visible * share};
 }
 

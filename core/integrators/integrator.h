@@ -7,6 +7,16 @@
 
 namespace tia {
 
+/// Whether it gathers light, else numbers of the surfaces.
+inline bool gathers_light(IntegratorName name) {
+  return name == IntegratorName::thesis || name == IntegratorName::whitted;
+}
+
+/// The thesis is a preset of whitted.
+inline Rules rules_of(IntegratorName name, int max_depth) {
+  return name == IntegratorName::thesis ? Rules{0, false} : Rules{max_depth, true};
+}
+
 /// Returns: linear RGB along a camera ray, unclamped, or a feature. Lanes that are not active come
 /// out meaningless and do not count as rays.
 template <class Real>
@@ -19,7 +29,7 @@ Vec3<Real> radiance(IntegratorName name, WorldScope& scope, const Ray<Real>& ray
     case IntegratorName::object: return object_feature(scope, ray, active);
     case IntegratorName::shadow: return shadow_feature(scope, ray, active);
     case IntegratorName::cost: return cost_feature(scope, ray, active);
-    case IntegratorName::thesis: return thesis(scope, ray, active, draws);
+    case IntegratorName::thesis:
     case IntegratorName::whitted: break;
   }
   return whitted(scope, ray, active, draws);

@@ -19,12 +19,20 @@ struct RayTally {
   }
 };
 
+/// Rules: how far light is followed.
+struct Rules {
+  int max_depth = 0;  ///< how often it may be mirrored or refracted
+  bool areas = true;  ///< whether lamps shine from all of their places, else from their middle
+};
+
 /// Scope: the world as one block of the picture sees it, and what the block's rays count to. Of two
-/// kinds, which ask the same in their own way; an integrator is a template over them.
+/// kinds, which ask the same in their own way; an integrator is a template over them. In a plain
+/// one surfaces scatter light and do nothing else.
 struct WorldScope {
+  static constexpr bool plain = false;
   const World& world;
   Effort effort;
-  int max_depth = 0;
+  Rules rules{};
   RayTally rays{};
 
   template <class Real>
@@ -54,9 +62,10 @@ struct WorldScope {
   }
 };
 
-/// A world of few balls, lit from points, without textures, and nothing else, of which the camera rays may meet those
-/// listed: small enough to be tried one after another in registers.
+/// A world of few plain balls, lit from points, and nothing else, of which the camera rays may meet
+/// those listed: small enough to be tried one after another in registers.
 struct BallScope {
+  static constexpr bool plain = true;
   const World& world;
   std::vector<int> balls;
   RayTally rays{};
@@ -77,10 +86,6 @@ struct BallScope {
   BallPoint<Real> surface_of(const Ray<Real>& ray, const Hit<Real>& hit, int part,
                              Mask<Real>) const {
     return ball_surface(world.balls[static_cast<std::size_t>(part)], ray, hit.t);
-  }
-  template <class Real>
-  Vec3<Real> colors_of(const Ray<Real>&, const Hit<Real>&, int, Mask<Real>) const {
-    return {Real(1), Real(1), Real(1)};  // it has none
   }
 };
 
@@ -116,16 +121,19 @@ template <class Scope, class Real>
 auto surfaces(const Scope& scope, const Ray<Real>& ray, const Hit<Real>& hit, Mask<Real> active) {
   using Point = decltype(scope.surface_of(ray, hit, 0, active));
   Seen<Point, Real> seen{active && hit.t < Real(infinity)};
+  if (!any(seen.here)) return seen;
   for_each_winner(hit, active, [&](int part, Mask<Real> here) {
     const Matter& matter = scope.world.matter_of(part);
     seen.at.take(scope.surface_of(ray, hit, part, here), here);
     seen.albedo = select(here, lift<Real>(matter.albedo), seen.albedo);
     seen.emission = select(here, lift<Real>(matter.emission), seen.emission);
-    if (matter.texture < 0) return;
-    seen.tint = select(here, scope.colors_of(ray, hit, part, here), seen.tint);
-    seen.tinted = true;
+    if constexpr (!Scope::plain) {
+      if (matter.texture < 0) return;
+      seen.tint = select(here, scope.colors_of(ray, hit, part, here), seen.tint);
+      seen.tinted = true;
+    }
   });
-  if (seen.tinted) seen.albedo = seen.albedo * seen.tint;
+  if (!Scope::plain && seen.tinted) seen.albedo = seen.albedo * seen.tint;
   seen.offset = offset_of(hit.t, seen.at.p);
   return seen;
 }

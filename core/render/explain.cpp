@@ -1,7 +1,7 @@
 #include "core/render/explain.h"
 
 #include "core/input/codec.h"
-#include "core/integrators/whitted.h"
+#include "core/integrators/integrator.h"
 #include "core/render/meter.h"
 #include "core/render/sampler.h"
 
@@ -12,9 +12,8 @@ std::unique_ptr<RayNode> tree_of(const World& world, const Ray<float>& ray,
                                  const Draws<float>& draws, const RenderOptions& options) {
   RayMeter meter(options.max_rays, options.max_work, {});
   WorldScope scope{world, Effort([&](std::int64_t work) { meter.add_work(work); }),
-                   options.max_depth};
-  return options.integrator == IntegratorName::thesis ? explain_thesis(scope, ray, draws)
-                                                      : explain_whitted(scope, ray, draws);
+                   rules_of(options.integrator, options.max_depth)};
+  return explain_whitted(scope, ray, draws);
 }
 
 }  // namespace

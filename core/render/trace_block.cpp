@@ -18,7 +18,7 @@ class Tracer {
       : eye(shot.view), shot_(shot), scope_{scope_of(shot, x0, y0, block)} {}
 
   Vec3<Real> light(const Ray<Real>& ray, Mask<Real> active, const Draws<Real>& draws) {
-    if constexpr (std::is_same_v<Scope, BallScope>) return thesis(scope_, ray, active, draws);
+    if constexpr (std::is_same_v<Scope, BallScope>) return whitted(scope_, ray, active, draws);
     else return radiance(shot_.integrator, scope_, ray, active, draws);
   }
   RayTally& rays() { return scope_.rays; }
@@ -36,7 +36,8 @@ class Tracer {
       const Beam beam(shot.view, x0, y0, x0 + block.width, y0 + block.height);
       return {shot.world, candidates(shot.world, beam)};
     } else {
-      return {shot.world, Effort([this](std::int64_t work) { spent(work); }), shot.max_depth};
+      return {shot.world, Effort([this](std::int64_t work) { spent(work); }),
+              rules_of(shot.integrator, shot.max_depth)};
     }
   }
 
@@ -241,10 +242,10 @@ void trace(const Shot& shot, int x0, int y0, Block& block) {
   else trace_samples<Real, Scope>(shot, x0, y0, block);
 }
 
-// The thesis' pictures have few balls and want to be fast.
+// The thesis' pictures have few plain balls and want to be fast.
 template <class Real>
 void trace(const Shot& shot, int x0, int y0, Block& block) {
-  if (shot.world.few_balls && shot.integrator == IntegratorName::thesis)
+  if (shot.world.few_balls && gathers_light(shot.integrator))
     trace<Real, BallScope>(shot, x0, y0, block);
   else trace<Real, WorldScope>(shot, x0, y0, block);
 }

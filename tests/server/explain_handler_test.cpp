@@ -90,6 +90,7 @@ TEST(Explain, FaultsAreNamedAlikeWhereverTheyAre) {
       {"x=1&y=1&crop=0,0,2,2", "unknown-name", "/crop", "scene, key, light"},
       {"x=1&y=1&sample=1", "out-of-range", "/sample", "from 0 to 0"},
       {"x=1&y=1&samples=4&sample=4", "out-of-range", "/sample", "from 0 to 3"},
+      {"x=1&y=1&integrator=albedo", "out-of-range", "/integrator", "thesis or whitted"},
       {"x=1&y=1&integrator=normal", "out-of-range", "/integrator", "thesis or whitted"},
       {"x=1&y=1&max_depth=65", "out-of-range", "/max_depth", "from 0 to 64"},
       {"x=1&y=1&seed=-1", "out-of-range", "/seed", "from 0"},

@@ -1,0 +1,74 @@
+// What the surfaces of a packet do with light besides scattering it, each lane its own.
+#pragma once
+
+#include "core/integrators/direct.h"
+
+namespace tia {
+
+/// Finishes. Colours are linear RGB, shares of light 0 .. 1.
+template <class Real>
+struct Finishes {
+  Vec3<Real> ambient{};  ///< light that it sends back of what comes from everywhere, untextured
+  Gloss<Real> gloss{};
+  Real reflection{}, transmission{};
+  Mask<Real> fresnel{};
+  Medium<Real> inside{};
+  Real object{};  ///< the number of its object
+
+  void take(const Matter& matter, int number, Mask<Real> here) {
+    const auto into = [&](Real& to, double from) { to = select(here, lift<Real>(from), to); };
+    ambient = select(here, lift<Real>(matter.ambient), ambient);
+    into(gloss.brilliance, matter.brilliance);
+    into(gloss.specular, matter.specular);
+    into(gloss.exponent, matter.exponent);
+    into(reflection, matter.reflection);
+    into(transmission, matter.transmission);
+    if (matter.fresnel) fresnel = fresnel || here;
+    into(inside.ior, matter.ior);
+    inside.absorption = select(here, lift<Real>(matter.absorption), inside.absorption);
+    into(object, number);
+  }
+};
+
+template <class Real>
+Finishes<Real> finishes(const World& world, const Hit<Real>& hit, Mask<Real> active) {
+  Finishes<Real> all;
+  for_each_winner(hit, active, [&](int part, Mask<Real> here) {
+    all.take(world.matter_of(part), world.part(part).object, here);
+  });
+  return all;
+}
+
+/// Ways: where light goes on from a surface, and how much of it.
+template <class Real>
+struct Ways {
+  Real mirror = Real(0), glass = Real(0);  ///< the shares of either way
+  Refraction<Real> bent{};                 ///< the way through the glass
+  Medium<Real> behind{};                   ///< what that leads into
+};
+
+/// Domain: unit direction and n, direction.n <= 0; `front`: where the ray comes from outside.
+/// Source: the slides; with Fresnel's equations in the place of T where a finish says so.
+template <class Real>
+Ways<Real> ways_on(const Vec3<Real>& direction, const Vec3<Real>& n, const Real& copy,
+                   Mask<Real> here, Mask<Real> front, const Finishes<Real>& finish,
+                   const Interface<Real>* through) {
+  const Real zero(0), one(1);
+  Ways<Real> ways;
+  ways.mirror = select(here, (one - finish.transmission) * finish.reflection, zero);
+  const Mask<Real> glass = here && finish.transmission > zero;
+  if (!any(glass)) return ways;
+  const Medium<Real>& inside = finish.inside;
+  const auto outside = medium_around(through, glass, !front, finish.object, copy);
+  const Real before = select(front, outside.ior, inside.ior);
+  ways.behind = {select(front, inside.ior, outside.ior),
+                 select(front, inside.absorption, outside.absorption)};
+  ways.bent = refracted(direction, n, before / ways.behind.ior);
+  const Real mirrored = select(finish.fresnel, fresnel(before, ways.behind.ior, ways.bent),
+                               select(ways.bent.total, one, zero));
+  ways.mirror = ways.mirror + select(glass, finish.transmission * mirrored, zero);
+  ways.glass = select(glass, finish.transmission * (one - mirrored), zero);
+  return ways;
+}
+
+}  // namespace tia
