@@ -64,5 +64,5 @@ print(f"""{{
     {{ "type": "point", "position": [-6, 12, 7], "intensity": 0.9 }},
     {{ "type": "point", "position": [9, 6, 2], "color": [0.25, 0.3, 0.4] }}
   ],
-  "options": {{ "samples": 4, "threshold": 0.03 }}
+  "options": {{ "samples": 8, "threshold": 0.03 }}
 }}""")
