@@ -1,5 +1,7 @@
 // The tree of /explain, as a client reads it: the terms add up, in float and in their order, to
 // the colour of the picture's pixel, for every scene of the gallery.
+#include <nlohmann/json.hpp>
+
 #include "tests/core/support.h"
 #include "tests/server/explain_support.h"
 #include "tests/server/picture_support.h"
@@ -7,28 +9,29 @@
 namespace tia::test {
 namespace {
 
-Vec3f color(const Value& value) { return Vec3f(vec(value)); }
+using Json = nlohmann::json;  // trees nest deeper than requests may
 
-Vec3f transmittance(const Value& node) {
-  const Value* left = find(*node.as<Value::Object>(), "transmittance");
-  return left == nullptr ? Vec3f{1, 1, 1} : color(*left);
+Vec3f color(const Json& list) { return {list.at(0), list.at(1), list.at(2)}; }
+
+Vec3f transmittance(const Json& node) {
+  return node.contains("transmittance") ? color(node["transmittance"]) : Vec3f{1, 1, 1};
 }
 
 // Sums up each ray's terms; a mirrored or refracted ray's light is what its way left of it.
-void expect_sum(const Value& node, int depth) {
+void expect_sum(const Json& node, int depth) {
   Vec3f sum{0, 0, 0};
-  EXPECT_EQ(number_at(node, "depth"), depth);
-  for (const Value& term : *at(node, "terms").as<Value::Array>()) {
-    const Vec3f value = color(at(term, "value"));
-    sum = sum + value * static_cast<float>(number_at(term, "weight"));
-    const Value* child = find(*term.as<Value::Object>(), "node");
-    const std::string name = text_at(term, "name");
-    ASSERT_EQ(child != nullptr, name == "reflection" || name == "refraction") << name;
-    if (child == nullptr) continue;
-    EXPECT_EQ(value, color(at(*child, "color")) * transmittance(*child));
-    expect_sum(*child, depth + 1);
+  EXPECT_EQ(node.at("depth"), depth);
+  for (const Json& term : node.at("terms")) {
+    const Vec3f value = color(term.at("value"));
+    sum = sum + value * term.at("weight").get<float>();
+    const std::string name = term.at("name");
+    ASSERT_EQ(term.contains("node"), name == "reflection" || name == "refraction") << name;
+    if (!term.contains("node")) continue;
+    const Json& child = term["node"];
+    EXPECT_EQ(value, color(child.at("color")) * transmittance(child));
+    expect_sum(child, depth + 1);
   }
-  EXPECT_EQ(sum, color(at(node, "color"))) << to_json(node);
+  EXPECT_EQ(sum, color(node.at("color"))) << node.dump();
 }
 
 std::string view_query(const std::string& scene, int width, int height) {
@@ -38,10 +41,10 @@ std::string view_query(const std::string& scene, int width, int height) {
 std::string pixel(int x, int y) {
   return "&x=" + std::to_string(x) + "&y=" + std::to_string(y);
 }
-Value explained(const std::string& query) {
+Json explained(const std::string& query) {
   const Response response = explain_host().get("/explain?" + query);
   EXPECT_EQ(response.status, 200) << query << response.body;
-  return parse_json(response.body);
+  return Json::parse(response.body);
 }
 Pixels<float> drawn(const std::string& query) {
   return decode_pfm(explain_host().get("/render?format=pfm&" + query).body);
@@ -59,9 +62,9 @@ TEST(ExplainTree, AddsUpToThePixelInEverySceneOfTheGallery) {
     const Pixels<float> image = drawn(view);
     for (int i = 0; i < pixels && !HasFailure(); ++i) {
       const int x = random.below(width), y = random.below(height);
-      const Value answer = explained(view + pixel(x, y));
-      expect_sum(at(answer, "tree"), 0);
-      EXPECT_EQ(color(at(at(answer, "tree"), "color")), color(image, x, y)) << x << " " << y;
+      const Json tree = explained(view + pixel(x, y)).at("tree");
+      expect_sum(tree, 0);
+      EXPECT_EQ(color(tree.at("color")), color(image, x, y)) << x << " " << y;
     }
   }
 }
@@ -72,9 +75,9 @@ TEST(ExplainTree, EachSampleOfAPixelIsTold) {
   for (const auto& [x, y] : {std::pair{40, 30}, std::pair{11, 45}, std::pair{66, 29}}) {
     Vec3d sum{};
     for (int sample = 0; sample < 4; ++sample) {
-      const Value answer = explained(view + pixel(x, y) + "&sample=" + std::to_string(sample));
-      EXPECT_EQ(number_at(answer, "sample"), sample);
-      sum = sum + vec(at(at(answer, "tree"), "color"));
+      const Json answer = explained(view + pixel(x, y) + "&sample=" + std::to_string(sample));
+      EXPECT_EQ(answer.at("sample"), sample);
+      sum = sum + static_cast<Vec3d>(color(answer.at("tree").at("color")));
     }
     EXPECT_EQ(Vec3f(sum * 0.25), color(image, x, y)) << x << " " << y;
   }
@@ -93,36 +96,34 @@ TEST(ExplainTree, TellsWinnersTermsAndLampsByName) {
                {"type": "point", "position": [4, 3, 0]}]})";
   // Down to the floor at (0, 0, 0), from where the mirror looks up at the box, which stands
   // between the floor and the first lamp.
-  const Value answer = answer_to({{"scene", parse_json(scene)},
-                                  {"ray", Value::Object{{"origin", array({0, 1, 0})},
-                                                        {"direction", array({0, -1, 0})}}}});
-  const Value& tree = at(answer, "tree");
-  EXPECT_EQ(text_at(tree, "winner"), "floor");
-  EXPECT_NEAR(number_at(tree, "t"), 1, 1e-6);
-  const auto& terms = *at(tree, "terms").as<Value::Array>();
-  const auto named = [&](std::string_view name, int which = 0) -> const Value& {
-    for (const Value& term : terms)
-      if (text_at(term, "name") == name && which-- == 0) return term;
+  const Json tree =
+      explained("ray.origin=0,1,0&ray.direction=0,-1,0&scene=" + url_encode(scene)).at("tree");
+  EXPECT_EQ(tree.at("winner"), "floor");
+  EXPECT_NEAR(tree.at("t").get<double>(), 1, 1e-6);
+  const auto named = [&](std::string_view name, int which = 0) {
+    for (const Json& term : tree.at("terms"))
+      if (term.at("name") == name && which-- == 0) return term;
     throw std::runtime_error("no term " + std::string(name));
   };
-  expect_near(vec(at(named("ambient"), "value")), {0.25, 0.125, 0.0625}, 0);
-  const Value& blocked = named("diffuse");
-  EXPECT_EQ(text_at(blocked, "light"), "/lights/0");
-  EXPECT_EQ(number_at(blocked, "visible"), 0);
-  EXPECT_EQ(text_at(blocked, "blocker"), "/objects/1");
-  EXPECT_EQ(number_at(blocked, "weight"), 0);
-  const Value& lit = named("diffuse", 1);
-  EXPECT_EQ(text_at(lit, "light"), "/lights/1");
-  EXPECT_EQ(number_at(lit, "visible"), 1);
-  EXPECT_NEAR(number_at(lit, "distance"), 5, 1e-5);
-  EXPECT_NEAR(number_at(lit, "n_dot_l"), 0.6, 1e-6);
-  EXPECT_NEAR(number_at(lit, "weight"), 0.6, 1e-6);
-  expect_near(vec(at(lit, "value")), {0.5, 0.25, 0.125}, 0);
-  const Value& mirrored = named("reflection");
-  EXPECT_EQ(number_at(mirrored, "weight"), 0.5);
-  EXPECT_EQ(text_at(at(mirrored, "node"), "winner"), "/objects/1");
+  EXPECT_EQ(color(named("ambient").at("value")), (Vec3f{0.25, 0.125, 0.0625}));
+  const Json blocked = named("diffuse");
+  EXPECT_EQ(blocked.at("light"), "/lights/0");
+  EXPECT_EQ(blocked.at("visible"), 0);
+  EXPECT_EQ(blocked.at("blocker"), "/objects/1");
+  EXPECT_EQ(blocked.at("weight"), 0);
+  const Json lit = named("diffuse", 1);
+  EXPECT_EQ(lit.at("light"), "/lights/1");
+  EXPECT_EQ(lit.at("visible"), 1);
+  EXPECT_NEAR(lit.at("distance").get<double>(), 5, 1e-5);
+  EXPECT_NEAR(lit.at("n_dot_l").get<double>(), 0.6, 1e-6);
+  EXPECT_NEAR(lit.at("weight").get<double>(), 0.6, 1e-6);
+  EXPECT_EQ(color(lit.at("value")), (Vec3f{0.5, 0.25, 0.125}));
+  const Json mirrored = named("reflection");
+  EXPECT_EQ(mirrored.at("weight"), 0.5);
+  EXPECT_EQ(mirrored.at("node").at("winner"), "/objects/1");
   expect_sum(tree, 0);
-  expect_near(vec(at(tree, "color")), {0.25 + 0.3, 0.125 + 0.15, 0.0625 + 0.075 + 0.25}, 1e-6);
+  expect_near(static_cast<Vec3d>(color(tree.at("color"))),
+              {0.25 + 0.3, 0.125 + 0.15, 0.0625 + 0.075 + 0.25}, 1e-6);
 }
 
 }  // namespace

@@ -2,11 +2,19 @@
 // another version of the encoder's library may pack the same pixels otherwise.
 #include <gtest/gtest.h>
 
+#include <map>
+#include <sstream>
+
+#include "server/digest.h"
 #include "tests/server/picture_support.h"
 #include "tests/server/support.h"
 
 namespace tia::test {
 namespace {
+
+std::string golden(const std::string& name) {
+  return file_bytes(std::string(TIA_SOURCE_DIR) + "/tests/golden/" + name);
+}
 
 struct Golden {
   std::string name, target;
@@ -18,8 +26,7 @@ TEST_P(GoldenPicture, IsWhatThisVersionRenders) {
   Host host;
   const Response now = host.get(target);
   ASSERT_EQ(now.status, 200);
-  const auto published =
-      decode_png(file_bytes(std::string(TIA_SOURCE_DIR) + "/tests/golden/" + name + ".png"));
+  const auto published = decode_png(golden(name + ".png"));
   EXPECT_TRUE(decode_png(now.body) == published);
 }
 
@@ -29,6 +36,41 @@ INSTANTIATE_TEST_SUITE_P(Readme, GoldenPicture,
                                          Golden{"w", "/render?key=w"},
                                          Golden{"shapes", "/render?scene=shapes&samples=16"}),
                          [](const auto& one) { return one.param.name; });
+
+// ---- the gallery --------------------------------------------------------------------------------
+
+// gallery.sha256, in sha256sum's format: the PFM of each scene at 160x120, as the scene asks.
+std::map<std::string, std::string> stated_hashes() {
+  std::map<std::string, std::string> hashes;
+  std::istringstream lines(golden("gallery.sha256"));
+  for (std::string hash, file; lines >> hash >> file;)
+    hashes[file.substr(0, file.find('.'))] = hash;
+  return hashes;
+}
+
+TEST(GoldenGallery, EverySceneIsDrawnAtItsStatedHash) {
+  Host host;
+  const auto hashes = stated_hashes();
+  EXPECT_EQ(hashes.size(), host.gallery().scenes().size());
+  for (const auto& [name, scene] : host.gallery().scenes()) {
+    ASSERT_TRUE(hashes.contains(name)) << name;
+    const Response now = host.get("/render?width=160&height=120&format=pfm&scene=" + name);
+    EXPECT_EQ(sha256_hex(now.body), hashes.at(name)) << name;
+  }
+}
+
+// A window of the middle stands for the picture: all of them would take long.
+TEST(GoldenGallery, ThePicturesOfTheReadmeAreWhatThisVersionRenders) {
+  constexpr int x0 = 280, y0 = 200, x1 = 380, y1 = 280;
+  Host host;
+  for (const auto& [name, scene] : host.gallery().scenes()) {
+    if (name == "thesis" || name == "shapes") continue;  // compared above
+    const Response now = host.get("/render?crop=280,200,380,280&scene=" + name);
+    const auto published = decode_png(golden("gallery/" + name + ".png"));
+    ASSERT_EQ(published.width, 640);
+    EXPECT_TRUE(decode_png(now.body) == published.window(x0, y0, x1, y1)) << name;
+  }
+}
 
 }  // namespace
 }  // namespace tia::test
