@@ -55,7 +55,7 @@ class Row:
             ours, *others = self.programs
             picture = ours.picture()
             for peer in others:
-                self.differences[peer.name] = difference(picture, peer.picture())
+                self.differences[peer.name] = difference(peer.shown_part(picture), peer.picture())
         return self
 
     def prepare(self, folder):

@@ -7,7 +7,7 @@ import shutil
 import subprocess
 from pathlib import Path
 
-from pictures import read_pfm, read_ppm
+from pictures import read_pfm, read_ppm, without_edges
 from scene_to_pov import to_pov
 from scene_to_tachyon import OPTIONS, to_tachyon
 
@@ -77,7 +77,7 @@ class Peer:
         return self.binary is not None
 
     def prepare(self, scene, width, height, folder):
-        self.folder = folder
+        self.folder, self.size = folder, (width, height)
         Path(folder, self.scene_file).write_text(self.write(scene, width, height))
         self.command = self.command_for(width, height)
 
@@ -86,6 +86,10 @@ class Peer:
 
     def picture(self):
         return read_ppm(Path(self.folder, self.picture_file).read_bytes())
+
+    def shown_part(self, picture):
+        """The part of Tia's picture that this program's shows."""
+        return picture
 
 
 class PovRay(Peer):
@@ -113,4 +117,7 @@ class Tachyon(Peer):
 
     def command_for(self, width, height):
         return [self.binary, self.scene_file, *OPTIONS, "-numthreads", str(THREADS),
-                "-res", str(width), str(height), "-format", "PPM", "-o", self.picture_file]
+                "-format", "PPM", "-o", self.picture_file]
+
+    def shown_part(self, picture):
+        return without_edges(picture, *self.size)

@@ -2,6 +2,8 @@
 
 Tachyon's SPECULAR is a mirror, its PHONG a highlight (Phong's own with -shade_phong); with
 -trans_vmd what transmits keeps OPACITY of its own light, and transparent things dim shadows.
+Its rays go through corners of pixels: in a picture with a row and a column less and pixels of the
+same size these are the centres of Tia's, but for those of the first column and the last row.
 """
 
 from primitives import CannotExpress, eye, lamps, primitives, rgb, scaled, subtract, unit
@@ -21,7 +23,8 @@ def color(c):
 def camera(scene, width, height):
     e = eye(scene)
     depth = scene.get("options", {}).get("max_depth", 5)
-    return (f"RESOLUTION {width} {height}\nCAMERA\n  ZOOM {0.5 / e.half_height:.9g}\n"
+    zoom = height / (height - 1) / (2 * e.half_height)
+    return (f"RESOLUTION {width - 1} {height - 1}\nCAMERA\n  ZOOM {zoom:.9g}\n"
             f"  ASPECTRATIO 1\n  ANTIALIASING 0\n  RAYDEPTH {depth + 1}\n"
             f"  CENTER {vector(e.location)}\n  VIEWDIR {vector(e.direction)}\n"
             f"  UPDIR {vector(e.up)}\nEND_CAMERA")
@@ -57,17 +60,32 @@ def cylinder(f):
 
 
 def triangle(corners, normals=None):
-    words = "TRI" if normals is None else "STRI"
-    text = " ".join(f"V{i} {vector(p)}" for i, p in enumerate(corners))
-    if normals is not None:
-        text += " " + " ".join(f"N{i} {vector(n)}" for i, n in enumerate(normals))
-    return f"{words} {text}"
+    """Corners go round the other way, as z is turned round: Tachyon faces smooth ones by it."""
+    a, b, c = map(vector, corners)
+    if normals is None:
+        return f"TRI V0 {a} V1 {c} V2 {b}"
+    n, m, o = map(vector, normals)
+    return f"STRI V0 {a} V1 {c} V2 {b} N0 {n} N1 {o} N2 {m}"
 
 
 def mesh(f):
     for t in f["indices"]:
         normals = [f["normals"][i] for i in t] if f["normals"] else None
         yield triangle([f["positions"][i] for i in t], normals)
+
+
+def box(f):
+    """Tachyon's normals are right on cubes only: other boxes are twelve triangles."""
+    low, high = f["min"], f["max"]
+    edges = subtract(high, low)
+    if max(edges) - min(edges) < 1e-6 * max(edges):
+        return [f"BOX MIN {vector((low[0], low[1], high[2]))} "
+                f"MAX {vector((high[0], high[1], low[2]))}"]
+    corners = [(x, y, z) for x in (low[0], high[0]) for y in (low[1], high[1])
+               for z in (low[2], high[2])]
+    sides = ((0, 1, 3, 2), (4, 5, 7, 6), (0, 1, 5, 4), (2, 3, 7, 6), (0, 2, 6, 4), (1, 3, 7, 5))
+    return [triangle([corners[i] for i in t]) for a, b, c, d in sides
+            for t in ((a, b, c), (a, c, d))]
 
 
 def shapes(kind, f):
@@ -79,9 +97,7 @@ def shapes(kind, f):
     if kind == "disc":
         return [ring(f["center"], f["normal"], f["radius"])]
     if kind == "box":
-        low, high = f["min"], f["max"]
-        return [f"BOX MIN {vector((low[0], low[1], high[2]))} "
-                f"MAX {vector((high[0], high[1], low[2]))}"]
+        return box(f)
     if kind == "cylinder":
         return cylinder(f)
     if kind == "triangle":
