@@ -5,7 +5,7 @@ import math
 import random
 import struct
 
-from primitives import add, cross, scaled, subtract, unit
+from vectors import add, cross, scaled, subtract, unit
 
 FLOOR = {"type": "plane", "point": [0, 0, 0], "normal": [0, 1, 0], "material": "floor"}
 FLOOR_MATERIAL = {"color": [0.45, 0.45, 0.5]}
@@ -77,11 +77,13 @@ def knot_point(t, strand):
 
 
 def packed(kind, values):
+    """A typed array in base64."""
     code = {"float32": "f", "uint32": "I"}[kind]
     return {kind: base64.b64encode(struct.pack(f"<{len(values)}{code}", *values)).decode()}
 
 
 def knot_mesh(along, round_, smooth):
+    """The tube as a mesh of along * round_ * 2 triangles."""
     positions, normals, indices = [], [], []
     for i in range(along):
         for j in range(round_):
@@ -110,5 +112,6 @@ def knot(smooth):
 
 
 def computed_scenes():
+    """All of them by name."""
     return {"shiny-balls": shiny_balls(), "sphere-flake": sphere_flake(),
             "knot-flat": knot(False), "knot-smooth": knot(True)}

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 @dataclass
 class Difference:
-    """`share` of the pixels differ by more than the tolerance, on average channels by `mean`."""
+    """`share` of the pixels differ by more than a tolerance; codes differ by `mean` on average."""
     share: float
     mean: float
 
@@ -40,7 +40,7 @@ def without_edges(codes, width, height):
     return b"".join(codes[y * row + 3:(y + 1) * row] for y in range(height - 1))
 
 
-def difference(a, b, tolerance=3):
+def difference(a, b, tolerance):
     """Compares two pictures of the same size, code by code."""
     assert len(a) == len(b), (len(a), len(b))
     gaps = bytes(abs(x - y) for x, y in zip(a, b))

@@ -23,7 +23,8 @@ def output_of(command, folder):
     return done.stdout
 
 
-def seconds_after(words, text):
+def ms_after(words, text):
+    """What a line of a program's words says in seconds."""
     return 1000 * float(re.search(words + r".*?([0-9.]+) seconds\)?\s*$", text, re.M).group(1))
 
 
@@ -34,10 +35,10 @@ class Tia:
     def __init__(self, binary):
         self.server = subprocess.Popen([binary, "serve", "--port", "0", "--threads", str(THREADS)],
                                        stdout=subprocess.PIPE, text=True)
-        port = int(self.server.stdout.readline().rsplit(":", 1)[1])
-        self.connection = http.client.HTTPConnection("127.0.0.1", port)
+        self.port = int(self.server.stdout.readline().rsplit(":", 1)[1])
 
     def prepare(self, scene, width, height, folder):
+        """Sends the scene to the server, which needs no folder."""
         del folder
         answer, body = self.ask("POST", "/scenes", json.dumps(scene))
         if answer.status not in (200, 201):
@@ -46,22 +47,23 @@ class Tia:
                      f"&threads={THREADS}")
 
     def render(self):
+        """Returns: ms of tracing."""
         answer, body = self.ask("GET", self.path + "&format=pfm")
         if answer.status != 200:
             raise RuntimeError(body.decode())
-        self.pixels = body
-        return float(re.search(r"trace;dur=([0-9.]+)", answer.headers["Server-Timing"]).group(1))
+        self.pixels, self.timing = body, answer.headers["Server-Timing"]
+        return float(re.search(r"trace;dur=([0-9.]+)", self.timing).group(1))
 
     def picture(self):
         return read_pfm(self.pixels)
 
     def ask(self, method, path, body=None):
-        self.connection.request(method, path, body, {"Content-Type": "application/json"})
-        answer = self.connection.getresponse()
+        connection = http.client.HTTPConnection("127.0.0.1", self.port)
+        connection.request(method, path, body, {"Content-Type": "application/json"})
+        answer = connection.getresponse()
         return answer, answer.read()
 
     def close(self):
-        self.connection.close()
         self.server.terminate()
         self.server.wait()
 
@@ -77,12 +79,14 @@ class Peer:
         return self.binary is not None
 
     def prepare(self, scene, width, height, folder):
+        """Writes the scene file. Errors: CannotExpress."""
         self.folder, self.size = folder, (width, height)
         Path(folder, self.scene_file).write_text(self.write(scene, width, height))
         self.command = self.command_for(width, height)
 
     def render(self):
-        return seconds_after(self.timing, output_of(self.command, self.folder))
+        """Returns: ms of tracing."""
+        return ms_after(self.timing, output_of(self.command, self.folder))
 
     def picture(self):
         return read_ppm(Path(self.folder, self.picture_file).read_bytes())

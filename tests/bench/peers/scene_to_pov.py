@@ -1,6 +1,8 @@
 """Writes a Tia scene as POV-Ray 3.7 reads it. POV-Ray is left-handed: z is turned round."""
 
-from primitives import CannotExpress, eye, lamps, primitives, rgb, scaled
+from primitives import CannotExpress, primitives, rgb
+from vectors import dot, scaled, unit
+from views import eye, lamps
 
 
 def vector(v):
@@ -33,16 +35,18 @@ def light(lamp):
 def texture(m):
     """What transmits keeps (1 - T) of its own light: POV-Ray does that to scattered light only."""
     keep = 1 - m["transmission"]
-    finish = f"ambient {m['ambient']:.9g} diffuse {m['diffuse']:.9g} brilliance {m['brilliance']:.9g}"
+    finish = (f"ambient {m['ambient']:.9g} diffuse {m['diffuse']:.9g} "
+              f"brilliance {m['brilliance']:.9g}")
     if m["specular"] > 0:
         finish += f" phong {keep * m['specular']:.9g} phong_size {1 / m['roughness']:.9g}"
     if m["reflection"] > 0:
         finish += f" reflection {{ {keep * m['reflection']:.9g} }}"
-    return (f"texture {{ pigment {{ rgb {color(rgb(m['color']))} transmit {m['transmission']:.9g} }} "
-            f"finish {{ {finish} }} }}")
+    pigment = f"rgb {color(rgb(m['color']))} transmit {m['transmission']:.9g}"
+    return f"texture {{ pigment {{ {pigment} }} finish {{ {finish} }} }}"
 
 
 def mesh(fields):
+    """POV-Ray's word for meshes, and its lists."""
     def listed(name, items):
         return f"{name} {{ {len(items)}, {', '.join(items)} }}"
     parts = [listed("vertex_vectors", [vector(p) for p in fields["positions"]])]
@@ -57,9 +61,7 @@ def shape(kind, f):
     if kind == "sphere":
         return kind, f"{vector(f['center'])}, {f['radius']:.9g}"
     if kind == "plane":  # POV-Ray's second argument is a distance
-        n, p = f["normal"], f["point"]
-        length = sum(x * x for x in n) ** 0.5
-        return kind, f"{vector(n)}, {sum(x * y for x, y in zip(n, p)) / length:.9g}"
+        return kind, f"{vector(f['normal'])}, {dot(unit(f['normal']), f['point']):.9g}"
     if kind == "disc":
         return kind, f"{vector(f['center'])}, {vector(f['normal'])}, {f['radius']:.9g}"
     if kind == "box":
@@ -75,12 +77,8 @@ def shape(kind, f):
 
 def to_pov(scene, aspect):
     """A whole scene file, in linear light."""
-    options = scene.get("options", {})
     surfaces = primitives(scene)
-    if any(p.material["transmission"] > 0 for p in surfaces) and not options.get(
-            "transparent_shadows"):
-        raise CannotExpress("glass that casts a full shadow")
-    depth = options.get("max_depth", 5)
+    depth = scene.get("options", {}).get("max_depth", 5)
     lines = ["#version 3.7;",
              f"global_settings {{ assumed_gamma 1 max_trace_level {depth + 1} adc_bailout 0 }}",
              f"background {{ rgb {color(rgb(scene.get('background', 0)))} }}",
@@ -92,6 +90,7 @@ def to_pov(scene, aspect):
             names[look] = f"M{len(names)}"
             lines.append(f"#declare {names[look]} = {look}")
         word, body = shape(p.kind, p.fields)
-        interior = f" interior {{ ior {p.material['ior']:.9g} }}" if p.material["transmission"] else ""
-        lines.append(f"{word} {{ {body} texture {{ {names[look]} }}{interior} }}")
+        interior = f"interior {{ ior {p.material['ior']:.9g} }}"
+        lines.append(f"{word} {{ {body} texture {{ {names[look]} }} "
+                     f"{interior if p.material['transmission'] else ''} }}")
     return "\n".join(lines) + "\n"

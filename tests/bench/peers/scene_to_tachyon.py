@@ -6,7 +6,9 @@ Its rays go through corners of pixels: in a picture with a row and a column less
 same size these are the centres of Tia's, but for those of the first column and the last row.
 """
 
-from primitives import CannotExpress, eye, lamps, primitives, rgb, scaled, subtract, unit
+from primitives import CannotExpress, primitives, rgb
+from vectors import scaled, subtract, unit
+from views import eye, lamps
 
 OPTIONS = ["-fullshade", "-shade_phong", "-trans_vmd", "-shadow_filter_on"]
 POINT = 1e-6  # the radius of a light that is not to be seen
@@ -21,6 +23,7 @@ def color(c):
 
 
 def camera(scene, width, height):
+    """The resolution and the camera; a mirror ray at the last depth brings the background."""
     e = eye(scene)
     depth = scene.get("options", {}).get("max_depth", 5)
     zoom = height / (height - 1) / (2 * e.half_height)
@@ -31,11 +34,13 @@ def camera(scene, width, height):
 
 
 def light(lamp):
+    """A point is a very small ball: Tachyon shows its lights."""
     return (f"LIGHT CENTER {vector(lamp.position)} RAD {lamp.radius or POINT:.9g} "
             f"COLOR {color(lamp.color)}")
 
 
 def texture(m):
+    """A material, without its name."""
     if m["brilliance"] != 1:
         raise CannotExpress("brilliance")
     if m["transmission"] > 0 and m["ior"] != 1:
@@ -69,6 +74,7 @@ def triangle(corners, normals=None):
 
 
 def mesh(f):
+    """Each of a mesh's triangles."""
     for t in f["indices"]:
         normals = [f["normals"][i] for i in t] if f["normals"] else None
         yield triangle([f["positions"][i] for i in t], normals)
@@ -110,9 +116,6 @@ def shapes(kind, f):
 def to_tachyon(scene, width, height):
     """A whole scene file; light is linear as it comes."""
     surfaces = primitives(scene)
-    glass = any(p.material["transmission"] > 0 for p in surfaces)
-    if glass and not scene.get("options", {}).get("transparent_shadows"):
-        raise CannotExpress("glass that casts a full shadow")
     lines = ["BEGIN_SCENE", camera(scene, width, height),
              f"BACKGROUND {color(rgb(scene.get('background', 0)))}", *map(light, lamps(scene))]
     names = {}
