@@ -1,8 +1,19 @@
 #!/usr/bin/env bash
 # Measures Tia beside its yardsticks in one run and prints ratios, which drift less than times do
 # between runs and machines. Takes two minutes; run it on a machine that does nothing else.
-# POV-Ray and Tachyon take part where they are installed (apt-get install povray tachyon).
+# POV-Ray and Tachyon, where they are installed (apt-get install povray tachyon), trace the scenes of
+# peers/ beside it, which takes ten minutes more.
+# Options: --quick: fewer repetitions, smaller pictures; --no-peers: Tia alone.
 set -euo pipefail
+rounds=9
+peers=(tests/bench/peers/compare.py)
+for option in "$@"; do
+  case $option in
+    --quick) rounds=3 peers+=(--quick) ;;
+    --no-peers) peers=(true) ;;
+    *) echo "unknown option $option; there are --quick and --no-peers" >&2 && exit 2 ;;
+  esac
+done
 ROOT=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 cd "$ROOT"
 . server/setup.sh
@@ -21,12 +32,15 @@ measured=$scratch/measured
 note() { echo "$1 $2" >> "$measured"; }
 value() { awk -v name="$1" '$1 == name { print $2 }' "$measured"; }
 median() { sort -n | awk '{ v[NR] = $1 } END { print v[int((NR + 1) / 2)] }'; }
-repeat() { for _ in 1 2 3 4 5 6 7 8 9; do "$@"; done | median; }
+repeat() {
+  local i
+  for ((i = 0; i < rounds; i++)); do "$@"; done | median
+}
 
 # The medians of all repetitions as trace:640:480:1 and the like, counters after a point. The
 # library writes JSON with one member a line.
 benchmarks() {
-  build/release/tests/tia_bench --benchmark_repetitions=9 --benchmark_min_time=0.1 \
+  build/release/tests/tia_bench --benchmark_repetitions="$rounds" --benchmark_min_time=0.1 \
     --benchmark_enable_random_interleaving=true --benchmark_report_aggregates_only=true \
     --benchmark_format=json 2> "$scratch/log" |
     awk -F '"' '
@@ -40,19 +54,6 @@ benchmarks() {
       wanted && $2 == "real_time" { print name, number / 1e6 }
       wanted && $2 ~ /^(bytes|median_ms|p99_ms|work_ms|rays|processors)$/ { print name "." $2, number }
     ' >> "$measured"
-}
-
-pov_ray() {
-  povray "+I$ROOT/tests/bench/peers/thesis.pov" +W640 +H480 -A -D -F +WT2 2>&1 |
-    sed -nE 's/.*Trace Time:.*\(([0-9.]+) seconds\).*/\1/p' | awk '{ print 1000 * $1 }'
-}
-tachyon_mt() {
-  tachyon "$ROOT/tests/bench/peers/thesis.dat" -numthreads 2 -format PPM -o "$scratch/t.ppm" |
-    sed -nE 's/.*Ray Tracing Time: *([0-9.]+) seconds.*/\1/p' | awk '{ print 1000 * $1 }'
-}
-peers() {
-  if command -v povray > /dev/null; then note pov-ray "$(repeat pov_ray)"; fi
-  if command -v tachyon > /dev/null; then note tachyon "$(repeat tachyon_mt)"; fi
 }
 
 # From the start of the process to the first picture's last byte, and the memory that it rests at.
@@ -104,13 +105,12 @@ table() {
   row "processors that it uses" "$(value every_shape:64.processors)" "" 2 "both" "0.95"
   row "start to first picture" "$(value start)" ms 200 "200 ms" "1"
   row "memory after it" "$(value rss)" MiB 30 "30 MiB" "1"
-  row "POV-Ray, tracing, 2 threads" "$(value pov-ray)" ms "$trace2" "Tia's" ""
-  row "Tachyon, tracing, 2 threads" "$(value tachyon)" ms "$trace2" "Tia's" ""
 }
 
 benchmarks
-peers
 note start "$(repeat start)"
 note rss "$(cat "$scratch/rss")"
 grep -m 1 'model name' /proc/cpuinfo | sed 's/.*: //'
 table
+echo
+"${peers[@]}" || echo "No comparison with POV-Ray and Tachyon, or not with equal pictures."
