@@ -64,9 +64,8 @@ const Row lights[] = {
      "out-of-range", "/lights/0/v", "[-2,0,0]", "spans an area with u"},
     {"KeyLight", R"({"key_light":{"type":"sphere","radius":1,"colour":1}})", "unknown-name",
      "/key_light/colour", R"("colour")", "color", "color"},
-    {"FadingSun",
-     R"({"lights":[{"type":"directional","direction":[0,-1,0],"fade_distance":9}]})", "conflict",
-     "/lights/0/fade_distance", "9", "at some distance"},
+    {"FadingSun", R"({"lights":[{"type":"directional","direction":[0,-1,0],"fade_distance":9}]})",
+     "conflict", "/lights/0/fade_distance", "9", "at some distance"},
 };
 
 const Row matter[] = {
@@ -110,6 +109,19 @@ std::string law_of(const testing::TestParamInfo<Row>& info) { return info.param.
 INSTANTIATE_TEST_SUITE_P(Lights, MatterFault, testing::ValuesIn(lights), law_of);
 INSTANTIATE_TEST_SUITE_P(Matter, MatterFault, testing::ValuesIn(matter), law_of);
 INSTANTIATE_TEST_SUITE_P(Options, MatterFault, testing::ValuesIn(options), law_of);
+
+// A directional key light shines from the given position towards the point looked at: at that point
+// itself it has no direction.
+TEST(MatterFaults, DirectionalKeyLightAtThePointLookedAtHasNoDirection) {
+  Host host;
+  const Response response =
+      host.post("/explain", R"({"x":4,"y":4,"width":8,"height":8,"light":[0,0,0],"scene":{
+        "camera":{"location":[0,1,5],"look_at":[0,0,0]},
+        "objects":[{"type":"sphere","center":[0,0,0],"radius":1}],
+        "key_light":{"type":"directional"}}})");
+  EXPECT_EQ(response.status, 422);
+  EXPECT_EQ(response.body.find("[null,null,null]"), std::string::npos) << response.body;
+}
 
 // ---- what would never end ----------------------------------------------------------------------
 
@@ -156,11 +168,10 @@ TEST(MatterLimits, PlacesOfLightsBelowTheSurfaceCostToo) {
   for (int i = 0; i < 20; ++i)
     list += std::string(i > 0 ? "," : "") + R"({"type":"sphere","radius":1,"samples":4096,)" +
             R"("position":[0,)" + std::to_string(-5 - 3 * i) + ",0]}";
-  const Response response = host.post(
-      "/render", R"({"width":64,"height":64,"scene":{
+  const Response response = host.post("/render", R"({"width":64,"height":64,"scene":{
         "camera":{"location":[0,5,0],"direction":[0,-1,0],"up":[0,0,-1]},
         "objects":[{"type":"plane","point":[0,0,0],"normal":[0,1,0]}],"lights":[)" +
-                     list + "]}}");
+                                                     list + "]}}");
   EXPECT_EQ(response.status, 422) << "335 million places were looked at";
 }
 
@@ -170,8 +181,8 @@ TEST(MatterLimits, AnswersHaveAsManyTermsAsFitToo) {
   std::string list;
   for (int i = 0; i < 5000; ++i)
     list += std::string(i > 0 ? "," : "") + R"({"type":"point","position":[0,0.5,0]})";
-  const Response response = host.post(
-      "/explain", R"({"x":8,"y":8,"width":16,"height":16,"max_depth":64,"scene":{
+  const Response response =
+      host.post("/explain", R"({"x":8,"y":8,"width":16,"height":16,"max_depth":64,"scene":{
         "camera":{"location":[0.1,0.2,0.3],"look_at":[0,0,-1]},
         "objects":[{"type":"box","min":[-1,-1,-1],"max":[1,1,1],"material":{"reflection":1}}],
         "lights":[)" + list + "]}}");

@@ -57,8 +57,8 @@ struct Stage {
   void expect_shadow(const Ellipse& edge, const Sender& sender) const {
     for (int i = 0; i < 24; ++i) {
       const double angle = 2 * pi * (i + 0.25) / 24;
-      const double near = slack(edge.at(angle, 1), sender) /
-                          std::min(length(edge.along), length(edge.across));
+      const double near =
+          slack(edge.at(angle, 1), sender) / std::min(length(edge.along), length(edge.across));
       ASSERT_LT(near, 0.02);
       for (const double share : {0.0, 0.7, 1 - near})
         EXPECT_EQ(light(edge.at(angle, share)), (Vec3f{0, 0, 0})) << angle << " " << share;
@@ -123,8 +123,8 @@ TEST(BallShadow, LampAsideCastsTheEllipseThatCutsTheTangentCone) {
     const double phi = random.in(0, 0.9) * (pi / 2 - alpha);
     const double turn = random.in(0, 2 * pi);
     const Vec3d aside = stage.frame.u * std::cos(turn) + stage.frame.v * std::sin(turn);
-    const Vec3d lamp = stage.center() +
-                       (stage.frame.n * std::cos(phi) + aside * std::sin(phi)) * distance;
+    const Vec3d lamp =
+        stage.center() + (stage.frame.n * std::cos(phi) + aside * std::sin(phi)) * distance;
     const double top = dot(lamp, stage.frame.n);
     const double most = top * std::tan(phi + alpha);
     if (most > 30) continue;

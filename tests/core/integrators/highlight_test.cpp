@@ -33,7 +33,9 @@ Vec3d above(Random& random, double least) {
   }
 }
 // What the ray sees that comes down to the origin from there.
-Vec3f seen_from(const Scene& scene, const Vec3d& way) { return tree(scene, way * 3.0, -way)->color; }
+Vec3f seen_from(const Scene& scene, const Vec3d& way) {
+  return tree(scene, way * 3.0, -way)->color;
+}
 
 // Phong's: the cosine between the lamp and the mirrored ray, at slanting views too, where it is
 // neither n.l nor Blinn's n.h. Source: Phong, "Illumination for computer generated pictures", 1975.
@@ -89,10 +91,8 @@ TEST(Spot, FollowsItsFormulaAtAnyAxisAndAngles) {
     const double inner = std::cos(spot.radius_degrees * pi / 180);
     const double outer = std::cos(spot.falloff_degrees * pi / 180);
     const double s = std::clamp((c - outer) / (inner - outer), 0.0, 1.0);
-    const double expected =
-        -way.y * s * s * (3 - 2 * s) * (spot.tightness > 0 ? std::pow(std::max(c, 0.0),
-                                                                      spot.tightness)
-                                                           : 1);
+    const double expected = -way.y * s * s * (3 - 2 * s) *
+                            (spot.tightness > 0 ? std::pow(std::max(c, 0.0), spot.tightness) : 1);
     EXPECT_NEAR(double(seen_from(scene, {0, 1, 0}).x), expected, 3e-5);
     rims += s > 0 && s < 1;
   }

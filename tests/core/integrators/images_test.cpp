@@ -21,9 +21,9 @@ double distance_of(const RayNode& first, int& mirrors) {
 }
 
 // Between two mirrors that meet at pi / k a thing at the angle a has its images on its own circle,
-// at 2 j pi / k + a after an even number of reflections and at 2 j pi / k - a after an odd one: with
-// the thing itself 2 k of them, all seen from everywhere between, as far as they seem.
-// Source: Hecht, Optics, ch. 5, the kaleidoscope.
+// at 2 j pi / k + a after an even number of reflections and at 2 j pi / k - a after an odd one:
+// with the thing itself 2 k of them, all seen from everywhere between, as far as they seem. Source:
+// Hecht, Optics, ch. 5, the kaleidoscope.
 TEST(Images, StandOnTheCircleOfTheThing) {
   Random random(470);
   for (const int k : {2, 3, 4}) {

@@ -44,7 +44,8 @@ TEST(RayCounts, OneShadowRayForEachPlaceOfALightThatIsBeforeTheSurface) {
   quad.kind = shape;
   scene.lights = {point_light({3, 3, 3}), point_light({3, -3, 3}), soft, quad};
   for (const Scalar scalar : {Scalar::wide, Scalar::narrow, Scalar::exact}) {
-    EXPECT_EQ(rays(scene, 5, scalar), (RayCounts{.primary = pixels, .shadow = pixels * (1 + 7 + 5)}));
+    EXPECT_EQ(rays(scene, 5, scalar),
+              (RayCounts{.primary = pixels, .shadow = pixels * (1 + 7 + 5)}));
     EXPECT_EQ(rays(scene, 5, scalar, 3),
               (RayCounts{.primary = 3 * pixels, .shadow = 3 * pixels * (1 + 7 + 5)}));
   }
@@ -64,9 +65,9 @@ TEST(RayCounts, PlateTakesTwoRefractedRaysAndWithFresnelOneMirroredAtEachFace) {
     // that stays. To the depth d these are d refracted and 1 + (d - 1) mirrored ones.
     const Scene parted = from_above({plate(glass(1.5)), floor_of(dark())});
     for (int depth = 1; depth <= 6; ++depth)
-      EXPECT_EQ(rays(parted, depth, scalar), (RayCounts{.primary = pixels,
-                                                        .reflection = depth * pixels,
-                                                        .refraction = depth * pixels}))
+      EXPECT_EQ(rays(parted, depth, scalar),
+                (RayCounts{
+                    .primary = pixels, .reflection = depth * pixels, .refraction = depth * pixels}))
           << depth;
   }
 }
@@ -77,9 +78,8 @@ TEST(RayCounts, FacingMirrorsTakeOneRayForEachOrder) {
     EXPECT_EQ(rays(scene, depth), (RayCounts{.primary = pixels, .reflection = depth * pixels}));
   // Each point on the way also asks for its light.
   scene.lights = {point_light({0.3, 4, 0.2})};
-  EXPECT_EQ(rays(scene, 4), (RayCounts{.primary = pixels,
-                                       .shadow = 5 * pixels,
-                                       .reflection = 4 * pixels}));
+  EXPECT_EQ(rays(scene, 4),
+            (RayCounts{.primary = pixels, .shadow = 5 * pixels, .reflection = 4 * pixels}));
 }
 
 TEST(RayCounts, TotalReflectionTakesAMirroredRayInTheRefractedOnesPlace) {

@@ -183,9 +183,9 @@ TEST(GlassBall, AbsorbsAlongTheRefractedChord) {
   }
 }
 
-// A ray at the height h turns twice by a - b, sin(a) = h / r, sin(b) = h / (n r), and meets the axis
-// h / sin(2 (a - b)) behind the middle: nearer than the paraxial n r / (2 (n - 1)) the higher it is.
-// Source: Hecht, Optics, ch. 6, the ball lens.
+// A ray at the height h turns twice by a - b, sin(a) = h / r, sin(b) = h / (n r), and meets the
+// axis h / sin(2 (a - b)) behind the middle: nearer than the paraxial n r / (2 (n - 1)) the higher
+// it is. Source: Hecht, Optics, ch. 6, the ball lens.
 TEST(GlassBall, FocusMovesInwardsWithTheHeightOfTheRay) {
   Random random(487);
   for (int i = 0; i < 100; ++i) {
@@ -224,13 +224,22 @@ TEST(GlassBall, OfIndexOneIsInvisibleToEveryRay) {
     scene.objects.push_back(object(Box{{-0.5, -0.4, -0.3}, {0.4, 0.3, 0.5}}, finish));
     const auto with = tree(scene, eye, aim - eye, at_depth(6));
     const double edge = without->point.x - std::floor(without->point.x);
-    if (without->hit.t < 1e9F && (edge < 1e-3 || edge > 1 - 1e-3)) continue;  // where it starts anew
+    if (without->hit.t < 1e9F && (edge < 1e-3 || edge > 1 - 1e-3))
+      continue;  // where it starts anew
     const double far = without->hit.t < 1e9F ? double(without->hit.t) : 0;
     expect_near(with->color, static_cast<Vec3d>(without->color), 2e-5 * (1 + far));
     EXPECT_NE(child(*with, TermName::refraction), nullptr);
     const Term* mirrored = term(*with, TermName::reflection);
     EXPECT_LT(mirrored != nullptr ? mirrored->weight : 0, 1e-12F);
   }
+}
+
+// Fresnel's equations are 0 / 0 for a ray along the surface between equal indices: all goes on.
+TEST(GlassBall, OfIndexOneIsInvisibleToTheTangentToo) {
+  Scene scene;
+  scene.background = {0.25, 0.5, 1};
+  scene.objects = {object(Sphere{{0, 0, -5}, 1}, glass(1))};
+  expect_near(tree(scene, {1, 0, 0}, {0, 0, -1})->color, {0.25, 0.5, 1}, 1e-6);
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
-// Lights as JSON: each kind read and written back, each mistake at its place, the schema against the
-// reader.
+// Lights as JSON: each kind read and written back, each mistake at its place, the schema against
+// the reader.
 #include "core/lights/light.h"
 
 #include <gtest/gtest.h>
@@ -58,12 +58,12 @@ TEST(LightFaults, UnknownKindsAndWordsNameTheNearest) {
   expect_refused(R"({"type":"hemisphere"})",
                  {{unknown_name, "/type", "\"hemisphere\"", kinds, "sphere"}});
   expect_refused(R"({"type":"area"})", {{unknown_name, "/type", "\"area\"", kinds, ""}});
-  expect_refused(point(R"("fade_distanze":3)"),
-                 {{unknown_name, "/fade_distanze", "\"fade_distanze\"", "fade_power",
-                   "fade_distance"}});
-  expect_refused(spot(R"("fallof_degrees":50)"),
-                 {{unknown_name, "/fallof_degrees", "\"fallof_degrees\"", "tightness",
-                   "falloff_degrees"}});
+  expect_refused(
+      point(R"("fade_distanze":3)"),
+      {{unknown_name, "/fade_distanze", "\"fade_distanze\"", "fade_power", "fade_distance"}});
+  expect_refused(
+      spot(R"("fallof_degrees":50)"),
+      {{unknown_name, "/fallof_degrees", "\"fallof_degrees\"", "tightness", "falloff_degrees"}});
   expect_refused(R"({"type":"sky","position":[0,0,0]})",
                  {{unknown_name, "/position", "\"position\"", "color, intensity", ""}});
   expect_refused(point(R"("samples":4)"),
@@ -84,9 +84,8 @@ TEST(LightFaults, WhatAllKindsShareHasItsRange) {
   for (const char* power : {"-1", "101"})
     expect_refused(point(std::string(R"("fade_power":)") + power),
                    {{out_of_range, "/fade_power", power, "from 0 to 100"}});
-  for (const std::string& json :
-       {sun(R"("direction":[0,-1,0],"fade_distance":2)"),
-        std::string(R"({"type":"sky","fade_distance":2})")})
+  for (const std::string& json : {sun(R"("direction":[0,-1,0],"fade_distance":2)"),
+                                  std::string(R"({"type":"sky","fade_distance":2})")})
     expect_refused(json, {{conflict, "/fade_distance", "2", "at some distance"}});
 }
 
@@ -123,7 +122,8 @@ TEST(LightFaults, SpotPointsElsewhereAndFallsOffBeyondItsRadius) {
 }
 
 TEST(LightFaults, LuminousBallHasARadius) {
-  expect_refused(R"({"type":"sphere","position":[0,5,0]})", {{missing, "/radius", "", "the radius"}});
+  expect_refused(R"({"type":"sphere","position":[0,5,0]})",
+                 {{missing, "/radius", "", "the radius"}});
   for (const char* radius : {"0", "-1", "2000000000"})
     expect_refused(globe(std::string(R"("radius":)") + radius),
                    {{out_of_range, "/radius", radius, "above 0, at most 1000000000"}});
@@ -165,8 +165,7 @@ TEST(LightFaults, LightsOfASceneNeedTheirPlaceAndTheKeyLightDoesNot) {
                 {{missing, "/lights/0/position", "", "where the light is"}});
   expect_faults(in_scene(R"({"type":"quad","u":[1,0,0],"v":[0,1,0]})"),
                 {{missing, "/lights/0/corner", "", "where the light is"}});
-  expect_faults(in_scene(R"({"type":"directional"})"),
-                {{missing, "/lights/0/direction", "", ""}});
+  expect_faults(in_scene(R"({"type":"directional"})"), {{missing, "/lights/0/direction", "", ""}});
   expect_faults(in_scene(R"({"type":"sky"})"), {});
   for (const char* json : {R"({"type":"spot"})", R"({"type":"directional"})", R"({"type":"sky"})",
                            R"({"type":"quad","u":[1,0,0],"v":[0,1,0]})"})
@@ -175,8 +174,8 @@ TEST(LightFaults, LightsOfASceneNeedTheirPlaceAndTheKeyLightDoesNot) {
 
 TEST(LightFaults, TheSchemaAgreesWithTheReader) {
   const std::vector<std::string> beyond = {"a direction of some length", "from radius_degrees",
-                                           "a point other than position",
-                                           "spans an area", "at some distance"};
+                                           "a point other than position", "spans an area",
+                                           "at some distance"};
   const auto agreement = test::judge<Light>(whole_schema<Light>(), 4000, beyond);
   EXPECT_TRUE(agreement.disputed.empty())
       << agreement.disputed.size() << " such as " << agreement.disputed.front();

@@ -82,10 +82,10 @@ TEST(FinishFaults, UnknownWordsNameTheNearest) {
                                                        {"textures", "texture"},
                                                        {"iro", "ior"}};
   for (const auto& [word, nearest] : words)
-    expect_refused(std::string("{\"") + word + "\":1}",
-                   {{unknown_name, std::string("/") + word, std::string("\"") + word + "\"",
-                     "color, ambient, diffuse, brilliance, specular, roughness, reflection",
-                     nearest}});
+    expect_refused(
+        std::string("{\"") + word + "\":1}",
+        {{unknown_name, std::string("/") + word, std::string("\"") + word + "\"",
+          "color, ambient, diffuse, brilliance, specular, roughness, reflection", nearest}});
   expect_refused(R"({"type":"principled"})",
                  {{unknown_name, "/type", "\"principled\"", "one of finish", ""}});
 }
@@ -114,16 +114,16 @@ TEST(FinishFaults, TexturesOfEveryKindHaveTheirFaultsBelowTheFinish) {
     for (const char* scale : {"0", "-1", "2000000000"})
       expect_refused(start + R"("scale":)" + scale + "}}",
                      {{out_of_range, "/texture/scale", scale, "above 0, at most 1000000000"}});
-    expect_refused(start + R"("colour":1}})", {{unknown_name, "/texture/colour", "\"colour\"",
-                                                "colors, ", "colors"}});
+    expect_refused(start + R"("colour":1}})",
+                   {{unknown_name, "/texture/colour", "\"colour\"", "colors, ", "colors"}});
     expect_refused(start + R"("transform":[{"turn":1}]}})",
                    {{unknown_name, "/texture/transform/0/turn", "\"turn\"", "translate", ""}});
   }
   for (const char* type : {"marble", "wood"})
     for (const char* turbulence : {"-1", "100.5"})
-      expect_refused(std::string(R"({"texture":{"type":")") + type + R"(","turbulence":)" +
-                         turbulence + "}}",
-                     {{out_of_range, "/texture/turbulence", turbulence, "from 0 to 100"}});
+      expect_refused(
+          std::string(R"({"texture":{"type":")") + type + R"(","turbulence":)" + turbulence + "}}",
+          {{out_of_range, "/texture/turbulence", turbulence, "from 0 to 100"}});
 }
 
 std::string with_picture(std::string_view file) {
@@ -147,10 +147,8 @@ TEST(FinishFaults, PicturesThatLieAboutTheirSizeAreRefused) {
   for (const std::uint32_t height : {5U, 400U})
     refused(png(4, height), wrong_type, broken, "a whole PNG or JPEG picture");
   refused(png(0, 4), wrong_type, broken, "a whole PNG");
-  refused(png(2049, 2048), limit, "\"2049 x 2048 pixels\"",
-          "at most 4194304 pixels");
-  refused(png(0x7FFFFFFF, 0x7FFFFFFF), wrong_type, broken,
-          "a whole PNG");
+  refused(png(2049, 2048), limit, "\"2049 x 2048 pixels\"", "at most 4194304 pixels");
+  refused(png(0x7FFFFFFF, 0x7FFFFFFF), wrong_type, broken, "a whole PNG");
   // The height and width of a JPEG stand in its frame header, after FF C0, two bytes and one.
   std::string jpeg = text_of(test::flat_jpeg({51}));
   const std::size_t frame = jpeg.find("\xFF\xC0");

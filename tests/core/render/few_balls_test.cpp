@@ -16,9 +16,8 @@ Picture drawn(World world, const Scene& scene, bool fast, const RenderOptions& o
   constexpr int width = 75, height = 51;
   Pool pool(1);
   LinearFilm film(width, height);
-  const RayCounts rays =
-      render(world, view_of(scene.camera, width, height), {0, 0, width, height}, options, pool, {},
-             [&](const Block& block) { film.put(block); });
+  const RayCounts rays = render(world, view_of(scene.camera, width, height), {0, 0, width, height},
+                                options, pool, {}, [&](const Block& block) { film.put(block); });
   return {film.image(), rays};
 }
 
@@ -103,8 +102,8 @@ TEST(FewBalls, SoAreThoseFromPlacesThatAreHardToTell) {
   }
 }
 
-// Transparent shadows are the slides': the thesis' settings are fixed, so that a thing far away, with
-// which the balls are no longer few, does not light what was dark.
+// Transparent shadows are the slides': the thesis' settings are fixed, so that a thing far away,
+// with which the balls are no longer few, does not light what was dark.
 TEST(FewBalls, TheThesisHasNoTransparentShadowsOnEitherWay) {
   for (std::uint64_t seed = 400; seed < 420; ++seed) {
     SCOPED_TRACE(seed);
