@@ -1,0 +1,187 @@
+// Lights as JSON: each kind read and written back, each mistake at its place, the schema against
+// the reader.
+#include "core/lights/light.h"
+
+#include <gtest/gtest.h>
+
+#include "core/scene/read_scene.h"
+#include "tests/core/faults.h"
+#include "tests/core/schema_corpus.h"
+
+namespace tia {
+namespace {
+
+using enum FaultKind;
+using test::expect_faults;
+
+Light light(const std::string& json) { return read_described<Light>(parse_json(json)); }
+void expect_refused(const std::string& json, const std::vector<test::Expected>& faults) {
+  SCOPED_TRACE(json);
+  expect_faults(test::faults_of([&] { light(json); }), faults);
+}
+// Of that kind, and more members.
+std::string point(const std::string& more) {
+  return R"({"type":"point","position":[0,1,2],)" + more + "}";
+}
+std::string sun(const std::string& more) { return R"({"type":"directional",)" + more + "}"; }
+std::string spot(const std::string& more) {
+  return R"({"type":"spot","position":[0,5,0],)" + more + "}";
+}
+std::string globe(const std::string& more) {
+  return R"({"type":"sphere","position":[0,5,0],)" + more + "}";
+}
+std::string quad(const std::string& more) {
+  return R"({"type":"quad","corner":[0,5,0],)" + more + "}";
+}
+
+TEST(LightFaults, EveryKindIsReadAndWrittenBack) {
+  for (const char* json :
+       {R"({"position":[0,1,2],"type":"point"})",
+        R"({"color":[1,0.5,0],"fade_distance":5,"fade_power":3,"intensity":2,"position":[0,1,2],)"
+        R"("type":"point"})",
+        R"({"direction":[0,-2,1],"type":"directional"})",
+        R"({"falloff_degrees":180,"point_at":[1,2,3],"position":[0,1,2],"radius_degrees":0,)"
+        R"("tightness":1000,"type":"spot"})",
+        R"({"position":[0,1,2],"radius":3,"samples":4096,"type":"sphere"})",
+        R"({"corner":[0,1,2],"samples":16,"type":"quad","u":[1,0,0],"v":[1,1,0]})",
+        R"({"color":[0.1,0.2,0.3],"type":"sky"})"})
+    EXPECT_EQ(to_json(write_value(light(json))), json);
+}
+
+TEST(LightFaults, UnknownKindsAndWordsNameTheNearest) {
+  const char* const kinds = "one of point, directional, spot, sphere, quad, sky";
+  expect_refused("{}", {{missing, "/type", "", kinds}});
+  expect_refused(R"({"type":5})", {{wrong_type, "/type", "5", kinds}});
+  expect_refused(R"({"type":"directionl"})",
+                 {{unknown_name, "/type", "\"directionl\"", kinds, "directional"}});
+  expect_refused(R"({"type":"quat"})", {{unknown_name, "/type", "\"quat\"", kinds, "quad"}});
+  expect_refused(R"({"type":"hemisphere"})",
+                 {{unknown_name, "/type", "\"hemisphere\"", kinds, "sphere"}});
+  expect_refused(R"({"type":"area"})", {{unknown_name, "/type", "\"area\"", kinds, ""}});
+  expect_refused(
+      point(R"("fade_distanze":3)"),
+      {{unknown_name, "/fade_distanze", "\"fade_distanze\"", "fade_power", "fade_distance"}});
+  expect_refused(
+      spot(R"("fallof_degrees":50)"),
+      {{unknown_name, "/fallof_degrees", "\"fallof_degrees\"", "tightness", "falloff_degrees"}});
+  expect_refused(R"({"type":"sky","position":[0,0,0]})",
+                 {{unknown_name, "/position", "\"position\"", "color, intensity", ""}});
+  expect_refused(point(R"("samples":4)"),
+                 {{unknown_name, "/samples", "\"samples\"", "position, color", ""}});
+}
+
+TEST(LightFaults, WhatAllKindsShareHasItsRange) {
+  expect_refused(point(R"("color":[0,-1,0])"),
+                 {{out_of_range, "/color/1", "-1", "from 0 to 1000000"}});
+  expect_refused(point(R"("color":"red")"), {{wrong_type, "/color", "\"red\"", "3 numbers"}});
+  expect_refused(point(R"("intensity":-0.5)"),
+                 {{out_of_range, "/intensity", "-0.5", "from 0 to 1000000"}});
+  expect_refused(point(R"("intensity":1000001)"),
+                 {{out_of_range, "/intensity", "1000001", "from 0 to 1000000"}});
+  for (const char* distance : {"0", "-1", "1000000001"})
+    expect_refused(point(std::string(R"("fade_distance":)") + distance),
+                   {{out_of_range, "/fade_distance", distance, "above 0, at most 1000000000"}});
+  for (const char* power : {"-1", "101"})
+    expect_refused(point(std::string(R"("fade_power":)") + power),
+                   {{out_of_range, "/fade_power", power, "from 0 to 100"}});
+  for (const std::string& json : {sun(R"("direction":[0,-1,0],"fade_distance":2)"),
+                                  std::string(R"({"type":"sky","fade_distance":2})")})
+    expect_refused(json, {{conflict, "/fade_distance", "2", "at some distance"}});
+}
+
+TEST(LightFaults, DirectionHasSomeLength) {
+  expect_refused(sun(R"("direction":[0,0,0])"),
+                 {{out_of_range, "/direction", "[0,0,0]", "a direction of some length"}});
+  expect_refused(sun(R"("direction":[-0.0,0,0])"),
+                 {{out_of_range, "/direction", "[0,0,0]", "a direction of some length"}});
+  expect_refused(sun(R"("direction":[0,1])"), {{wrong_type, "/direction", "[0,1]", "3 numbers"}});
+  expect_refused(sun(R"("direction":[0,2e9,0])"),
+                 {{out_of_range, "/direction/1", "2000000000", "from -1000000000"}});
+  EXPECT_NO_THROW(light(sun(R"("direction":[0,-1e-300,0])")));
+}
+
+TEST(LightFaults, SpotPointsElsewhereAndFallsOffBeyondItsRadius) {
+  expect_refused(spot(R"("point_at":[0,5,0])"),
+                 {{out_of_range, "/point_at", "[0,5,0]", "a point other than position"}});
+  expect_refused(R"({"type":"spot","position":[0,0,0]})",
+                 {{out_of_range, "/point_at", "[0,0,0]", "a point other than position"}});
+  expect_refused(spot(R"("radius_degrees":50)"),
+                 {{out_of_range, "/falloff_degrees", "45", "from radius_degrees, 50, to 180"}});
+  expect_refused(spot(R"("falloff_degrees":29.5)"),
+                 {{out_of_range, "/falloff_degrees", "29.5", "from radius_degrees, 30, to 180"}});
+  for (const char* angle : {"-1", "180.5"}) {
+    expect_refused(spot(std::string(R"("falloff_degrees":)") + angle),
+                   {{out_of_range, "/falloff_degrees", angle, "from 0 to 180"}});
+    expect_refused(spot(std::string(R"("falloff_degrees":180,"radius_degrees":)") + angle),
+                   {{out_of_range, "/radius_degrees", angle, "from 0 to 180"}});
+  }
+  for (const char* tightness : {"-1", "1001"})
+    expect_refused(spot(std::string(R"("tightness":)") + tightness),
+                   {{out_of_range, "/tightness", tightness, "from 0 to 1000"}});
+  EXPECT_NO_THROW(light(spot(R"("radius_degrees":45)"))) << "equal angles: a hard edge";
+}
+
+TEST(LightFaults, LuminousBallHasARadius) {
+  expect_refused(R"({"type":"sphere","position":[0,5,0]})",
+                 {{missing, "/radius", "", "the radius"}});
+  for (const char* radius : {"0", "-1", "2000000000"})
+    expect_refused(globe(std::string(R"("radius":)") + radius),
+                   {{out_of_range, "/radius", radius, "above 0, at most 1000000000"}});
+}
+
+TEST(LightFaults, SamplesAreAWholeNumberOfPlaces) {
+  for (const std::string& start :
+       {std::string(R"({"type":"sphere","position":[0,5,0],"radius":1,"samples":)"),
+        std::string(R"({"type":"quad","corner":[0,5,0],"u":[1,0,0],"v":[0,0,1],"samples":)")}) {
+    for (const char* samples : {"0", "-1", "4097", "65536"})
+      expect_refused(start + samples + "}",
+                     {{out_of_range, "/samples", samples, "an integer from 1 to 4096"}});
+    expect_refused(start + "1.5}", {{wrong_type, "/samples", "1.5", "an integer from 1 to 4096"}});
+    expect_refused(start + "null}", {{wrong_type, "/samples", "null", "an integer"}});
+  }
+}
+
+TEST(LightFaults, QuadSpansAnArea) {
+  expect_refused(quad(R"("u":[1,0,0])"), {{missing, "/v", "", "the other edge"}});
+  expect_refused(quad(R"("v":[1,0,0])"), {{missing, "/u", "", "one edge"}});
+  for (const char* v : {"[0,0,0]", "[1,2,3]", "[-0.5,-1,-1.5]"})
+    expect_refused(quad(std::string(R"("u":[1,2,3],"v":)") + v),
+                   {{out_of_range, "/v", v, "an edge that spans an area with u"}});
+}
+
+TEST(LightFaults, SeveralComeAtOnceInTheirOrder) {
+  expect_refused(spot(R"("radius_degrees":-3,"tightness":"much","intensity":-1,"colour":1)"),
+                 {{out_of_range, "/radius_degrees", "-3", "from 0 to 180"},
+                  {wrong_type, "/tightness", "\"much\"", "from 0 to 1000"},
+                  {out_of_range, "/intensity", "-1", "from 0"},
+                  {unknown_name, "/colour", "\"colour\"", "color", "color"}});
+}
+
+TEST(LightFaults, LightsOfASceneNeedTheirPlaceAndTheKeyLightDoesNot) {
+  const auto in_scene = [](const std::string& json) {
+    return test::faults_of([&] { read_scene(R"({"lights":[)" + json + "]}"); });
+  };
+  expect_faults(in_scene(R"({"type":"spot"})"),
+                {{missing, "/lights/0/position", "", "where the light is"}});
+  expect_faults(in_scene(R"({"type":"quad","u":[1,0,0],"v":[0,1,0]})"),
+                {{missing, "/lights/0/corner", "", "where the light is"}});
+  expect_faults(in_scene(R"({"type":"directional"})"), {{missing, "/lights/0/direction", "", ""}});
+  expect_faults(in_scene(R"({"type":"sky"})"), {});
+  for (const char* json : {R"({"type":"spot"})", R"({"type":"directional"})", R"({"type":"sky"})",
+                           R"({"type":"quad","u":[1,0,0],"v":[0,1,0]})"})
+    EXPECT_NO_THROW(read_scene(std::string(R"({"key_light":)") + json + "}")) << json;
+}
+
+TEST(LightFaults, TheSchemaAgreesWithTheReader) {
+  const std::vector<std::string> beyond = {"a direction of some length", "from radius_degrees",
+                                           "a point other than position", "spans an area",
+                                           "at some distance"};
+  const auto agreement = test::judge<Light>(whole_schema<Light>(), 4000, beyond);
+  EXPECT_TRUE(agreement.disputed.empty())
+      << agreement.disputed.size() << " such as " << agreement.disputed.front();
+  EXPECT_GT(agreement.both_accept, 3000);
+  EXPECT_GT(agreement.both_refuse, 1000);
+}
+
+}  // namespace
+}  // namespace tia

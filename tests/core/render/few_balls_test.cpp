@@ -1,0 +1,140 @@
+// The thesis' pictures of few balls are traced in a way of their own: to the byte as any other
+// picture is.
+#include <gtest/gtest.h>
+
+#include "core/render/trace_block.h"
+#include "tests/core/accel/worlds.h"
+
+namespace tia {
+namespace {
+
+using namespace test;
+
+// The picture of a world as it is, or with its way for few balls closed.
+Picture drawn(World world, const Scene& scene, bool fast, const RenderOptions& options) {
+  world.few_balls = world.few_balls && fast;
+  constexpr int width = 75, height = 51;
+  Pool pool(1);
+  LinearFilm film(width, height);
+  const RayCounts rays = render(world, view_of(scene.camera, width, height), {0, 0, width, height},
+                                options, pool, {}, [&](const Block& block) { film.put(block); });
+  return {film.image(), rays};
+}
+
+RenderOptions as_thesis() {
+  RenderOptions options;
+  options.integrator = IntegratorName::thesis;
+  return options;
+}
+
+void expect_same(const Scene& scene, const RenderOptions& options) {
+  const World world = compile(scene);
+  ASSERT_TRUE(world.few_balls);
+  for (const Scalar scalar : {Scalar::wide, Scalar::narrow, Scalar::exact}) {
+    RenderOptions own = options;
+    own.scalar = scalar;
+    const Picture fast = drawn(world, scene, true, own), slow = drawn(world, scene, false, own);
+    EXPECT_EQ(fast.rays, slow.rays);
+    EXPECT_TRUE(bits_of(fast.image) == bits_of(slow.image));
+  }
+}
+
+TEST(FewBalls, PicturesAreTheSameBytesWithoutTheFastWay) {
+  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+    SCOPED_TRACE(seed);
+    expect_same(random_scene(seed), as_thesis());
+  }
+  for (const char key : {'\0', 'a', 'd', 's', 'w'}) expect_same(thesis_scene(key), as_thesis());
+}
+
+TEST(FewBalls, SoAreThoseOfManySamplesAndOfALens) {
+  for (std::uint64_t seed = 100; seed < 110; ++seed) {
+    SCOPED_TRACE(seed);
+    Scene scene = random_scene(seed);
+    RenderOptions options = as_thesis();
+    options.samples = 3;
+    options.seed = static_cast<std::int64_t>(seed);
+    if (seed % 2 == 0) options.threshold = 0.02;
+    expect_same(scene, options);
+    scene.camera = Camera{};
+    scene.camera.aperture = 0.5;
+    scene.camera.focus_distance = 20;
+    expect_same(scene, options);
+  }
+}
+
+// What the thesis knows nothing of changes nothing, and the same nothing on both ways.
+TEST(FewBalls, SoAreThoseOfFinishesThatTheThesisLeavesOut) {
+  for (std::uint64_t seed = 200; seed < 230; ++seed) {
+    SCOPED_TRACE(seed);
+    Random random(seed);
+    Scene scene = random_scene(seed);
+    for (Object& each : scene.objects) {
+      Finish& finish = std::get<Finish>(std::get<Material>(*each.material).kind);
+      finish.ambient = random.unit();
+      finish.brilliance = random.in(0, 9);
+      finish.specular = random.unit();
+      finish.reflection = random.unit();
+      finish.transmission = random.chance(0.5) ? random.unit() : 0;
+      finish.absorption = random_color(random);
+      finish.fresnel = random.chance(0.5);
+    }
+    for (Light& light : scene.lights)
+      if (auto* ball = std::get_if<SphereLight>(&light.kind)) ball->samples = 1 + random.below(20);
+    expect_same(scene, as_thesis());
+  }
+}
+
+// Inside of balls, at their surfaces, and at the lamps.
+TEST(FewBalls, SoAreThoseFromPlacesThatAreHardToTell) {
+  for (std::uint64_t seed = 300; seed < 330; ++seed) {
+    SCOPED_TRACE(seed);
+    Random random(seed);
+    Scene scene = random_scene(seed);
+    const Sphere& in = std::get<Sphere>(scene.objects.front().shape);
+    scene.camera.location =
+        in.center + random.direction() * (in.radius * (seed % 2 == 0 ? 1 : random.unit()));
+    scene.camera.look_at.reset();
+    if (!scene.camera.right) scene.camera.direction = random.direction();
+    if (!scene.lights.empty())
+      scene.lights.front().move_to(in.center + random.direction() * in.radius, {});
+    expect_same(scene, as_thesis());
+  }
+}
+
+// Transparent shadows are the slides': the thesis' settings are fixed, so that a thing far away,
+// with which the balls are no longer few, does not light what was dark.
+TEST(FewBalls, TheThesisHasNoTransparentShadowsOnEitherWay) {
+  for (std::uint64_t seed = 400; seed < 420; ++seed) {
+    SCOPED_TRACE(seed);
+    Random random(seed);
+    Scene scene = random_scene(seed);
+    for (Object& each : scene.objects)
+      std::get<Finish>(std::get<Material>(*each.material).kind).transmission = random.unit();
+    const World opaque = compile(scene);
+    scene.options.transparent_shadows = true;
+    expect_same(scene, as_thesis());
+    EXPECT_TRUE(bits_of(drawn(compile(scene), scene, false, as_thesis()).image) ==
+                bits_of(drawn(opaque, scene, false, as_thesis()).image));
+  }
+}
+
+// A picture of it and what explains its pixels go different ways.
+TEST(FewBalls, ExplainedPixelsHaveThePicturesColour) {
+  for (std::uint64_t seed = 200; seed < 220; ++seed) {
+    Random random(seed);
+    const Scene scene = random_scene(seed);
+    const Image image = drawn(compile(scene), scene, true, as_thesis()).image;
+    const View view = view_of(scene.camera, image.width, image.height);
+    for (int i = 0; i < 100; ++i) {
+      const int x = random.below(image.width), y = random.below(image.height);
+      const float* pixel = image.at(x, y);
+      EXPECT_EQ(explain(scene, view, x, y, 0, as_thesis()).tree->color,
+                (Vec3f{pixel[0], pixel[1], pixel[2]}))
+          << seed << ": " << x << " " << y;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace tia
