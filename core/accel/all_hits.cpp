@@ -25,7 +25,8 @@ class Collector {
   void meet(const Item& item, Packet<double>& packet) {
     const auto at = static_cast<std::size_t>(item.index);
     switch (item.kind) {
-      case Item::ball: return meet_part(world_.balls[at].part, packet);
+      case Item::ball: return meet(world_.balls[at], packet);
+      case Item::flat: return meet_part(world_.flats[at].part, packet);
       case Item::part: return meet_part(item.index, packet);
       case Item::mesh: return meet_mesh(item.index, packet);
       case Item::solid: return meet(world_.solids[at], packet);
@@ -40,12 +41,19 @@ class Collector {
   }
   void meet(const Solid& solid, Packet<double>& packet) {
     effort_.test(solid.work);
-    for (const Boundary& each : spans(solid, world_.parts, packet.line(0)))
+    for (const Boundary& each : spans(solid, world_.parts, Lines<double>(packet.root)[0]))
       add(each.t, each.part, each.element, packet);
+  }
+  void meet(const Ball& ball, Packet<double>& packet) {
+    if (ball.grid < 0) return meet_part(ball.part, packet);
+    const Copies& grid = world_.copies[static_cast<std::size_t>(ball.grid)];
+    Packet<double> inside =
+        packet.seen_through(grid.to_group).inside_copy(grid.offset(ball.copy), ball.copy);
+    meet_part(ball.part, inside);
   }
   void meet_part(int part, Packet<double>& packet) {
     effort_.test(world_.part(part).work);
-    crossings(world_.part(part), packet.line(0),
+    crossings(world_.part(part), Lines<double>(packet.root)[0],
               [&](double t, int element) { add(t, part, element, packet); });
   }
   void meet_mesh(int part, Packet<double>& packet) {

@@ -30,11 +30,7 @@ inline float greatest(float a, bool here) { return here ? a : -infinity; }
 inline float greatest(double a, bool here) { return here ? static_cast<float>(a) : -infinity; }
 inline float greatest(const Wide& a, const WideMask& here) {
   const Wide counting = select(here, a, Wide(-infinity));
-  std::array<float, FloatRegister::size> each;
-  xsimd::max(counting.part[0], counting.part[1]).store_unaligned(each.data());
-  for (std::size_t half = each.size() / 2; half > 0; half /= 2)
-    for (std::size_t i = 0; i < half; ++i) each[i] = std::max(each[i], each[i + half]);
-  return each[0];
+  return greatest_lane(xsimd::max(counting.part[0], counting.part[1]));
 }
 template <class Real>
 float least(const Real& a, const Mask<Real>& here) {

@@ -13,9 +13,9 @@ Vec3d rgb(const Color& c) { return {c.r, c.g, c.b}; }
 
 // A point as seen from anywhere, whose light does not fade.
 bool is_plain_point(const Lamp& lamp) {
-  const bool point = std::holds_alternative<PointForm>(lamp.form) ||
-                     std::holds_alternative<SphereForm>(lamp.form);
-  return point && lamp.fade_distance == 0 && lamp.places.count() == 1;
+  const bool point =
+      std::holds_alternative<PointForm>(lamp.form) || std::holds_alternative<SphereForm>(lamp.form);
+  return point && lamp.fade_distance == 0 && lamp.places == nullptr;
 }
 
 bool emits(const Vec3d& light) { return light.x > 0 || light.y > 0 || light.z > 0; }
@@ -80,7 +80,7 @@ class Compiler {
     add_lights();
     for (Space& space : world_.spaces) index(space);
     world_.few_balls = world_.balls.size() == world_.parts.size() && world_.copies.empty() &&
-                       world_.balls.size() <= few && 
+                       world_.balls.size() <= few &&
                        std::ranges::all_of(world_.matters, is_plain) &&
                        std::ranges::all_of(world_.lamps, is_plain_point);
     for (const MeshIndex& mesh : world_.meshes) world_.degenerate += mesh.degenerate;
@@ -134,6 +134,15 @@ class Compiler {
     part.space = own.space;
     part.inverted = own.inverted;
     return pushed(world_.parts, part);
+  }
+  // A plane is a flat, too, wherever it is.
+  void add_surface(const PlaneForm& plane, const Inherited& own) {
+    const int part = add_part(plane, own, world_.objects++);
+    const Vec3d normal = unit(world_.parts.back().to_object.row(plane.frame.n));
+    const PlaneForm flat{own.place.point(plane.point), onb_around(normal)};
+    const int number = pushed(world_.flats, Flat{flat, part});
+    world_.parts.back().flat = number;
+    put({Item::flat, number}, bounds(flat), own.space);
   }
   template <class F>
   void add_surface(const F& form, const Inherited& own) {
@@ -194,13 +203,37 @@ class Compiler {
       return;
     }
     const int inside = pushed(world_.spaces, Space{});
-    Copies copies{own.place.inverse(), *group.repeat, {}, inside, own.space};
+    Copies copies{own.place.inverse(), *group.repeat, {}, inside, own.space, 0};
     for (const Object& child : group.children) copies.box = around(copies.box, bounds_of(child));
-    const Aabb all = bounds_of(own.place, group.repeat->swept(copies.box));
+    const Aabb swept = group.repeat->swept(copies.box);
+    copies.slack = Copies::slack_of(swept);
+    const Aabb all = bounds_of(own.place, swept);
     const int number = pushed(world_.copies, copies);
     world_.spaces.back().copies = number;
     for (const Object& child : group.children) add(child, {Affine{}, own.matter, inside, false});
-    put({Item::copies, number}, all, own.space);
+    const auto scale = similarity(own.place);
+    if (own.space == 0 && scale && is_small(number)) put_balls(number, own.place, *scale);
+    else put({Item::copies, number}, all, own.space);
+  }
+  // A small grid of balls is quicker found in the index of the world than by itself.
+  bool is_small(int number) {
+    constexpr std::int64_t most = 8192;
+    const Copies& grid = world_.copies[static_cast<std::size_t>(number)];
+    const std::vector<Item>& items = world_.space(grid.inside).items;
+    return static_cast<std::int64_t>(items.size()) * grid.repeat.copies() <= most &&
+           std::ranges::all_of(items, [](const Item& item) { return item.kind == Item::ball; });
+  }
+  void put_balls(int number, const Affine& place, double scale) {
+    const Copies& grid = world_.copies[static_cast<std::size_t>(number)];
+    for (const Item& item : world_.space(grid.inside).items) {
+      const Ball one = world_.balls[static_cast<std::size_t>(item.index)];
+      for (int copy = 0; copy < grid.repeat.copies(); ++copy) {
+        const Vec3d center = place.point(one.sphere.center + grid.offset(copy));
+        const Sphere round{center, one.sphere.radius * scale};
+        put({Item::ball, pushed(world_.balls, Ball{round, one.part, number, copy})}, bounds(round),
+            0);
+      }
+    }
   }
 
   void add_kind(const Csg& csg, const Inherited& own) {
@@ -264,7 +297,7 @@ class Compiler {
       lamp.fade_power = light.fade_power;
       lamp.name = name;
       if constexpr (requires { kind.samples; }) {
-        lamp.places = Strata(kind.samples);
+        lamp.places = places(kind.samples);
         lamp.part = static_cast<int>(world_.parts.size());
         Matter glow;
         glow.emission = color;
@@ -272,6 +305,12 @@ class Compiler {
       }
       if (emits(color)) world_.lamps.push_back(lamp);
     }
+  }
+  std::shared_ptr<const Strata> places(int samples) {
+    if (samples == 1) return nullptr;
+    std::shared_ptr<const Strata>& shared = strata_[samples];
+    if (!shared) shared = std::make_shared<const Strata>(samples);
+    return shared;
   }
   void add_luminous(const SphereLight& light, const Inherited& own) {
     add_ball(Sphere{*light.position, light.radius}, own);
@@ -316,6 +355,7 @@ class Compiler {
   const Scene& scene_;
   World world_;
   std::map<std::string, int> named_;
+  std::map<int, std::shared_ptr<const Strata>> strata_;
   std::map<int, std::vector<Aabb>> boxes_;  // one an item, space by space
 };
 

@@ -1,5 +1,6 @@
 #include "core/accel/copies.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace tia {
@@ -24,10 +25,17 @@ std::size_t CopyRange::longest(const Vec3d& step) const {
   return longest;
 }
 
-Box32 CopyRange::box(const Repeat& repeat, const Aabb& one) const {
-  const Vec3d first = repeat.offset(from[0], from[1], from[2]);
-  const Vec3d last = repeat.offset(to[0] - 1, to[1] - 1, to[2] - 1);
-  return rounded_outwards({one.min + lower(first, last), one.max + upper(first, last)});
+Box32 CopyRange::box(const Copies& grid) const {
+  const Vec3d first = grid.repeat.offset(from[0], from[1], from[2]);
+  const Vec3d last = grid.repeat.offset(to[0] - 1, to[1] - 1, to[2] - 1);
+  const Vec3f slack{grid.slack, grid.slack, grid.slack};
+  return {static_cast<Vec3f>(grid.box.min + lower(first, last)) - slack,
+          static_cast<Vec3f>(grid.box.max + upper(first, last)) + slack};
+}
+
+float Copies::slack_of(const Aabb& all) {
+  const Vec3d far = upper(all.max, all.min * -1.0);
+  return static_cast<float>(std::max({far.x, far.y, far.z}) * 0x1p-21 + 1e-20);
 }
 
 }  // namespace tia

@@ -18,7 +18,10 @@ struct Copies {
   Aabb box;         ///< of one copy
   int inside = 0;   ///< the space that is repeated
   int outside = 0;  ///< the space where the group stands
+  float slack = 0;  ///< by how much boxes of copies grow, so that float holds all of them
 
+  /// Of copies that fill a box: beyond all roundings of their coordinates.
+  static float slack_of(const Aabb& all);
   /// Where the copy of that number stands: x runs fastest, then y.
   Vec3d offset(std::int64_t number) const;
 };
@@ -30,8 +33,8 @@ struct CopyRange {
   int count(std::size_t axis) const { return to[axis] - from[axis]; }
   /// The axis along which there are most, weighed by the step.
   std::size_t longest(const Vec3d& step) const;
-  /// The box around the range's copies of a box.
-  Box32 box(const Repeat& repeat, const Aabb& one) const;
+  /// The box around the range's copies.
+  Box32 box(const Copies& grid) const;
 };
 
 /// Calls visit(number, lanes) for each copy whose box lanes of `active` enter before t_max, roughly
@@ -48,7 +51,7 @@ void traverse(const Copies& grid, const BoxRay<Real>& ray, Mask<Real> active, co
   while (top > 0) {
     const CopyRange range = stack[--top];
     effort.test();
-    const Mask<Real> entered = active && ray.enters(range.box(repeat, grid.box), t_max);
+    const Mask<Real> entered = active && ray.enters(range.box(grid), t_max);
     if (!any(entered)) continue;
     const std::size_t axis = range.longest(repeat.step);
     if (range.count(axis) == 1) {

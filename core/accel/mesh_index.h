@@ -43,12 +43,13 @@ struct RayFrame {
 
 /// Found lane by lane, once for all triangles.
 template <class Real>
-RayFrame<Precise<Real>> frame_of(Packet<Real>& packet) {
+RayFrame<Precise<Real>> frame_of(const Packet<Real>& packet) {
   using P = Precise<Real>;
   constexpr auto n = static_cast<std::size_t>(lanes<Real>);
   std::array<std::array<double, n>, 6> axes;
+  const Lines<Real> lines(packet.root);
   for (std::size_t lane = 0; lane < n; ++lane) {
-    const Onb basis = onb_around(normalize(packet.line(lane).direction));
+    const Onb basis = onb_around(normalize(lines[lane].direction));
     const double all[] = {basis.u.x, basis.u.y, basis.u.z, basis.v.x, basis.v.y, basis.v.z};
     for (std::size_t i = 0; i < 6; ++i) axes[i][lane] = all[i];
   }

@@ -31,6 +31,13 @@ class BoxRay {
         backwards_{first_below_zero(direction.x), first_below_zero(direction.y),
                    first_below_zero(direction.z)} {}
 
+  /// The same from elsewhere.
+  BoxRay from(const Vec3<Real>& origin, const Real& blur) const {
+    BoxRay moved = *this;
+    moved.low_ = {origin.x + blur, origin.y + blur, origin.z + blur};
+    moved.high_ = {origin.x - blur, origin.y - blur, origin.z - blur};
+    return moved;
+  }
   /// The lanes that are in the box somewhere from 0 to t_max.
   [[gnu::always_inline]] Mask<Real> enters(const Box32& box, const Real& t_max) const {
     // Far beyond the three roundings of a slab's t, and beyond the one of a hit's t_max.
@@ -70,13 +77,30 @@ class BoxRay {
   std::array<bool, 3> backwards_;
 };
 
+/// Lines: the lanes' rays in double, one by one.
+template <class Real>
+class Lines {
+ public:
+  explicit Lines(const RootRay<Real>& ray) {
+    const Precise<Real>* parts[] = {&ray.origin.x,    &ray.origin.y,    &ray.origin.z,
+                                    &ray.direction.x, &ray.direction.y, &ray.direction.z};
+    for (std::size_t i = 0; i < 6; ++i) store(*parts[i], parts_[i].data());
+  }
+  Line operator[](std::size_t lane) const {
+    return {{parts_[0][lane], parts_[1][lane], parts_[2][lane]},
+            {parts_[3][lane], parts_[4][lane], parts_[5][lane]}};
+  }
+
+ private:
+  std::array<std::array<double, static_cast<std::size_t>(lanes<Real>)>, 6> parts_;
+};
+
 /// Packet: rays in one space of the world. Space/units: t is that of the world's rays in every
 /// space, for directions are transformed with it.
 template <class Real>
 class Packet {
  public:
   using P = Precise<Real>;
-  static constexpr auto n = static_cast<std::size_t>(lanes<Real>);
 
   explicit Packet(const Ray<Real>& ray) : root(ray), box(ray.origin, ray.direction, Real(0)) {}
 
@@ -86,13 +110,12 @@ class Packet {
   }
   /// The same rays seen from a copy of the space that stands at `offset`.
   Packet inside_copy(const Vec3d& offset, int number) const {
-    return {root.origin - static_cast<Vec3<P>>(offset), root.direction, number};
-  }
-  /// One lane's ray in double.
-  Line line(std::size_t lane) {
-    if (!unpacked_) unpack();
-    return {{lines_[0][lane], lines_[1][lane], lines_[2][lane]},
-            {lines_[3][lane], lines_[4][lane], lines_[5][lane]}};
+    Packet inside(root, box);
+    inside.root.origin = root.origin - static_cast<Vec3<P>>(offset);
+    const Vec3<Real> origin = narrowed(inside.root.origin);
+    inside.box = box.from(origin, blur_of(origin));
+    inside.copy = number;
+    return inside;
   }
 
   RootRay<Real> root;
@@ -104,6 +127,7 @@ class Packet {
       : root(origin, direction),
         box(narrowed(origin), narrowed(direction), blur_of(narrowed(origin))),
         copy(number) {}
+  Packet(const RootRay<Real>& r, const BoxRay<Real>& b) : root(r), box(b) {}
 
   static Vec3<Real> narrowed(const Vec3<P>& v) {
     return {narrow<Real>(v.x), narrow<Real>(v.y), narrow<Real>(v.z)};
@@ -111,15 +135,6 @@ class Packet {
   static Real blur_of(const Vec3<Real>& origin) {
     return max_of(max_of(abs_of(origin.x), abs_of(origin.y)), abs_of(origin.z)) * Real(0x1p-22F);
   }
-  void unpack() {
-    const P* parts[] = {&root.origin.x,    &root.origin.y,    &root.origin.z,
-                        &root.direction.x, &root.direction.y, &root.direction.z};
-    for (std::size_t i = 0; i < 6; ++i) store(*parts[i], lines_[i].data());
-    unpacked_ = true;
-  }
-
-  bool unpacked_ = false;
-  std::array<std::array<double, n>, 6> lines_;
 };
 
 }  // namespace tia

@@ -75,6 +75,7 @@ class Search {
   void meet(const Item& item, Packet<Real>& packet, Mask<Real> here) {
     switch (item.kind) {
       case Item::ball: return meet(world_.balls[at(item)], packet, here);
+      case Item::flat: return meet(world_.flats[at(item)], packet, here);
       case Item::part: return meet_part(item.index, packet, here);
       case Item::mesh: return meet_mesh(item.index, packet, here);
       case Item::solid: return meet(world_.solids[at(item)], packet, here);
@@ -85,10 +86,16 @@ class Search {
   static Real number(int i) { return Real(static_cast<float>(i)); }
 
   [[gnu::flatten]] void meet(const Ball& ball, Packet<Real>& packet, Mask<Real> here) {
-    if (query_.skips(ball.part, packet.copy)) return;
+    const int copy = packet.copy + ball.copy;
+    if (query_.skips(ball.part, copy)) return;
     effort_.test();
     const Real t = intersect(ball.sphere, packet.root);
-    query_.offer(t, number(ball.part), Real(0), packet.copy, here);
+    query_.offer(t, number(ball.part), Real(0), copy, here);
+  }
+  [[gnu::flatten]] void meet(const Flat& flat, Packet<Real>& packet, Mask<Real> here) {
+    effort_.test();
+    const Real t = intersect(flat.plane, packet.root);
+    query_.offer(t, number(flat.part), Real(0), packet.copy, here);
   }
 
   // Lane by lane in double; `work` is what each costs.
@@ -99,9 +106,10 @@ class Search {
     t.fill(infinity);
     part.fill(0);
     element.fill(0);
+    const Lines<Real> lines(packet.root);
     for (unsigned left = bits(here); left != 0; left &= left - 1) {
       const auto lane = static_cast<std::size_t>(std::countr_zero(left));
-      const Boundary hit = crossing_of(packet.line(lane));
+      const Boundary hit = crossing_of(lines[lane]);
       t[lane] = static_cast<LaneOf<Real>>(hit.t);
       part[lane] = static_cast<LaneOf<Real>>(hit.part);
       element[lane] = static_cast<LaneOf<Real>>(hit.element);
@@ -148,7 +156,9 @@ class Search {
     const Space& space = world_.spaces[static_cast<std::size_t>(grid.inside)];
     traverse(grid, outside.box, here, query_.limit(), effort_, [&](int copy, Mask<Real> entered) {
       Packet<Real> inside = outside.inside_copy(grid.offset(copy), before + copy);
-      through(space, inside, entered);
+      // The box of a copy of one thing is that thing's.
+      if (space.items.size() == 1) meet(space.items.front(), inside, entered);
+      else through(space, inside, entered);
     });
   }
 

@@ -81,9 +81,7 @@ Normals normals_at(const World& world, const Vec3d& p, int part, int element, st
   const Affine map = to_object(world, own, copy);
   const Vec3d local = map.point(p);
   // Normals are carried out by the inverse transpose.
-  const auto outwards = [&](const Vec3d& n) {
-    return normalize(map.row(own.inverted ? -n : n));
-  };
+  const auto outwards = [&](const Vec3d& n) { return normalize(map.row(own.inverted ? -n : n)); };
   if (own.mesh >= 0) {
     const MeshPoint at = mesh_point(world, own, local, element);
     return {outwards(at.n), outwards(at.ng)};
@@ -105,11 +103,11 @@ SurfacePoint<Real> surface_by_lanes(const World& world, const Ray<Real>& ray, co
                                     int part, Mask<Real> here) {
   constexpr auto n = static_cast<std::size_t>(lanes<Real>);
   std::array<std::array<LaneOf<Real>, n>, 9> parts{};
-  Packet<Real> packet(ray);
+  const Lines<Real> lines{RootRay<Real>(ray)};
   for (unsigned left = bits(here); left != 0; left &= left - 1) {
     const int i = std::countr_zero(left);
     const auto at = static_cast<std::size_t>(i);
-    const Vec3d p = packet.line(at).at(lane(hit.t, i));
+    const Vec3d p = lines[at].at(lane(hit.t, i));
     const Normals at_p = normals_at(world, p, part, static_cast<int>(lane(hit.element, i)),
                                     static_cast<std::int64_t>(lane(hit.copy, i)));
     const Vec3d &n_of = at_p.n, &ng = at_p.ng;
@@ -124,6 +122,29 @@ SurfacePoint<Real> surface_by_lanes(const World& world, const Ray<Real>& ray, co
 }
 
 template <class Real>
+SurfacePoint<Real> copied_ball_surface(const Ball& ball, const Copies& grid, const Ray<Real>& ray,
+                                       const Hit<Real>& hit) {
+  using P = Precise<Real>;
+  constexpr auto n = static_cast<std::size_t>(lanes<Real>);
+  std::array<std::array<double, n>, 3> centers{};
+  for (std::size_t i = 0; i < n; ++i) {
+    const auto copy = static_cast<std::int64_t>(lane(hit.copy, static_cast<int>(i)));
+    const Vec3d center = ball.sphere.center + grid.offset(copy);
+    centers[0][i] = center.x, centers[1][i] = center.y, centers[2][i] = center.z;
+  }
+  const RootRay<Real> root(ray);
+  const Vec3<P> p = root.origin + root.direction * widen(hit.t);
+  const Vec3<P> out =
+      grid.to_group.point(p) -
+      Vec3<P>{load<P>(centers[0].data()), load<P>(centers[1].data()), load<P>(centers[2].data())};
+  const auto narrowed = [](const Vec3<P>& v) -> Vec3<Real> {
+    return {narrow<Real>(v.x), narrow<Real>(v.y), narrow<Real>(v.z)};
+  };
+  const Vec3<Real> normal = normalize(narrowed(grid.to_group.row(out)));
+  return {narrowed(p), normal, normal, {}};
+}
+
+template <class Real>
 Vec3<Real> texture_colors(const World& world, const Ray<Real>& ray, const Hit<Real>& hit, int part,
                           Mask<Real> here) {
   constexpr auto n = static_cast<std::size_t>(lanes<Real>);
@@ -131,19 +152,19 @@ Vec3<Real> texture_colors(const World& world, const Ray<Real>& ray, const Hit<Re
       world.textures[static_cast<std::size_t>(world.matter_of(part).texture)];
   const bool wants_uv = std::holds_alternative<ImageForm>(texture.kind);
   std::array<std::array<LaneOf<Real>, n>, 3> rgb{};
-  Packet<Real> packet(ray);
+  const Lines<Real> lines{RootRay<Real>(ray)};
   for (unsigned left = bits(here); left != 0; left &= left - 1) {
     const int i = std::countr_zero(left);
     const auto at = static_cast<std::size_t>(i);
     const auto copy = static_cast<std::int64_t>(lane(hit.copy, i));
-    const Line line = packet.line(at);
+    const Line line = lines[at];
     const Vec3d p = line.at(lane(hit.t, i));
     const Affine map = to_object(world, world.part(part), copy);
     const Vec2d uv =
         wants_uv ? uv_at(world, p, part, static_cast<int>(lane(hit.element, i)), copy) : Vec2d{};
     // The point is off its surface along the ray, by the rounding of t and of what t is made of.
-    const double reach = std::max({std::fabs(p.x), std::fabs(p.y), std::fabs(p.z),
-                                   static_cast<double>(lane(hit.t, i))});
+    const double reach = std::max(
+        {std::fabs(p.x), std::fabs(p.y), std::fabs(p.z), static_cast<double>(lane(hit.t, i))});
     const double blur = 4e-6 * reach * length(map.vector(line.direction));
     const Vec3d color = color_at(texture, map.point(p), uv, blur);
     const double parts[] = {color.x, color.y, color.z};
@@ -154,15 +175,17 @@ Vec3<Real> texture_colors(const World& world, const Ray<Real>& ray, const Hit<Re
 
 // ---- the three scalars ----------------------------------------------------------------------
 
-#define TIA_TRACE(Real)                                                                          \
-  template Hit<Real> closest_hit(const World&, const Ray<Real>&, Mask<Real>, Effort&);           \
-  template Mask<Real> occluded(const World&, const Ray<Real>&, const Real&, const Lamp&,         \
-                               Mask<Real>, Effort&);                                             \
-  template Real transmitted(const World&, const Ray<Real>&, const Real&, const Lamp&,            \
-                            Mask<Real>, Effort&);                                                \
-  template Vec3<Real> texture_colors(const World&, const Ray<Real>&, const Hit<Real>&, int,      \
-                                     Mask<Real>);                                                \
-  template SurfacePoint<Real> surface_by_lanes(const World&, const Ray<Real>&, const Hit<Real>&, \
+#define TIA_TRACE(Real)                                                                           \
+  template Hit<Real> closest_hit(const World&, const Ray<Real>&, Mask<Real>, Effort&);            \
+  template Mask<Real> occluded(const World&, const Ray<Real>&, const Real&, const Lamp&,          \
+                               Mask<Real>, Effort&);                                              \
+  template Real transmitted(const World&, const Ray<Real>&, const Real&, const Lamp&, Mask<Real>, \
+                            Effort&);                                                             \
+  template Vec3<Real> texture_colors(const World&, const Ray<Real>&, const Hit<Real>&, int,       \
+                                     Mask<Real>);                                                 \
+  template SurfacePoint<Real> copied_ball_surface(const Ball&, const Copies&, const Ray<Real>&,   \
+                                                  const Hit<Real>&);                              \
+  template SurfacePoint<Real> surface_by_lanes(const World&, const Ray<Real>&, const Hit<Real>&,  \
                                                int, Mask<Real>);
 TIA_TRACE(Wide)
 TIA_TRACE(float)

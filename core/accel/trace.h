@@ -117,17 +117,46 @@ BallPoint<Real> ball_surface(const Ball& ball, const Ray<Real>& ray, const Real&
   return at;
 }
 
+/// A plane has one normal.
+template <class Real>
+SurfacePoint<Real> flat_surface(const Flat& flat, const Ray<Real>& ray, const Real& t) {
+  const RootRay<Real> root(ray);
+  const auto p = root.origin + root.direction * widen(t);
+  const Vec3<Real> n = lift<Real>(flat.plane.frame.n);
+  return {{narrow<Real>(p.x), narrow<Real>(p.y), narrow<Real>(p.z)}, n, n, {}};
+}
+/// A ball of a group that the world itself repeats, each lane on its own copy.
+template <class Real>
+SurfacePoint<Real> copied_ball_surface(const Ball& ball, const Copies& grid, const Ray<Real>& ray,
+                                       const Hit<Real>& hit);
+
+/// Of any part, not turned to the viewer: by the packet where its kind allows, else lane by lane.
+template <class Real>
+SurfacePoint<Real> outward_surface(const World& world, const Ray<Real>& ray, const Hit<Real>& hit,
+                                   int part, Mask<Real> here) {
+  const Part& own = world.part(part);
+  if (own.space == 0 && own.flat >= 0)
+    return flat_surface(world.flats[static_cast<std::size_t>(own.flat)], ray, hit.t);
+  if (own.space != 0 && own.ball >= 0) {
+    const int number = world.spaces[static_cast<std::size_t>(own.space)].copies;
+    const Copies& grid = world.copies[static_cast<std::size_t>(number)];
+    const Ball& ball = world.balls[static_cast<std::size_t>(own.ball)];
+    if (grid.outside == 0) return copied_ball_surface(ball, grid, ray, hit);
+  }
+  return surface_by_lanes(world, ray, hit, part, here);
+}
+
 /// Domain: lanes outside `here`, whose rays have not hit `part`, come out meaningless.
 template <class Real>
 SurfacePoint<Real> surface(const World& world, const Ray<Real>& ray, const Hit<Real>& hit, int part,
                            Mask<Real> here) {
   const Part& own = world.part(part);
-  if (own.ball >= 0 && own.space == 0) {
+  if (own.space == 0 && own.ball >= 0) {
     const Ball& ball = world.balls[static_cast<std::size_t>(own.ball)];
     const BallPoint<Real> at = ball_surface(ball, ray, hit.t);
     return {at.p, at.n, at.n, at.front};
   }
-  SurfacePoint<Real> at = surface_by_lanes(world, ray, hit, part, here);
+  SurfacePoint<Real> at = outward_surface(world, ray, hit, part, here);
   const Real cosine = dot(at.ng, ray.direction);
   at.n = turned(at.n, cosine, ray.direction);
   at.ng = turned(at.ng, cosine, ray.direction);

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -41,21 +42,31 @@ struct Lamp {
   Constant color;            ///< color * intensity
   double fade_distance = 0;  ///< 0: it does not fade
   double fade_power = 0;
-  Strata places{1};  ///< of its area, that shine; 1: its middle alone
-  int part = -1;    ///< its own surface, which never blocks it; -1: none
-  int copy = 0;     ///< which copy of it
+  /// Of its area, that shine; null: its middle alone. Lamps of as many places share them.
+  std::shared_ptr<const Strata> places{};
+  int part = -1;       ///< its own surface, which never blocks it; -1: none
+  int copy = 0;        ///< which copy of it
   std::string name{};  ///< the JSON Pointer of one of the scene's lights; "": a luminous object
 };
 
-/// Ball: a sphere as whole packets are tried on it, in its space.
+/// Ball: a sphere as whole packets are tried on it, in its space; one of a small grid's in that
+/// where the grid stands.
 struct Ball {
   Sphere sphere;
+  int part = 0;
+  int grid = -1;  ///< the world's grid of which it is a copy, -1 inside of one and where none is
+  int copy = 0;   ///< which one
+};
+
+/// Flat: a plane as whole packets are tried on it, in its space.
+struct Flat {
+  PlaneForm plane;
   int part = 0;
 };
 
 /// Item: one thing that a ray is tried on.
 struct Item {
-  enum Kind { ball, part, mesh, solid, copies };
+  enum Kind { ball, flat, part, mesh, solid, copies };
   Kind kind = ball;
   int index = 0;  ///< into the world's list of that kind; of a mesh: its part
 };
@@ -72,6 +83,7 @@ struct World {
   std::vector<Space> spaces;  ///< the first is the world itself
   std::vector<Part> parts;    ///< in the scene's order, then luminous lights
   std::vector<Ball> balls;
+  std::vector<Flat> flats;
   std::vector<MeshIndex> meshes;
   std::vector<Solid> solids;
   std::vector<Copies> copies;
@@ -79,9 +91,9 @@ struct World {
   std::vector<TextureForm> textures;
   std::vector<Lamp> lamps;
   Constant background;
-  int objects = 0;             ///< how many; the luminous lights are the last
+  int objects = 0;                   ///< how many; the luminous lights are the last
   bool transparent_shadows = false;  ///< whether light goes straight through what transmits
-  bool few_balls = false;  ///< so few, plain and lit from points, that they are tried in turn
+  bool few_balls = false;      ///< so few, plain and lit from points, that they are tried in turn
   std::size_t degenerate = 0;  ///< triangles without area, which nothing meets
 
   const Part& part(int i) const { return parts[static_cast<std::size_t>(i)]; }

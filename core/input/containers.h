@@ -32,8 +32,12 @@ struct Codec<std::array<T, N>> {
                          {"maxItems", static_cast<double>(N)}};
   }
   static std::string allowed(const Spec& spec) {
-    return std::to_string(N) + (std::is_arithmetic_v<T> ? " numbers" : " lists") + ", each " +
-           Codec<T>::allowed(spec);
+    constexpr bool is_color = std::is_same_v<T, Color>;
+    return std::to_string(N) +
+           (std::is_arithmetic_v<T> ? " numbers"
+            : is_color              ? " colours"
+                                    : " lists") +
+           ", each " + Codec<T>::allowed(spec);
   }
 };
 

@@ -19,7 +19,7 @@ template <class Real>
 struct Direct {
   Real diffuse = Real(0);   ///< of visible light, faded: (n.l)^brilliance
   Real specular = Real(0);  ///< specular * (r.l)^exponent
-  Real visible = Real(0);   ///< the share of the places before the surface that the point sees
+  Real visible = Real(0);   ///< the share of the places that the point sees, none below its horizon
 };
 
 /// base^exponent, the base itself where the exponent is 1.
@@ -50,7 +50,7 @@ Incoming<Real> from_area(const Lamp& lamp, int number, int i, const Vec3<Real>& 
   words.d.fill(of_lights | (path.node * 0x01000193U ^ static_cast<std::uint32_t>(number) << 13U ^
                             static_cast<std::uint32_t>(i)));
   philox(words, path.draws.key);
-  const Strata::Cell& cell = lamp.places[static_cast<std::uint32_t>(i)];
+  const Strata::Cell& cell = (*lamp.places)[static_cast<std::uint32_t>(i)];
   std::array<LaneOf<Real>, n> u, v;
   for (std::size_t k = 0; k < n; ++k) {
     u[k] = cell.x + cell.width * unit_float(words.a[k]);
@@ -70,6 +70,7 @@ template <class Scope, class Point, class Real>
 Direct<Real> light_from(Scope& scope, const Lamp& lamp, const Incoming<Real>& from,
                         const Seen<Point, Real>& seen, const Vec3<Real>& direction,
                         const Gloss<Real>& gloss) {
+  if constexpr (!Scope::plain) scope.effort.test();  // a lamp below the horizon takes time, too
   const Real n_dot_l = dot(seen.at.n, from.way);
   // Infinite or NaN where the lamp is nearer than float can tell.
   const Mask<Real> lit = seen.here && n_dot_l > Real(0) && n_dot_l < Real(infinity);
@@ -103,7 +104,9 @@ Direct<Real> light_from(Scope& scope, int number, const Seen<Point, Real>& seen,
                         const Path<Real>& path) {
   const Lamp& lamp = scope.world.lamps[static_cast<std::size_t>(number)];
   int places = 1;
-  if constexpr (!Scope::plain) places = scope.rules.areas ? lamp.places.count() : 1;
+  if constexpr (!Scope::plain) {
+    if (scope.rules.areas && lamp.places) places = lamp.places->count();
+  }
   if (places == 1)
     return light_from(scope, lamp, scope.from_middle(lamp, seen.at.p), seen, direction, gloss);
   Direct<Real> sum;

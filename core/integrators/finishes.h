@@ -1,6 +1,8 @@
 // What the surfaces of a packet do with light besides scattering it, each lane its own.
 #pragma once
 
+#include <utility>
+
 #include "core/integrators/direct.h"
 
 namespace tia {
@@ -15,9 +17,13 @@ struct Finishes {
   Medium<Real> inside{};
   Real object{};  ///< the number of its object
 
-  void take(const Matter& matter, int number, Mask<Real> here) {
-    const auto into = [&](Real& to, double from) { to = select(here, lift<Real>(from), to); };
-    ambient = select(here, lift<Real>(matter.ambient), ambient);
+  /// Lanes outside `here` keep what they have, unless it is the first.
+  void take(const Matter& matter, int number, Mask<Real> here, bool first) {
+    const auto put = [&](auto& to, const auto& from) {
+      to = first ? from : select(here, from, to);
+    };
+    const auto into = [&](Real& to, double from) { put(to, lift<Real>(from)); };
+    put(ambient, lift<Real>(matter.ambient));
     into(gloss.brilliance, matter.brilliance);
     into(gloss.specular, matter.specular);
     into(gloss.exponent, matter.exponent);
@@ -25,7 +31,7 @@ struct Finishes {
     into(transmission, matter.transmission);
     if (matter.fresnel) fresnel = fresnel || here;
     into(inside.ior, matter.ior);
-    inside.absorption = select(here, lift<Real>(matter.absorption), inside.absorption);
+    put(inside.absorption, lift<Real>(matter.absorption));
     into(object, number);
   }
 };
@@ -33,8 +39,9 @@ struct Finishes {
 template <class Real>
 Finishes<Real> finishes(const World& world, const Hit<Real>& hit, Mask<Real> active) {
   Finishes<Real> all;
+  bool first = true;
   for_each_winner(hit, active, [&](int part, Mask<Real> here) {
-    all.take(world.matter_of(part), world.part(part).object, here);
+    all.take(world.matter_of(part), world.part(part).object, here, std::exchange(first, false));
   });
   return all;
 }

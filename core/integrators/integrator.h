@@ -14,14 +14,14 @@ inline bool gathers_light(IntegratorName name) {
 
 /// The thesis is a preset of whitted.
 inline Rules rules_of(IntegratorName name, int max_depth) {
-  return name == IntegratorName::thesis ? Rules{0, false} : Rules{max_depth, true};
+  return name == IntegratorName::thesis ? Rules{0, false, false} : Rules{max_depth};
 }
 
 /// Returns: linear RGB along a camera ray, unclamped, or a feature. Lanes that are not active come
 /// out meaningless and do not count as rays.
 template <class Real>
-Vec3<Real> radiance(IntegratorName name, WorldScope& scope, const Ray<Real>& ray,
-                    Mask<Real> active, const Draws<Real>& draws) {
+Vec3<Real> radiance(IntegratorName name, WorldScope& scope, const Ray<Real>& ray, Mask<Real> active,
+                    const Draws<Real>& draws) {
   switch (name) {
     case IntegratorName::normal: return normal_feature(scope, ray, active);
     case IntegratorName::depth: return depth_feature(scope, ray, active);

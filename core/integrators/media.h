@@ -68,17 +68,16 @@ Medium<Real> medium_around(const Interface<Real>* last, Mask<Real> here, Mask<Re
   for (unsigned left = bits(here); left != 0; left &= left - 1) {
     const int i = std::countr_zero(left);
     const auto at = static_cast<std::size_t>(i);
-    const auto* in = detail::innermost(last, i, (bits(leaving) >> i & 1U) != 0,
-                                       static_cast<float>(lane(object, i)),
-                                       static_cast<float>(lane(copy, i)));
+    const auto* in =
+        detail::innermost(last, i, (bits(leaving) >> i & 1U) != 0,
+                          static_cast<float>(lane(object, i)), static_cast<float>(lane(copy, i)));
     if (in == nullptr) continue;
     const Real* parts[] = {&in->inside.ior, &in->inside.absorption.x, &in->inside.absorption.y,
                            &in->inside.absorption.z};
     for (std::size_t k = 0; k < 4; ++k) found[k][at] = lane(*parts[k], i);
   }
   return {load<Real>(found[0].data()),
-          {load<Real>(found[1].data()), load<Real>(found[2].data()),
-           load<Real>(found[3].data())}};
+          {load<Real>(found[1].data()), load<Real>(found[2].data()), load<Real>(found[3].data())}};
 }
 
 }  // namespace tia

@@ -72,15 +72,14 @@ class Notes {
 
   void begin(const Ray<float>& ray, int depth, const Hit<float>& hit, const Vec3f& point,
              const Vec3f& normal, const Vec3f& above) {
-    if (++rays_ > most_rays)
-      throw InputError({FaultKind::limit, "/max_depth", std::nullopt,
-                        "a tree of at most " + std::to_string(most_rays) + " rays"});
+    take_note();
     auto node = std::make_unique<RayNode>();
-    *node = {.ray = ray, .depth = depth, .hit = hit, .point = point, .normal = normal,
-             .above = above};
+    *node = {
+        .ray = ray, .depth = depth, .hit = hit, .point = point, .normal = normal, .above = above};
     open_.push_back(std::move(node));
   }
   void term(TermName name, float weight, const Vec3f& value) {
+    take_note();
     Term& term = open_.back()->terms.emplace_back();
     term.name = name;
     term.weight = weight;
@@ -102,8 +101,14 @@ class Notes {
   std::unique_ptr<RayNode> take() { return std::move(ended_); }
 
  private:
-  static constexpr int most_rays = 10'000;  // an answer of some ten megabytes
-  int rays_ = 0;
+  static constexpr int most = 30'000;  // an answer of some ten megabytes
+  void take_note() {
+    if (++taken_ > most)
+      throw InputError({FaultKind::limit, "/max_depth", Value("a tree of more"),
+                        "a tree of at most " + std::to_string(most) + " rays and terms"});
+  }
+
+  int taken_ = 0;
   std::vector<std::unique_ptr<RayNode>> open_;
   std::unique_ptr<RayNode> ended_;
 };

@@ -37,12 +37,13 @@ Refraction<Real> refracted(const Vec3<Real>& d, const Vec3<Real>& n, const Real&
 /// Source: Born, Wolf, Principles of Optics, 1.5.2 (20) and (21), both polarisations averaged.
 template <class Real>
 Real fresnel(const Real& before, const Real& behind, const Refraction<Real>& at) {
-  const Real across = (before * at.cos_in - behind * at.cos_out) /
-                      (before * at.cos_in + behind * at.cos_out);
-  const Real along = (behind * at.cos_in - before * at.cos_out) /
-                     (behind * at.cos_in + before * at.cos_out);
+  const Real across =
+      (before * at.cos_in - behind * at.cos_out) / (before * at.cos_in + behind * at.cos_out);
+  const Real along =
+      (behind * at.cos_in - before * at.cos_out) / (behind * at.cos_in + before * at.cos_out);
   const Real share = (across * across + along * along) * Real(0.5F);
-  return select(at.total, Real(1), share);
+  // 0/0 along a surface between equal indices, which is none.
+  return select(at.total, Real(1), select(share >= Real(0), share, Real(0)));
 }
 
 }  // namespace tia

@@ -27,8 +27,8 @@ template <class Real>
 struct Path {
   const Draws<Real>& draws;
   RayKind kind = RayKind::primary;
-  int depth = 0;           ///< how many reflections and refractions it took
-  std::uint32_t node = 1;  ///< which branch of the tree of rays
+  int depth = 0;                             ///< how many reflections and refractions it took
+  std::uint32_t node = 1;                    ///< which branch of the tree of rays
   const Interface<Real>* through = nullptr;  ///< the last surface that they went through
   Medium<Real> medium{};                     ///< what they are in
 

@@ -1,6 +1,7 @@
 // What integrators share: the world, what this thread counts, first hits and the surfaces there.
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "core/accel/trace.h"
@@ -23,6 +24,7 @@ struct RayTally {
 struct Rules {
   int max_depth = 0;  ///< how often it may be mirrored or refracted
   bool areas = true;  ///< whether lamps shine from all of their places, else from their middle
+  bool transparent_shadows = true;  ///< whether they are, where the world has them
 };
 
 /// Scope: the world as one block of the picture sees it, and what the block's rays count to. Of two
@@ -42,7 +44,8 @@ struct WorldScope {
   /// The share of the light that comes from t_max to the ray's origin.
   template <class Real>
   Real visible(const Ray<Real>& ray, const Real& t_max, const Lamp& lamp, Mask<Real> active) {
-    if (world.transparent_shadows) return transmitted(world, ray, t_max, lamp, active, effort);
+    if (world.transparent_shadows && rules.transparent_shadows)
+      return transmitted(world, ray, t_max, lamp, active, effort);
     const Mask<Real> dark = occluded(world, ray, t_max, lamp, active, effort);
     return select(dark, Real(0), Real(1));
   }
@@ -107,6 +110,16 @@ struct Seen {
   Vec3<Real> tint{Real(1), Real(1), Real(1)};  ///< a texture's colour
   bool tinted = false;                         ///< whether any lane has one; albedo has it then
   Real offset{};  ///< how far above or below the surface new rays start
+
+  /// Lanes but those keep what they have, unless it is the first that they get.
+  void take(const Point& point, const Matter& matter, Mask<Real> those, bool first) {
+    const Vec3<Real> own_albedo = lift<Real>(matter.albedo);
+    const Vec3<Real> own_emission = lift<Real>(matter.emission);
+    if (first) at = point;
+    else at.take(point, those);
+    albedo = first ? own_albedo : select(those, own_albedo, albedo);
+    emission = first ? own_emission : select(those, own_emission, emission);
+  }
 };
 
 /// How far a ray starts from its surface: 1e-4 at the thesis' distances, in proportion to the
@@ -122,18 +135,24 @@ auto surfaces(const Scope& scope, const Ray<Real>& ray, const Hit<Real>& hit, Ma
   using Point = decltype(scope.surface_of(ray, hit, 0, active));
   Seen<Point, Real> seen{active && hit.t < Real(infinity)};
   if (!any(seen.here)) return seen;
-  for_each_winner(hit, active, [&](int part, Mask<Real> here) {
-    const Matter& matter = scope.world.matter_of(part);
-    seen.at.take(scope.surface_of(ray, hit, part, here), here);
-    seen.albedo = select(here, lift<Real>(matter.albedo), seen.albedo);
-    seen.emission = select(here, lift<Real>(matter.emission), seen.emission);
-    if constexpr (!Scope::plain) {
-      if (matter.texture < 0) return;
+  if constexpr (Scope::plain) {
+    for_each_winner(hit, active, [&](int part, Mask<Real> here) {
+      const Matter& matter = scope.world.matter_of(part);
+      seen.at.take(scope.surface_of(ray, hit, part, here), here);
+      seen.albedo = select(here, lift<Real>(matter.albedo), seen.albedo);
+      seen.emission = select(here, lift<Real>(matter.emission), seen.emission);
+    });
+  } else {
+    bool first = true;  // most packets see one thing: there is nothing to select
+    for_each_winner(hit, active, [&](int part, Mask<Real> here) {
+      seen.take(scope.surface_of(ray, hit, part, here), scope.world.matter_of(part), here,
+                std::exchange(first, false));
+      if (scope.world.matter_of(part).texture < 0) return;
       seen.tint = select(here, scope.colors_of(ray, hit, part, here), seen.tint);
       seen.tinted = true;
-    }
-  });
-  if (!Scope::plain && seen.tinted) seen.albedo = seen.albedo * seen.tint;
+    });
+    if (seen.tinted) seen.albedo = seen.albedo * seen.tint;
+  }
   seen.offset = offset_of(hit.t, seen.at.p);
   return seen;
 }

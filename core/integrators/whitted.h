@@ -100,15 +100,15 @@ class Whitted {
     }
     if (const Mask<Real> here = on.glass > Real(0); any(here)) {
       const Ray<Real> child{at.p - aside, on.bent.way};
-      const Interface<Real> entry{path.through, here,    at.front, finish.object,
-                                  hit.copy,     finish.inside};
+      const Interface<Real> entry{path.through,  here,     at.front,
+                                  finish.object, hit.copy, finish.inside};
       add_child(light, TermName::refraction, on.glass, child, here,
                 path.refracted(entry, on.behind));
     }
   }
 
-  void add_child(V& light, TermName name, const Real& weight, const Ray<Real>& ray,
-                 Mask<Real> here, const Path<Real>& path) {
+  void add_child(V& light, TermName name, const Real& weight, const Ray<Real>& ray, Mask<Real> here,
+                 const Path<Real>& path) {
     const V none{Real(0), Real(0), Real(0)};
     const V value = select(here, trace(ray, here, path), none);
     light = light + value * weight;

@@ -22,9 +22,18 @@ void SpotLight::check(const Place& at, Faults& faults) const {
 
 void QuadLight::check(const Place& at, Faults& faults) const {
   const Vec3d across = cross(u, v);
-  if (!(length(across) > 1e-12 * length(u) * length(v)))
-    faults.add({FaultKind::out_of_range, at.at("v").pointer(), write_value(v),
-                "an edge that spans an area with u"});
+  if (length(across) > 1e-12 * length(u) * length(v)) return;
+  const bool no_u = u == Vec3d{0, 0, 0};
+  faults.add({FaultKind::out_of_range, at.at(no_u ? "u" : "v").pointer(), write_value(no_u ? u : v),
+              std::string("an edge that spans an area with ") + (no_u ? "v" : "u")});
+}
+
+void Light::check_kind(Faults& faults) const {
+  std::visit(
+      [&](const auto& light) {
+        if constexpr (requires { light.check(Place{}, faults); }) light.check(Place{}, faults);
+      },
+      kind);
 }
 
 void Light::check(const Place& at, Faults& faults) const {

@@ -17,7 +17,9 @@ namespace tia {
 /// A kind that stands somewhere, and that a key can put elsewhere: it has `place_field`, `waits()`
 /// (whether that field is not known yet), `place()` and `move_to(place, target)`.
 template <class Kind>
-concept MovableLight = requires(Kind kind, const Vec3d& p) { kind.move_to(p, p); };
+concept MovableLight = requires(Kind kind, const Vec3d& p) {
+  kind.move_to(p, p);
+};
 
 /// Light: a kind and what all kinds share. It sends color * intensity.
 struct Light {
@@ -42,6 +44,8 @@ struct Light {
     visit("fade_power", &Light::fade_power,
           Spec{.about = "how fast it fades", .min = 0, .max = 100});
   }
+  /// What its kind finds wrong with it, at places relative to the light.
+  void check_kind(Faults& faults) const;
   /// Fading of what has no distance.
   void check(const Place& at, Faults& faults) const;
   bool operator==(const Light&) const = default;

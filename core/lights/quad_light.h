@@ -11,7 +11,8 @@
 
 namespace tia {
 
-/// QuadLight. Space/units: world space, scene units: corner, corner + u, corner + u + v, corner + v.
+/// QuadLight. Space/units: world space, scene units: corner, corner + u, corner + u + v, corner +
+/// v.
 struct QuadLight {
   static constexpr std::string_view type = "quad";
   std::optional<Vec3d> corner;
@@ -54,8 +55,8 @@ Incoming<Real> incoming(const QuadForm& light, const Vec3<Real>& p) {
 /// Even over its area.
 template <class Real>
 Incoming<Real> incoming(const QuadForm& light, const Vec3<Real>& p, const Real& u, const Real& v) {
-  return incoming_from(
-      lift<Real>(light.corner) + lift<Real>(light.u) * u + lift<Real>(light.v) * v, p);
+  return incoming_from(lift<Real>(light.corner) + lift<Real>(light.u) * u + lift<Real>(light.v) * v,
+                       p);
 }
 static_assert(AreaForm<QuadForm>);
 

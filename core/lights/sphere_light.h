@@ -66,8 +66,8 @@ Incoming<Real> incoming(const SphereForm& light, const Vec3<Real>& p, const Real
   const Real rise = (at.x * at.x + at.y * at.y) * height;
   const Real aside = sqrt(height * (Real(2) - rise));
   const auto [x, y] = axes_around(middle.way);
-  const Vec3<Real> way = normalize(middle.way * (Real(1) - rise) + x * (at.x * aside) +
-                                   y * (at.y * aside));
+  const Vec3<Real> way =
+      normalize(middle.way * (Real(1) - rise) + x * (at.x * aside) + y * (at.y * aside));
   // As far as the near side of the ball; the ball itself never blocks.
   const Real along = dot(way, middle.way);
   const Real reach = square - (Real(1) - along * along);

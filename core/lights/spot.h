@@ -62,8 +62,7 @@ Incoming<Real> incoming(const SpotForm& light, const Vec3<Real>& p) {
   const Real smooth = share * share * (Real(3) - (share + share));
   from.strength = select(cosine >= inner, Real(1), select(cosine > outer, smooth, Real(0)));
   if (light.tightness > 0)
-    from.strength =
-        from.strength * pow_of(max_of(cosine, Real(0)), lift<Real>(light.tightness));
+    from.strength = from.strength * pow_of(max_of(cosine, Real(0)), lift<Real>(light.tightness));
   return from;
 }
 static_assert(LitForm<SpotForm>);

@@ -37,8 +37,7 @@ struct Finish {
           Spec{.about = "width of the highlight: 1 over its exponent", .min = 1e-5, .max = 1});
     share("reflection", &Finish::reflection, "share of what a mirror there would show");
     share("transmission", &Finish::transmission, "share of the light that goes through");
-    visit("ior", &Finish::ior,
-          Spec{.about = "index of refraction inside", .min = 0.1, .max = 10});
+    visit("ior", &Finish::ior, Spec{.about = "index of refraction inside", .min = 0.1, .max = 10});
     visit("fresnel", &Finish::fresnel,
           Spec{.about = "whether what goes through is parted into mirrored and refracted light by "
                         "Fresnel's equations"});

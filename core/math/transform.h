@@ -27,7 +27,11 @@ struct Affine {
     return {v.x + P(offset.x), v.y + P(offset.y), v.z + P(offset.z)};
   }
   /// What a row vector becomes: the inverse's `row` carries normals outwards, n -> n M^-1.
-  Vec3d row(const Vec3d& n) const { return {dot(x, n), dot(y, n), dot(z, n)}; }
+  template <class P>
+  Vec3<P> row(const Vec3<P>& n) const {
+    return {P(x.x) * n.x + P(x.y) * n.y + P(x.z) * n.z, P(y.x) * n.x + P(y.y) * n.y + P(y.z) * n.z,
+            P(z.x) * n.x + P(z.y) * n.y + P(z.z) * n.z};
+  }
 
   /// Signed volume of what the unit cube becomes.
   double determinant() const { return dot(x, cross(y, z)); }

@@ -41,8 +41,7 @@ template <class Real>
 std::pair<Vec3<Real>, Vec3<Real>> axes_around(const Vec3<Real>& n) {
   const Real sign = select(n.z < Real(0), Real(-1), Real(1));
   const Real a = Real(-1) / (sign + n.z), b = n.x * n.y * a;
-  return {{Real(1) + sign * n.x * n.x * a, sign * b, -sign * n.x},
-          {b, sign + n.y * n.y * a, -n.y}};
+  return {{Real(1) + sign * n.x * n.x * a, sign * b, -sign * n.x}, {b, sign + n.y * n.y * a, -n.y}};
 }
 
 }  // namespace tia

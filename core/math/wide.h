@@ -87,38 +87,39 @@ inline Vec3d lift<double>(const Constant& c) {
 
 inline float select(bool mask, float a, float b) { return mask ? a : b; }
 inline double select(bool mask, double a, double b) { return mask ? a : b; }
-inline Wide select(const WideMask& mask, const Wide& a, const Wide& b) {
+[[gnu::always_inline]] inline Wide select(const WideMask& mask, const Wide& a, const Wide& b) {
   return Wide::map(
       [](const auto& m, const auto& x, const auto& y) { return xsimd::select(m, x, y); }, mask, a,
       b);
 }
 template <class Real>
-Vec3<Real> select(const Mask<Real>& mask, const Vec3<Real>& a, const Vec3<Real>& b) {
+[[gnu::always_inline]] inline Vec3<Real> select(const Mask<Real>& mask, const Vec3<Real>& a,
+                                                const Vec3<Real>& b) {
   return {select(mask, a.x, b.x), select(mask, a.y, b.y), select(mask, a.z, b.z)};
 }
 
 /// The larger and the smaller of two numbers; the second where they do not compare (NaN).
 template <class Real>
-Real max_of(Real a, Real b) {
+[[gnu::always_inline]] inline Real max_of(Real a, Real b) {
   return select(a > b, a, b);
 }
 template <class Real>
-Real min_of(Real a, Real b) {
+[[gnu::always_inline]] inline Real min_of(Real a, Real b) {
   return select(a < b, a, b);
 }
 #if defined(__SSE2__)  // where maxps and minps are defined just so
 template <>
-inline Wide max_of(Wide a, Wide b) {
+[[gnu::always_inline]] inline Wide max_of(Wide a, Wide b) {
   return Wide::map([](const auto& x, const auto& y) { return xsimd::max(x, y); }, a, b);
 }
 template <>
-inline Wide min_of(Wide a, Wide b) {
+[[gnu::always_inline]] inline Wide min_of(Wide a, Wide b) {
   return Wide::map([](const auto& x, const auto& y) { return xsimd::min(x, y); }, a, b);
 }
 #endif
 inline float abs_of(float a) { return std::fabs(a); }
 inline double abs_of(double a) { return std::fabs(a); }
-inline Wide abs_of(const Wide& a) {
+[[gnu::always_inline]] inline Wide abs_of(const Wide& a) {
   return Wide::map([](const FloatRegister& x) { return xsimd::abs(x); }, a);
 }
 
@@ -139,14 +140,36 @@ inline unsigned bits(const FloatRegister::batch_bool_type& mask) {
   return all;
 #endif
 }
-inline unsigned bits(const WideMask& mask) {
+[[gnu::always_inline]] inline unsigned bits(const WideMask& mask) {
   return bits(mask.part[0]) | bits(mask.part[1]) << FloatRegister::size;
 }
 inline bool any(bool mask) { return mask; }
-inline bool any(const WideMask& mask) { return bits(mask.part[0] | mask.part[1]) != 0; }
+[[gnu::always_inline]] inline bool any(const WideMask& mask) {
+  return bits(mask.part[0] | mask.part[1]) != 0;
+}
 template <class M>
 int count(const M& mask) {
   return std::popcount(bits(mask));
+}
+
+/// The greatest lane.
+inline float greatest_lane(const FloatRegister& value) {
+#if defined(__SSE2__)
+#if defined(__AVX__)
+  const __m256 all = value;
+  __m128 most = _mm_max_ps(_mm256_castps256_ps128(all), _mm256_extractf128_ps(all, 1));
+#else
+  __m128 most = value;
+#endif
+  most = _mm_max_ps(most, _mm_movehl_ps(most, most));
+  return _mm_cvtss_f32(_mm_max_ss(most, _mm_shuffle_ps(most, most, 1)));
+#else
+  float each[FloatRegister::size];
+  value.store_unaligned(each);
+  float most = each[0];
+  for (const float one : each) most = one > most ? one : most;
+  return most;
+#endif
 }
 
 // ---- lanes --------------------------------------------------------------------------------
@@ -200,7 +223,7 @@ inline float lane(const Wide& value, int lane) {
 
 inline double widen(float value) { return value; }
 inline double widen(double value) { return value; }
-inline Registers<DoubleRegister, 2> widen(const FloatRegister& value) {
+[[gnu::always_inline]] inline Registers<DoubleRegister, 2> widen(const FloatRegister& value) {
   Registers<DoubleRegister, 2> r;
 #if defined(__AVX__)
   const __m256 v = value;
@@ -219,11 +242,11 @@ inline Registers<DoubleRegister, 2> widen(const FloatRegister& value) {
 #endif
   return r;
 }
-inline WideDouble widen(const Wide& value) {
+[[gnu::always_inline]] inline WideDouble widen(const Wide& value) {
   return WideDouble::map([](const FloatRegister& x) { return widen(x); }, value);
 }
 template <class Real>
-Vec3<Precise<Real>> widen(const Vec3<Real>& v) {
+[[gnu::always_inline]] inline Vec3<Precise<Real>> widen(const Vec3<Real>& v) {
   return {widen(v.x), widen(v.y), widen(v.z)};
 }
 
@@ -232,7 +255,7 @@ template <class Real>
 Real narrow(double value) {
   return static_cast<Real>(value);
 }
-inline FloatRegister narrow(const Registers<DoubleRegister, 2>& value) {
+[[gnu::always_inline]] inline FloatRegister narrow(const Registers<DoubleRegister, 2>& value) {
 #if defined(__AVX__)
   return _mm256_set_m128(_mm256_cvtpd_ps(value.part[1]), _mm256_cvtpd_ps(value.part[0]));
 #elif defined(__SSE2__)
@@ -246,7 +269,7 @@ inline FloatRegister narrow(const Registers<DoubleRegister, 2>& value) {
 #endif
 }
 template <class Real>
-Wide narrow(const WideDouble& value) {
+[[gnu::always_inline]] inline Wide narrow(const WideDouble& value) {
   return Wide::map([](const auto& x) { return narrow(x); }, value);
 }
 

@@ -35,8 +35,12 @@ Explanation explain(const Scene& scene, const View& view, int x, int y, int samp
     const Vec3<Real> center = view.column(static_cast<Real>(x)) + view.row(static_cast<Real>(y));
     return Eye<Real>(view).ray(center, at);
   };
-  Explanation all{compile(scene), object_labels(scene), {}, ray(Aim<double>{aim.dx, aim.dy,
-                  aim.lens_x, aim.lens_y}), {}, {}};
+  Explanation all{compile(scene),
+                  object_labels(scene),
+                  {},
+                  ray(Aim<double>{aim.dx, aim.dy, aim.lens_x, aim.lens_y}),
+                  {},
+                  {}};
   const Vec2d raster{x + 0.5 + aim.dx, y + 0.5 + aim.dy};
   const Vec2d ndc{raster.u / view.width, raster.v / view.height};
   all.pixel = {x, y, sample, raster, ndc, {2 * ndc.u - 1, 1 - 2 * ndc.v}};

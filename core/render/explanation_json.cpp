@@ -35,11 +35,12 @@ class Writer {
     const bool hit = node.hit.t < infinity;
     Value::Array terms;
     for (const Term& each : node.terms) terms.push_back(term(node, each));
-    Value::Object object{{"ray", ray_value(node.ray)},
-                         {"depth", node.depth},
-                         {"winner", hit ? Value(label_of(part_of(node.hit)).name) : Value()},
-                         {"terms", std::move(terms)},
-                         {"color", triple(node.color)}};
+    Value::Object object;  // moved into, for a list of initializers would copy whole subtrees
+    object.emplace_back("ray", ray_value(node.ray));
+    object.emplace_back("depth", node.depth);
+    object.emplace_back("winner", hit ? Value(label_of(part_of(node.hit)).name) : Value());
+    object.emplace_back("terms", std::move(terms));
+    object.emplace_back("color", triple(node.color));
     if (hit) {
       object.emplace_back("t", node.hit.t);
       object.emplace_back("point", triple(node.point));
@@ -61,9 +62,8 @@ class Writer {
   }
 
   Value::Object term(const RayNode& node, const Term& term) const {
-    Value::Object object{{"name", name_of(term.name)},
-                         {"weight", term.weight},
-                         {"value", triple(term.value)}};
+    Value::Object object{
+        {"name", name_of(term.name)}, {"weight", term.weight}, {"value", triple(term.value)}};
     if (term.light.lamp >= 0) add_light(node, term.light, object);
     if (term.node) object.emplace_back("node", this->node(*term.node));
     return object;
@@ -84,8 +84,7 @@ class Writer {
   Value blocker(const RayNode& node, const LampNote& note) const {
     const Lamp& lamp = all_.world.lamps[static_cast<std::size_t>(note.lamp)];
     Effort effort;
-    const auto hit =
-        closest_hit(all_.world, Ray<float>{node.above, note.from.way}, true, effort);
+    const auto hit = closest_hit(all_.world, Ray<float>{node.above, note.from.way}, true, effort);
     const bool blocks = hit.t < note.from.distance && part_of(hit) != lamp.part;
     return blocks ? Value(label_of(part_of(hit)).name) : Value();
   }

@@ -15,7 +15,8 @@ void RayMeter::add(RayTally& rays) {
   refraction_ += more.refraction;
   const std::int64_t spent = more.all();
   if (all_.fetch_add(spent) + spent <= max_rays_) return;
-  throw too_many_rays("a picture of more", max_rays_);
+  const bool deep = reflection_ + refraction_ > all_ / 2;
+  throw deep ? too_many_children(max_rays_) : too_many_rays("a picture of more", max_rays_);
 }
 
 void RayMeter::add_work(std::int64_t work) {

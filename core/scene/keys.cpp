@@ -37,9 +37,7 @@ auto* key_light_of(AnyScene& scene) {
   return found == scene.lights.end() ? nullptr : &*found;
 }
 
-Vec3d axis_of(const Scene& scene) {
-  return normalize(view_of(scene.camera, 1, 1).forward);
-}
+Vec3d axis_of(const Scene& scene) { return normalize(view_of(scene.camera, 1, 1).forward); }
 
 // As seen from the camera, around the point looked at, at the distance that the light had (the
 // eye's, where it had none).
@@ -76,13 +74,13 @@ std::vector<std::string_view> keys_of(const Scene& scene) {
 Scene press(const Scene& scene, std::string_view key, std::string_view pointer) {
   if (scene.keys.empty()) {
     for (const DefaultKey& each : default_keys)
-      if (each.key == key) return with_light(scene, default_place(scene, each.towards));
+      if (each.key == key) return with_light(scene, default_place(scene, each.towards), pointer);
     unknown_key(scene, key, pointer);
   }
   const auto binding = scene.keys.find(std::string(key));
   if (binding == scene.keys.end()) unknown_key(scene, key, pointer);
   if (const auto* position = std::get_if<Vec3d>(&binding->second))
-    return with_light(scene, *position);
+    return with_light(scene, *position, pointer);
   const Value patched = merge_patch(write_value(scene), std::get<Value>(binding->second));
   try {
     return read_described<Scene>(patched);
@@ -95,11 +93,17 @@ Scene press(const Scene& scene, std::string_view key, std::string_view pointer) 
   }
 }
 
-Scene with_light(Scene scene, const Vec3d& position) {
+Scene with_light(Scene scene, const Vec3d& position, std::string_view pointer) {
   const Vec3d target = looked_at(scene, axis_of(scene));
   Light* light = key_light_of(scene);
   if (light == nullptr) light = &scene.lights.emplace_back();
   light->move_to(position, target);
+  Faults faults;
+  light->check_kind(faults);
+  if (!faults.empty())
+    throw InputError({FaultKind::out_of_range, std::string(pointer), write_value(position),
+                      "a place that this light can shine from; there it has " +
+                          describe(faults.list().front())});
   return scene;
 }
 

@@ -16,7 +16,7 @@ std::vector<std::string_view> keys_of(const Scene& scene);
 Scene press(const Scene& scene, std::string_view key, std::string_view pointer = "/key");
 
 /// The scene with its key light at a position: the key light, else the first light, else a new
-/// point light.
-Scene with_light(Scene scene, const Vec3d& position);
+/// point light. Errors: InputError at `pointer` where that light cannot stand there.
+Scene with_light(Scene scene, const Vec3d& position, std::string_view pointer = "/light");
 
 }  // namespace tia

@@ -22,6 +22,12 @@ InputError too_many_rays(const std::string& got, std::int64_t max_rays) {
                      "at most " + std::to_string(max_rays) + " rays (option TIA_MAX_RAYS)"});
 }
 
+InputError too_many_children(std::int64_t max_rays) {
+  return InputError({FaultKind::limit, "/max_depth",
+                     Value("a picture of more, mirrored and refracted ones above all"),
+                     "at most " + std::to_string(max_rays) + " rays (option TIA_MAX_RAYS)"});
+}
+
 InputError too_much_work(std::int64_t max_work) {
   return InputError({FaultKind::limit, "/scene", Value("a scene that costs more"),
                      "at most " + std::to_string(max_work) +

@@ -20,6 +20,8 @@ void check_size(int width, int height, const Limits& limits);
 void check_rays(std::int64_t pixels, std::int64_t samples, const Limits& limits);
 /// What a request for too many rays is refused with, before tracing or while it goes on.
 InputError too_many_rays(const std::string& got, std::int64_t max_rays);
+/// The same where most of them are mirrored or refracted.
+InputError too_many_children(std::int64_t max_rays);
 /// What a request is refused with whose rays would be tried on too much.
 InputError too_much_work(std::int64_t max_work);
 

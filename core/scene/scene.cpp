@@ -160,7 +160,7 @@ void Scene::check_links(const Place& at, Faults& faults) const {
     const Place light = all_lights.at(i);
     if (lights[i].awaited() == nullptr || faults.within(light.pointer())) continue;
     faults.add({FaultKind::missing, light.at(lights[i].awaited()).pointer(), std::nullopt,
-                "where the light is"});
+                "where the light is, or which way it travels"});
   }
 }
 

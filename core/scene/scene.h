@@ -25,8 +25,8 @@ using KeyBinding = std::variant<Vec3d, Value>;
 enum class IntegratorName { thesis, whitted, normal, depth, albedo, object, shadow, cost };
 template <>
 struct Names<IntegratorName> {
-  static constexpr std::array<std::string_view, 8> names{
-      "thesis", "whitted", "normal", "depth", "albedo", "object", "shadow", "cost"};
+  static constexpr std::array<std::string_view, 8> names{"thesis", "whitted", "normal", "depth",
+                                                         "albedo", "object",  "shadow", "cost"};
 };
 
 struct SceneOptions {

@@ -6,6 +6,7 @@
 #include "core/input/errors.h"
 #include "core/input/fields.h"
 #include "core/math/onb.h"
+#include "core/math/ray.h"
 #include "core/shapes/crossing.h"
 
 namespace tia {
@@ -40,6 +41,17 @@ struct PlaneForm {
 inline PlaneForm prepare(const Plane& plane) {
   return {plane.point, onb_around(unit(plane.normal))};
 }
+
+/// Returns: the positive t where the ray meets the plane, else infinite.
+template <class Real>
+[[gnu::always_inline]] inline Real intersect(const PlaneForm& plane, const RootRay<Real>& ray) {
+  using P = Precise<Real>;
+  const Vec3<P> n = static_cast<Vec3<P>>(plane.frame.n);
+  const P height = dot(n, static_cast<Vec3<P>>(plane.point) - ray.origin);
+  const Real t = narrow<Real>(height / dot(n, ray.direction));
+  return select(t > Real(0), t, Real(infinity));
+}
+
 inline int elements(const PlaneForm&) { return 1; }
 inline Aabb bounds(const PlaneForm&) { return Aabb::everything(); }
 

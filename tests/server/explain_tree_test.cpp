@@ -38,9 +38,7 @@ std::string view_query(const std::string& scene, int width, int height) {
   return "scene=" + url_encode(scene) + "&width=" + std::to_string(width) +
          "&height=" + std::to_string(height);
 }
-std::string pixel(int x, int y) {
-  return "&x=" + std::to_string(x) + "&y=" + std::to_string(y);
-}
+std::string pixel(int x, int y) { return "&x=" + std::to_string(x) + "&y=" + std::to_string(y); }
 Json explained(const std::string& query) {
   const Response response = explain_host().get("/explain?" + query);
   EXPECT_EQ(response.status, 200) << query << response.body;
@@ -83,7 +81,8 @@ TEST(ExplainTree, EachSampleOfAPixelIsTold) {
   }
 }
 
-// A box that glows, a mirror below it, a lamp above it and one beside: the terms are those of a textbook.
+// A box that glows, a mirror below it, a lamp above it and one beside: the terms are those of a
+// textbook.
 TEST(ExplainTree, TellsWinnersTermsAndLampsByName) {
   const char* const scene = R"({
     "background": [0.1, 0.2, 0.3],

@@ -62,8 +62,10 @@ TEST(World, HasALampForEachLightThatShines) {
 TEST(World, MaterialIsNamedOrOwnOrTheDefault) {
   Scene scene;
   scene.materials["red"] = Material{Finish{.color = {1, 0, 0}, .diffuse = 0.5}};
-  scene.objects = {ball({}, 1), ball({}, 1, Material{Finish{.color = {0, 1, 0}, .diffuse = 0.25, .emission = {0, 0, 2}}}),
-                   ball({}, 1)};
+  scene.objects = {
+      ball({}, 1),
+      ball({}, 1, Material{Finish{.color = {0, 1, 0}, .diffuse = 0.25, .emission = {0, 0, 2}}}),
+      ball({}, 1)};
   scene.objects[0].material = "red";
   scene.objects[2].material.reset();
   const World world = compile(scene);

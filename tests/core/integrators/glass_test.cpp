@@ -43,11 +43,11 @@ TEST(Glass, TotalReflectionBeginsAtTheCriticalAngle) {
   for (const double ior : {1.1, 1.33, 1.5, 2.4}) {
     const Scene scene = water(ior);
     const double critical = std::asin(1 / ior);
-    const auto below = tree(scene, slanted(critical - 1e-3, false) * -2.0,
-                            slanted(critical - 1e-3, false));
+    const auto below =
+        tree(scene, slanted(critical - 1e-3, false) * -2.0, slanted(critical - 1e-3, false));
     EXPECT_NE(child(*below, TermName::refraction), nullptr);
-    const auto beyond = tree(scene, slanted(critical + 1e-3, false) * -2.0,
-                             slanted(critical + 1e-3, false));
+    const auto beyond =
+        tree(scene, slanted(critical + 1e-3, false) * -2.0, slanted(critical + 1e-3, false));
     EXPECT_EQ(child(*beyond, TermName::refraction), nullptr);
     const Term* all = term(*beyond, TermName::reflection);
     ASSERT_NE(all, nullptr);

@@ -14,9 +14,7 @@ struct Floor {
   explicit Floor(const Finish& finish = {}) {
     scene.objects = {object(Plane{{0, 0, 0}, {0, 1, 0}}, finish)};
   }
-  Vec3f at(double x, double z = 0) const {
-    return tree(scene, {x, 5, z}, {0, -1, 0})->color;
-  }
+  Vec3f at(double x, double z = 0) const { return tree(scene, {x, 5, z}, {0, -1, 0})->color; }
 };
 Light lamp(const std::variant<PointLight, DirectionalLight, SpotLight, SphereLight, QuadLight,
                               SkyLight>& kind,
@@ -154,9 +152,9 @@ TEST(Lamps, LightsAddUp) {
 // ---- areas --------------------------------------------------------------------------------------
 
 // A ball of radius r at height h under a luminous ball of radius R at height H: on the floor the
-// umbra is where no line to the lamp misses the ball, the penumbra where one hits it. Both edges lie
-// on lines that touch both balls; in the plane through their centres the inner tangents bound the
-// penumbra, the outer ones the umbra. Source: similar triangles.
+// umbra is where no line to the lamp misses the ball, the penumbra where one hits it. Both edges
+// lie on lines that touch both balls; in the plane through their centres the inner tangents bound
+// the penumbra, the outer ones the umbra. Source: similar triangles.
 TEST(Lamps, UmbraAndPenumbraOfABallEndWhereTangentsMeetTheFloor) {
   const double big = 0.5, small = 1, top = 10, low = 4, gap = top - low;
   Floor floor;

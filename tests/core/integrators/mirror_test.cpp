@@ -74,14 +74,13 @@ TEST(Mirror, TwoAtAnAngleShowThreeFiveOrSevenImages) {
     Scene scene;
     scene.background = {0, 0, 0};
     const Vec3d thing{2 * std::cos(0.4 * angle), 0, 2 * std::sin(0.4 * angle)};
-    scene.objects = {
-        object(Plane{{0, 0, 0}, {0, 0, 1}}, mirror(1)),
-        object(Plane{{0, 0, 0}, {std::sin(angle), 0, -std::cos(angle)}}, mirror(1)),
-        object(Sphere{thing, 0.02}, [] {
-          Finish glow = dark();
-          glow.emission = {1, 1, 1};
-          return glow;
-        }())};
+    scene.objects = {object(Plane{{0, 0, 0}, {0, 0, 1}}, mirror(1)),
+                     object(Plane{{0, 0, 0}, {std::sin(angle), 0, -std::cos(angle)}}, mirror(1)),
+                     object(Sphere{thing, 0.02}, [] {
+                       Finish glow = dark();
+                       glow.emission = {1, 1, 1};
+                       return glow;
+                     }())};
     const Vec3d eye{3 * std::cos(0.7 * angle), 0, 3 * std::sin(0.7 * angle)};
     int images = 0;
     bool inside = false;

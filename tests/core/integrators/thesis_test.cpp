@@ -166,7 +166,7 @@ TEST(Thesis, LanesThatAreNotActiveAreNotCounted) {
     BallScope scope{world, {0, 1, 2}};
     const Wide x = Wide(320.0F) + iota<Wide>();
     whitted(scope, view.ray(x, Wide(100.0F)), iota<Wide>() < Wide(static_cast<float>(active)),
-           Draws<Wide>{});
+            Draws<Wide>{});
     EXPECT_EQ(scope.rays.primary, active);
     EXPECT_EQ(scope.rays.shadow, active);  // the ball's upper front: all towards the light
   }

@@ -41,7 +41,7 @@ TEST(TextureDescription, FaultsComeWhereTheyStand) {
   expect_faults(texture_faults(R"({"type":"chequer"})"),
                 {{unknown_name, "/type", "\"chequer\"", "checker", "checker"}});
   expect_faults(texture_faults(R"({"type":"checker","colors":[1,0,1],"scale":0})"),
-                {{wrong_type, "/colors", "[1,0,1]", "2 lists"},
+                {{wrong_type, "/colors", "[1,0,1]", "2 colours"},
                  {out_of_range, "/scale", "0", "above 0, at most 1000000000"}});
   expect_faults(texture_faults(R"({"type":"stripes","colors":[[1,0,-1],0],"turbulence":1})"),
                 {{out_of_range, "/colors/0/2", "-1", "from 0 to 1000000"},

@@ -82,13 +82,15 @@ TEST(ReadScene, UnknownMembersNameTheNearestKnownOne) {
                                        "title, description, camera", "objects"}});
   expect_refused(R"({"camera":{"fov":40}})",
                  {{unknown_name, "/camera/fov", "\"fov\"", "fov_degrees", ""}});
-  expect_refused(with_sphere(R"("colour":[1,1,1])"),
-                 {{unknown_name, "/objects/0/colour", "\"colour\"", "center, radius, transform, material"}});
+  expect_refused(
+      with_sphere(R"("colour":[1,1,1])"),
+      {{unknown_name, "/objects/0/colour", "\"colour\"", "center, radius, transform, material"}});
   expect_refused(with_sphere(R"("material":{"colour":[1,1,1]})"),
                  {{unknown_name, "/objects/0/material/colour", "\"colour\"", "color", "color"}});
-  expect_refused(R"({"options":{"thread":3}})",
-                 {{unknown_name, "/options/thread", "\"thread\"",
-                   "integrator, transfer, samples, threshold, max_depth, transparent_shadows, seed"}});
+  expect_refused(
+      R"({"options":{"thread":3}})",
+      {{unknown_name, "/options/thread", "\"thread\"",
+        "integrator, transfer, samples, threshold, max_depth, transparent_shadows, seed"}});
   expect_refused(R"({"lights":[{"type":"point","position":[0,0,0],"radius":3}]})",
                  {{unknown_name, "/lights/0/radius", "\"radius\"", "position, color, intensity"}});
 }
@@ -119,7 +121,8 @@ TEST(ReadScene, KindsThatDoNotExistNameTheNearestThatDoes) {
   expect_refused(with_object(R"("type":"spher")"),
                  {{unknown_name, "/objects/0/type", "\"spher\"", "one of sphere", "sphere"}});
   expect_refused(R"({"lights":[{"type":"pint"}]})",
-                 {{unknown_name, "/lights/0/type", "\"pint\"", "one of point, directional, spot, sphere, quad, sky", "point"}});
+                 {{unknown_name, "/lights/0/type", "\"pint\"",
+                   "one of point, directional, spot, sphere, quad, sky", "point"}});
   expect_refused(R"({"materials":{"m":{"type":"finsh"}}})",
                  {{unknown_name, "/materials/m/type", "\"finsh\"", "one of finish", "finish"}});
   expect_refused(R"({"options":{"integrator":"tesis"}})",
@@ -133,7 +136,8 @@ TEST(ReadScene, MissingMembersAreNamed) {
   expect_refused(with_object(R"("type":"sphere")"),
                  {{missing, "/objects/0/center", "", "the centre"},
                   {missing, "/objects/0/radius", "", "the radius"}});
-  expect_refused(R"({"lights":[{}]})", {{missing, "/lights/0/type", "", "one of point, directional, spot, sphere, quad, sky"}});
+  expect_refused(R"({"lights":[{}]})", {{missing, "/lights/0/type", "",
+                                         "one of point, directional, spot, sphere, quad, sky"}});
   expect_refused(R"({"lights":[{"type":"sphere","position":[0,0,0]}]})",
                  {{missing, "/lights/0/radius", "", "the radius"}});
   expect_refused(R"({"key_light":{"type":"sphere"}})",
