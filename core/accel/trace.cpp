@@ -56,9 +56,7 @@ Real transmitted(const World& world, const Ray<Real>& ray, const Real& t_max, co
     going = going && t < t_max;
     share = select(going, share * transmissions(world, query.hit, going), share);
     going = going && share > Real(0);
-    const Vec3<Real> p = ray.at(t);
-    const Real extent = max_of(max_of(abs_of(p.x), abs_of(p.y)), abs_of(p.z));
-    done = select(going, t + Real(5e-6F) * max_of(t, extent), done);
+    done = select(going, t + offset_of(t, ray.at(t)), done);
   }
   return share;
 }

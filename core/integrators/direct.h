@@ -84,7 +84,9 @@ Direct<Real> light_from(Scope& scope, const Lamp& lamp, const Incoming<Real>& fr
   if constexpr (Scope::plain) {
     light.diffuse = select(lit, strength * n_dot_l, Real(0));
   } else {
-    if (lamp.fade_distance > 0) strength = strength * fade(lamp, from.distance);
+    // By the distance to the middle, from whichever place the light comes.
+    if (lamp.fade_distance > 0)
+      strength = strength * fade(lamp, scope.from_middle(lamp, seen.at.p).distance);
     light.diffuse = select(lit, strength * raised(n_dot_l, gloss.brilliance, lit), Real(0));
     const Mask<Real> shines = lit && strength > Real(0);
     if (any(shines && gloss.specular > Real(0))) {

@@ -13,7 +13,7 @@
 
 namespace tia {
 
-/// TermName: the terms of a ray's light, in the order in which they are added.
+/// TermName: the terms of a ray's light; diffuse and specular come lamp by lamp.
 enum class TermName { background, emission, ambient, diffuse, specular, reflection, refraction };
 template <>
 struct Names<TermName> {
@@ -26,7 +26,7 @@ struct LampNote {
   int lamp = -1;  ///< which of the world's; -1: none
   Incoming<float> from{};
   float n_dot_l = 0;
-  float visible = 0;  ///< the share of its places before the surface that are seen
+  float visible = 0;  ///< the share of its places that are seen; none below the horizon is
   float fade = 1;
 };
 
@@ -104,7 +104,7 @@ class Notes {
   static constexpr int most = 30'000;  // an answer of some ten megabytes
   void take_note() {
     if (++taken_ > most)
-      throw InputError({FaultKind::limit, "/max_depth", Value("a tree of more"),
+      throw InputError({FaultKind::limit, "/max_depth", std::nullopt,
                         "a tree of at most " + std::to_string(most) + " rays and terms"});
   }
 

@@ -42,8 +42,9 @@ Real fresnel(const Real& before, const Real& behind, const Refraction<Real>& at)
   const Real along =
       (behind * at.cos_in - before * at.cos_out) / (behind * at.cos_in + before * at.cos_out);
   const Real share = (across * across + along * along) * Real(0.5F);
-  // 0/0 along a surface between equal indices, which is none.
-  return select(at.total, Real(1), select(share >= Real(0), share, Real(0)));
+  // Between equal indices there is no surface; along one of them the share is 0/0.
+  const Real parted = select(before == behind, Real(0), share);
+  return select(at.total, Real(1), parted);
 }
 
 }  // namespace tia

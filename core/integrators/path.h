@@ -30,13 +30,13 @@ struct Path {
   int depth = 0;                             ///< how many reflections and refractions it took
   std::uint32_t node = 1;                    ///< which branch of the tree of rays
   const Interface<Real>* through = nullptr;  ///< the last surface that they went through
-  Medium<Real> medium{};                     ///< what they are in
+  Vec3<Real> absorption{};                   ///< of what they are in
 
   Path mirrored() const {
-    return {draws, RayKind::reflection, depth + 1, branch(0x9E3779B1), through, medium};
+    return {draws, RayKind::reflection, depth + 1, branch(0x9E3779B1), through, absorption};
   }
   Path refracted(const Interface<Real>& at, const Medium<Real>& behind) const {
-    return {draws, RayKind::refraction, depth + 1, branch(0x85EBCA77), &at, behind};
+    return {draws, RayKind::refraction, depth + 1, branch(0x85EBCA77), &at, behind.absorption};
   }
 
  private:

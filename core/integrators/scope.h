@@ -122,14 +122,6 @@ struct Seen {
   }
 };
 
-/// How far a ray starts from its surface: 1e-4 at the thesis' distances, in proportion to the
-/// distance elsewhere, so that scenes of other scales have neither acne nor leaks.
-template <class Real>
-Real offset_of(const Real& t, const Vec3<Real>& p) {
-  const Real extent = max_of(max_of(abs_of(p.x), abs_of(p.y)), abs_of(p.z));
-  return Real(5e-6F) * max_of(t, extent);
-}
-
 template <class Scope, class Real>
 auto surfaces(const Scope& scope, const Ray<Real>& ray, const Hit<Real>& hit, Mask<Real> active) {
   using Point = decltype(scope.surface_of(ray, hit, 0, active));

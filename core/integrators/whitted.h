@@ -27,12 +27,18 @@ class Whitted {
     if (any(seen.here)) light = select(seen.here, shade(ray, hit, seen, path), light);
     else taker_.term(TermName::background, Real(1), light);
     if constexpr (Scope::plain) return light;
-    const V transmittance = left_by(path.medium, hit.t);
+    const V transmittance = left_by(path.absorption, hit.t);
     taker_.end(light, transmittance);
     return light * transmittance;
   }
 
  private:
+  // With T the finish's transmission and F Fresnel's share (0, or 1 where light cannot pass):
+  //   (1 - T) (emission + ambient * color
+  //            + sum over lamps of visible * fade * light
+  //                * (color * diffuse * (n.l)^brilliance + specular * (r.l)^(1/roughness)))
+  //   + ((1 - T) reflection + T F) * mirrored + T (1 - F) * refracted
+  // The lamps' terms are light_from's (direct.h), the two last weights ways_on's (finishes.h).
   template <class Point>
   V shade(const Ray<Real>& ray, const Hit<Real>& hit, const Seen<Point, Real>& seen,
           const Path<Real>& path) {
@@ -116,12 +122,12 @@ class Whitted {
   }
 
   // What a medium leaves of light on its way. Source: the law of Beer and Lambert.
-  static V left_by(const Medium<Real>& medium, const Real& t) {
-    const auto left = [&](const Real& absorption) {
-      const Mask<Real> absorbs = absorption > Real(0);
-      return any(absorbs) ? select(absorbs, exp_of(-absorption * t), Real(1)) : Real(1);
+  static V left_by(const V& absorption, const Real& t) {
+    const auto left = [&](const Real& a) {
+      const Mask<Real> absorbs = a > Real(0);
+      return any(absorbs) ? select(absorbs, exp_of(-a * t), Real(1)) : Real(1);
     };
-    return {left(medium.absorption.x), left(medium.absorption.y), left(medium.absorption.z)};
+    return {left(absorption.x), left(absorption.y), left(absorption.z)};
   }
 
   Scope& scope_;

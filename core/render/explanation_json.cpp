@@ -78,15 +78,28 @@ class Writer {
     object.emplace_back("n_dot_l", note.n_dot_l);
     object.emplace_back("visible", note.visible);
     object.emplace_back("fade", note.fade * note.from.strength);
-    if (note.n_dot_l > 0 && note.visible < 1) object.emplace_back("blocker", blocker(node, note));
+    const bool asked = note.n_dot_l > 0 || lamp.places;  // whether any shadow ray was
+    if (asked && note.visible < 1) object.emplace_back("blocker", blocker(node, note));
   }
-  // What stands first on the way to the lamp's middle.
+  // What takes light first on the way to the lamp's middle.
   Value blocker(const RayNode& node, const LampNote& note) const {
     const Lamp& lamp = all_.world.lamps[static_cast<std::size_t>(note.lamp)];
     Effort effort;
-    const auto hit = closest_hit(all_.world, Ray<float>{node.above, note.from.way}, true, effort);
-    const bool blocks = hit.t < note.from.distance && part_of(hit) != lamp.part;
-    return blocks ? Value(label_of(part_of(hit)).name) : Value();
+    Ray<float> ray{node.above, note.from.way};
+    for (float left = note.from.distance; left > 0;) {
+      const auto hit = closest_hit(all_.world, ray, true, effort);
+      if (!(hit.t < left)) break;
+      const int part = part_of(hit);
+      const bool own = part == lamp.part && static_cast<int>(hit.copy) == lamp.copy;
+      const bool clear =
+          all_.world.transparent_shadows && all_.world.matter_of(part).transmission == 1;
+      if (!own && !clear) return label_of(part).name;
+      const Vec3f p = ray.at(hit.t);
+      const float step = hit.t + offset_of(hit.t, p);
+      ray.origin = ray.at(step);
+      left -= step;
+    }
+    return {};
   }
 
   const Explanation& all_;

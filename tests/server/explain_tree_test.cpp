@@ -125,5 +125,57 @@ TEST(ExplainTree, TellsWinnersTermsAndLampsByName) {
               {0.25 + 0.3, 0.125 + 0.15, 0.0625 + 0.075 + 0.25}, 1e-6);
 }
 
+// What the floor at the origin is kept from seeing, looking up at a lamp above it.
+Json blocker_of(const std::string& more) {
+  const std::string scene =
+      R"({"objects":[{"name":"floor","type":"plane","point":[0,0,0],"normal":[0,1,0]})" + more +
+      "}";
+  const Json tree =
+      explained("ray.origin=0,0.1,0&ray.direction=0,-1,0&scene=" + url_encode(scene)).at("tree");
+  for (const Json& term : tree.at("terms"))
+    if (term.contains("blocker")) return term["blocker"];
+  return "nobody";
+}
+
+TEST(ExplainTree, BlockersAreThoseThatTakeTheLight) {
+  const std::string point = R"(],"lights":[{"type":"point","position":[0,5,0]}])";
+  const std::string wall =
+      R"(,{"name":"wall","type":"disc","center":[0,3,0],"normal":[0,1,0],"radius":1})";
+  EXPECT_EQ(blocker_of(point), "nobody");
+  EXPECT_EQ(blocker_of(wall + point), "wall");
+  // What lets all light through takes none.
+  const std::string clear = R"(,{"name":"clear","type":"disc","center":[0,2,0],"normal":[0,1,0],
+      "radius":1,"material":{"transmission":1}})";
+  EXPECT_EQ(blocker_of(clear + wall + point), "clear");
+  EXPECT_EQ(blocker_of(clear + wall + point + R"(,"options":{"transparent_shadows":true})"),
+            "wall");
+  // Within the lamp's own ball, which does not block it.
+  EXPECT_EQ(blocker_of(R"(,{"name":"inner","type":"sphere","center":[0,4,0],"radius":0.3}],
+      "lights":[{"type":"sphere","position":[0,5,0],"radius":2}])"),
+            "inner");
+  // One luminous copy before another.
+  EXPECT_EQ(blocker_of(R"(,{"type":"group","repeat":{"count":[1,2,1],"step":[0,3,0]},"children":[
+      {"name":"bulb","type":"sphere","center":[0,4,0],"radius":1,"material":{"emission":1}}]}])"),
+            "bulb");
+  // A lamp whose middle stands on the horizon.
+  EXPECT_EQ(blocker_of(R"(,{"name":"post","type":"box","min":[1,-1,-5],"max":[2,9,5]}],
+      "lights":[{"type":"sphere","position":[5,0,0],"radius":1,"samples":16}])"),
+            "post");
+}
+
+// A lamp with an area fades by the distance to its middle, however many of its places shine.
+TEST(ExplainTree, FadingDoesNotDependOnSamples) {
+  const auto weight = [](const std::string& samples) {
+    const std::string scene = R"({"objects":[{"type":"plane","point":[0,0,0],"normal":[0,1,0]}],
+      "lights":[{"type":"sphere","position":[0,30,0],"radius":1,"fade_distance":30,"samples":)" +
+                              samples + "}]}";
+    const Json tree =
+        explained("ray.origin=0,1,0&ray.direction=0,-1,0&scene=" + url_encode(scene)).at("tree");
+    return tree.at("color").at(0).get<double>();
+  };
+  EXPECT_NEAR(weight("1"), 1, 1e-6);
+  EXPECT_NEAR(weight("64"), 1, 1e-3);  // the cosines are
+}
+
 }  // namespace
 }  // namespace tia::test
