@@ -8,6 +8,7 @@ cd "$ROOT"
 
 passed=0
 failed=0
+running=()
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 
@@ -18,13 +19,17 @@ fail() {
   echo "FAILED: $*"
 }
 
-# run NAME COMMAND...: shows the output but for the tests that pass, keeps all of it in
-# $scratch/log and leaves the exit status in $status.
+# show FILE: an output but for the tests that pass.
+show() {
+  sed -E '/^(\[ RUN|\[       OK|\[---|ok |# Subtest|  ---|  duration_ms|  \.\.\.|$)/d' "$1"
+}
+
+# run NAME COMMAND...: keeps the output in $scratch/log, leaves the exit status in $status.
 run() {
   title "$1"
   status=0
-  timeout 600 "${@:2}" 2>&1 | tee "$scratch/log" |
-    sed -E '/^(\[ RUN|\[       OK|\[---|ok |# Subtest|  ---|  duration_ms|  \.\.\.|$)/d' || status=$?
+  timeout 600 "${@:2}" > "$scratch/log" 2>&1 || status=$?
+  show "$scratch/log"
 }
 
 # count NAME PASSED FAILED: books a step. A step that broke without a failed test is one failure.
@@ -61,15 +66,27 @@ build() {
 fixed_addresses=()
 if setarch -R true 2>/dev/null; then fixed_addresses=(setarch -R); fi
 
-# googletest PRESET PROGRAM
+# googletest PRESET PROGRAM: as many shares of the tests at once as there are processors.
 googletest() {
-  local total good skipped
-  run "$1 $2" "${fixed_addresses[@]}" "build/$1/tests/$2"
-  total=$(last_match '^\[==========\] ([0-9]+) tests? from .* ran.*')
-  good=$(last_match '^\[  PASSED  \] ([0-9]+) tests?.*')
-  skipped=$(last_match '^\[  SKIPPED \] ([0-9]+) tests?.*')
-  [ -n "$total" ] || echo "Broke off in $(last_match '^\[ RUN      \] (.*)')"
-  count "$1 $2" "$good" $((${total:-0} - ${good:-0} - ${skipped:-0}))
+  local shards shard total good skipped
+  shards=$(nproc)
+  title "$1 $2"
+  for ((shard = 0; shard < shards; ++shard)); do
+    GTEST_TOTAL_SHARDS=$shards GTEST_SHARD_INDEX=$shard timeout 600 \
+      "${fixed_addresses[@]}" "build/$1/tests/$2" > "$scratch/shard$shard" 2>&1 &
+    running[shard]=$!
+  done
+  for ((shard = 0; shard < shards; ++shard)); do
+    status=0
+    wait "${running[shard]}" || status=$?
+    mv "$scratch/shard$shard" "$scratch/log"
+    show "$scratch/log"
+    total=$(last_match '^\[==========\] ([0-9]+) tests? from .* ran.*')
+    good=$(last_match '^\[  PASSED  \] ([0-9]+) tests?.*')
+    skipped=$(last_match '^\[  SKIPPED \] ([0-9]+) tests?.*')
+    [ -n "$total" ] || echo "Broke off in $(last_match '^\[ RUN      \] (.*)')"
+    count "$1 $2, share $((shard + 1))" "$good" $((${total:-0} - ${good:-0} - ${skipped:-0}))
+  done
 }
 
 # same_bytes: another compiler and instruction set render the same pictures.
