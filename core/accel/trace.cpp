@@ -27,6 +27,26 @@ Mask<Real> occluded(const World& world, const Ray<Real>& ray, const Real& t_max,
 
 namespace {
 
+// Goes from surface to surface, the lamp's own left out, as far as t_max and as long as lanes want
+// to: visit(hit, lanes) tells which of them do. The offset behind each surface is as far as a
+// shadow ray's in front of its own.
+template <class Real, class Visit>
+void walk(const World& world, const Ray<Real>& ray, const Real& t_max, const Lamp& lamp,
+          Mask<Real> going, Effort& effort, Visit visit) {
+  Real done(0);
+  while (any(going)) {
+    const Vec3<Real> from = ray.at(done);
+    Nearest<Real> query;
+    query.own = lamp.part;
+    query.own_copy = lamp.copy;
+    Packet<Real> packet(Ray<Real>{from, ray.direction});
+    Search<Real, Nearest<Real>>(world, query, effort).through(world.spaces.front(), packet, going);
+    const Real t = done + query.hit.t;
+    going = visit(query.hit, going && t < t_max);
+    done = select(going, t + offset_of(t, ray.at(t)), done);
+  }
+}
+
 // What the lanes' hits let through.
 template <class Real>
 Real transmissions(const World& world, const Hit<Real>& hit, Mask<Real> met) {
@@ -39,26 +59,29 @@ Real transmissions(const World& world, const Hit<Real>& hit, Mask<Real> met) {
 
 }  // namespace
 
-// From surface to surface. The offset behind each is as far as a shadow ray's in front of its own.
 template <class Real>
 Real transmitted(const World& world, const Ray<Real>& ray, const Real& t_max, const Lamp& lamp,
                  Mask<Real> active, Effort& effort) {
-  Real share(1), done(0);
-  Mask<Real> going = active;
-  while (any(going)) {
-    const Vec3<Real> from = ray.at(done);
-    Nearest<Real> query;
-    query.own = lamp.part;
-    query.own_copy = lamp.copy;
-    Packet<Real> packet(Ray<Real>{from, ray.direction});
-    Search<Real, Nearest<Real>>(world, query, effort).through(world.spaces.front(), packet, going);
-    const Real t = done + query.hit.t;
-    going = going && t < t_max;
-    share = select(going, share * transmissions(world, query.hit, going), share);
-    going = going && share > Real(0);
-    done = select(going, t + offset_of(t, ray.at(t)), done);
-  }
+  Real share(1);
+  const auto take = [&](const Hit<Real>& hit, Mask<Real> met) -> Mask<Real> {
+    share = select(met, share * transmissions(world, hit, met), share);
+    return met && share > Real(0);
+  };
+  walk(world, ray, t_max, lamp, active, effort, take);
   return share;
+}
+
+int blocking_part(const World& world, const Ray<float>& ray, float t_max, const Lamp& lamp,
+                  bool transparent, Effort& effort) {
+  int blocking = -1;
+  walk(world, ray, t_max, lamp, true, effort, [&](const Hit<float>& hit, bool met) {
+    if (!met) return false;
+    const int part = static_cast<int>(hit.part);
+    if (transparent && world.matter_of(part).transmission == 1) return true;
+    blocking = part;
+    return false;
+  });
+  return blocking;
 }
 
 namespace {

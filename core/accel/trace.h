@@ -49,6 +49,11 @@ template <class Real>
 Real transmitted(const World& world, const Ray<Real>& ray, const Real& t_max, const Lamp& lamp,
                  Mask<Real> active, Effort& effort);
 
+/// The part that takes of a lamp's light first on the way from the ray's origin to t_max; -1: none.
+/// Where shadows are transparent, what lets all light through takes none. Errors: as occluded's.
+int blocking_part(const World& world, const Ray<float>& ray, float t_max, const Lamp& lamp,
+                  bool transparent, Effort& effort);
+
 /// The same as occluded in a world of few balls.
 template <class Real>
 Mask<Real> occluded_by_balls(const World& world, const Ray<Real>& ray, const Real& t_max,

@@ -41,7 +41,7 @@ Vec3<Real> shadow_feature(WorldScope& scope, const Ray<Real>& ray, Mask<Real> ac
   Real lit(0);
   for (const Lamp& lamp : lamps) {
     const auto from = scope.from_middle(lamp, seen.at.p);
-    lit = lit + light_from(scope, lamp, from, seen, ray.direction, {}).visible;
+    lit = lit + from_place(scope, lamp, from, seen, ray.direction, {}).visible;
   }
   const Real share = select(seen.here, lit / Real(static_cast<float>(lamps.size())), Real(1));
   return {share, share, share};

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -28,6 +29,8 @@ struct LampNote {
   float n_dot_l = 0;
   float visible = 0;  ///< the share of its places that are seen; none below the horizon is
   float fade = 1;
+  std::optional<int> blocker{};  ///< the part that takes light first on the way, -1: none; nothing
+                                 ///< where all is seen or none of it casts a shadow ray
 };
 
 struct RayNode;
@@ -47,7 +50,6 @@ struct RayNode {
   int depth = 0;
   Hit<float> hit{};
   Vec3f point{}, normal{};
-  Vec3f above{};  ///< where its shadow rays start
   std::vector<Term> terms{};
   Vec3f color{};                 ///< what it found: the sum of the terms
   Vec3f transmittance{1, 1, 1};  ///< what the medium that it came through has left of that
@@ -71,11 +73,10 @@ class Notes {
   LampNote light{};  ///< whose terms come next
 
   void begin(const Ray<float>& ray, int depth, const Hit<float>& hit, const Vec3f& point,
-             const Vec3f& normal, const Vec3f& above) {
+             const Vec3f& normal) {
     take_note();
     auto node = std::make_unique<RayNode>();
-    *node = {
-        .ray = ray, .depth = depth, .hit = hit, .point = point, .normal = normal, .above = above};
+    *node = {.ray = ray, .depth = depth, .hit = hit, .point = point, .normal = normal};
     open_.push_back(std::move(node));
   }
   void term(TermName name, float weight, const Vec3f& value) {

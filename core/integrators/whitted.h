@@ -21,8 +21,7 @@ class Whitted {
   V trace(const Ray<Real>& ray, Mask<Real> active, const Path<Real>& path) {
     const Hit<Real> hit = first_hit(scope_, ray, active, path.kind);
     const auto seen = surfaces(scope_, ray, hit, active);
-    taker_.begin(ray, path.depth, hit, seen.at.p, seen.at.n,
-                 seen.at.p + seen.at.side() * seen.offset);
+    taker_.begin(ray, path.depth, hit, seen.at.p, seen.at.n);
     V light = lift<Real>(scope_.world.background);
     if (any(seen.here)) light = select(seen.here, shade(ray, hit, seen, path), light);
     else taker_.term(TermName::background, Real(1), light);
@@ -38,7 +37,7 @@ class Whitted {
   //            + sum over lamps of visible * fade * light
   //                * (color * diffuse * (n.l)^brilliance + specular * (r.l)^(1/roughness)))
   //   + ((1 - T) reflection + T F) * mirrored + T (1 - F) * refracted
-  // The lamps' terms are light_from's (direct.h), the two last weights ways_on's (finishes.h).
+  // The lamps' terms are from_lamp's (direct.h), the two last weights ways_on's (finishes.h).
   template <class Point>
   V shade(const Ray<Real>& ray, const Hit<Real>& hit, const Seen<Point, Real>& seen,
           const Path<Real>& path) {
@@ -70,8 +69,10 @@ class Whitted {
     const auto& lamps = scope_.world.lamps;
     for (std::size_t i = 0; i < lamps.size(); ++i) {
       const int number = static_cast<int>(i);
-      const Direct<Real> direct = light_from(scope_, number, seen, ray.direction, gloss, path);
-      if constexpr (Taker::taken) taker_.light = note_of(number, seen, direct);
+      const std::int64_t shadow_rays = scope_.rays.shadow;
+      const auto direct = from_lamp(scope_, number, seen, ray.direction, gloss, path);
+      if constexpr (Taker::taken)
+        taker_.light = note_of(number, seen, direct, scope_.rays.shadow > shadow_rays);
       const V color = lift<Real>(lamps[i].color);
       if (Taker::taken || any(direct.diffuse > Real(0)))
         add(light, TermName::diffuse, keep * direct.diffuse, seen.albedo * color);
@@ -81,12 +82,16 @@ class Whitted {
     if constexpr (Taker::taken) taker_.light = {};
   }
 
+  // What has cast no shadow ray lies below the horizon and needs no blocker.
   template <class Point>
-  LampNote note_of(int number, const Seen<Point, Real>& seen, const Direct<Real>& direct) const {
+  LampNote note_of(int number, const Seen<Point, Real>& seen, const LampLight<Real>& light,
+                   bool cast) {
+    const Incoming<Real>& from = light.middle;
+    LampNote note{number, from, dot(seen.at.n, from.way), light.visible, light.fade, {}};
     const Lamp& lamp = scope_.world.lamps[static_cast<std::size_t>(number)];
-    const Incoming<Real> from = scope_.from_middle(lamp, seen.at.p);
-    const Real faded = lamp.fade_distance > 0 ? fade(lamp, from.distance) : Real(1);
-    return {number, from, dot(seen.at.n, from.way), direct.visible, faded};
+    if (cast && note.visible < 1)
+      note.blocker = scope_.blocker(seen.shadow_ray(from.way), from.distance, lamp);
+    return note;
   }
 
   // ---- mirrored and refracted light -----------------------------------------------------------

@@ -34,7 +34,7 @@ class Writer {
   Value::Object node(const RayNode& node) const {
     const bool hit = node.hit.t < infinity;
     Value::Array terms;
-    for (const Term& each : node.terms) terms.push_back(term(node, each));
+    for (const Term& each : node.terms) terms.push_back(term(each));
     Value::Object object;  // moved into, for a list of initializers would copy whole subtrees
     object.emplace_back("ray", ray_value(node.ray));
     object.emplace_back("depth", node.depth);
@@ -61,14 +61,14 @@ class Writer {
     return lamp.name;
   }
 
-  Value::Object term(const RayNode& node, const Term& term) const {
+  Value::Object term(const Term& term) const {
     Value::Object object{
         {"name", name_of(term.name)}, {"weight", term.weight}, {"value", triple(term.value)}};
-    if (term.light.lamp >= 0) add_light(node, term.light, object);
-    if (term.node) object.emplace_back("node", this->node(*term.node));
+    if (term.light.lamp >= 0) add_light(term.light, object);
+    if (term.node) object.emplace_back("node", node(*term.node));
     return object;
   }
-  void add_light(const RayNode& node, const LampNote& note, Value::Object& object) const {
+  void add_light(const LampNote& note, Value::Object& object) const {
     const Lamp& lamp = all_.world.lamps[static_cast<std::size_t>(note.lamp)];
     object.emplace_back("light", lamp_name(lamp));
     // A directional light's is infinite, which JSON has no number for.
@@ -78,29 +78,9 @@ class Writer {
     object.emplace_back("n_dot_l", note.n_dot_l);
     object.emplace_back("visible", note.visible);
     object.emplace_back("fade", note.fade * note.from.strength);
-    const bool asked = note.n_dot_l > 0 || lamp.places;  // whether any shadow ray was
-    if (asked && note.visible < 1) object.emplace_back("blocker", blocker(node, note));
+    if (note.blocker) object.emplace_back("blocker", name_of_part(*note.blocker));
   }
-  // What takes light first on the way to the lamp's middle.
-  Value blocker(const RayNode& node, const LampNote& note) const {
-    const Lamp& lamp = all_.world.lamps[static_cast<std::size_t>(note.lamp)];
-    Effort effort;
-    Ray<float> ray{node.above, note.from.way};
-    for (float left = note.from.distance; left > 0;) {
-      const auto hit = closest_hit(all_.world, ray, true, effort);
-      if (!(hit.t < left)) break;
-      const int part = part_of(hit);
-      const bool own = part == lamp.part && static_cast<int>(hit.copy) == lamp.copy;
-      const bool clear =
-          all_.world.transparent_shadows && all_.world.matter_of(part).transmission == 1;
-      if (!own && !clear) return label_of(part).name;
-      const Vec3f p = ray.at(hit.t);
-      const float step = hit.t + offset_of(hit.t, p);
-      ray.origin = ray.at(step);
-      left -= step;
-    }
-    return {};
-  }
+  Value name_of_part(int part) const { return part < 0 ? Value() : Value(label_of(part).name); }
 
   const Explanation& all_;
 };
