@@ -20,6 +20,8 @@
 
 namespace tia {
 
+inline bool emits(const Vec3d& light) { return light.x > 0 || light.y > 0 || light.z > 0; }
+
 /// Matter: what shading needs of a material. Linear RGB.
 struct Matter {
   Constant albedo;    ///< diffuse * color, the colour of a texture left out
@@ -99,6 +101,7 @@ struct World {
   const Part& part(int i) const { return parts[static_cast<std::size_t>(i)]; }
   const Matter& matter_of(int i) const { return matters[static_cast<std::size_t>(part(i).matter)]; }
   Space& space(int i) { return spaces[static_cast<std::size_t>(i)]; }
+  const Space& space(int i) const { return spaces[static_cast<std::size_t>(i)]; }
   /// From the world to that copy of a space.
   Affine to_space(int space, std::int64_t copy) const;
 };

@@ -1,0 +1,59 @@
+// WorldBuilder: puts surfaces, solids and grids into the spaces of a world, and indexes them there.
+// Of scenes it knows nothing (compile.cpp).
+#pragma once
+
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "core/accel/world.h"
+
+namespace tia {
+
+/// Setting: how a surface stands in a world.
+struct Setting {
+  Affine place{};  ///< from its own space to the world's space where it stands
+  int matter = 0;
+  int space = 0;
+  bool inverted = false;  ///< whether it is cut out of a solid
+};
+
+/// Puts a value at the end of a list. Returns: its number there.
+template <class List, class T>
+int pushed(List& list, T&& value) {
+  list.push_back(std::forward<T>(value));
+  return static_cast<int>(list.size()) - 1;
+}
+
+class WorldBuilder {
+ public:
+  /// Domain: a world without spaces.
+  explicit WorldBuilder(World& world) : world_(world) { world_.spaces.emplace_back(); }
+
+  /// An object that is one surface. Returns: its part.
+  int add(Form form, const Setting& at);
+  int add(const Mesh& mesh, const Setting& at);
+  /// A surface that belongs to an object, and that nothing meets but the object's solid.
+  int add_part(Form form, const Setting& at, int object);
+  /// Its parts are in the world. Space/units: the box is in that space.
+  void add(Solid solid, const Aabb& box, int space);
+  /// A grid, whose inside takes what comes until it ends. Space/units: the box of one copy is in
+  /// the grid's own space. Returns: which of the world's copies it is.
+  int begin_grid(const Repeat& repeat, const Aabb& box, const Setting& at);
+  void end_grid(int grid, const Setting& at);
+  /// Indexes all that is there. Domain: a world that has its matters and lamps, too.
+  void finish();
+
+ private:
+  void put(Item item, const Aabb& box, int space);
+  void put(const PlaneForm& plane, int part, const Setting& at);
+  void put(const Sphere& sphere, int part, const Setting& at);
+  void put_balls(int grid, const Affine& place, double scale);
+  bool is_small(const Copies& grid) const;
+  void index(Space& space, const std::vector<Aabb>& boxes);
+
+  World& world_;
+  std::map<int, std::vector<Aabb>> boxes_;  // one an item, space by space
+};
+
+}  // namespace tia
