@@ -44,4 +44,13 @@ inline void expect_faults(const std::vector<Fault>& got, const std::vector<Expec
   }
 }
 
+/// A check that texts are refused by a reader with exactly those faults: check(text, faults).
+template <class Read>
+auto refusal_by(Read read) {
+  return [read](const std::string& text, const std::vector<Expected>& expected) {
+    SCOPED_TRACE(text.substr(0, 200));
+    expect_faults(faults_of([&] { read(text); }), expected);
+  };
+}
+
 }  // namespace tia::test

@@ -1,6 +1,8 @@
 // Documents made from a JSON Schema and from a fixed seed: right ones, and ones with a mistake.
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <set>
 
 #include "tests/core/json_schema.h"
@@ -210,6 +212,17 @@ Agreement judge(const Value& schema_document, int count,
     judge_one(corpus.changed(std::move(document)));
   }
   return agreement;
+}
+
+/// Checks that they agree on a corpus, of which each accepts and refuses a good part.
+template <class T>
+void expect_agreement(const Value& schema_document, int count,
+                      const std::vector<std::string>& beyond_schema) {
+  const Agreement agreement = judge<T>(schema_document, count, beyond_schema);
+  EXPECT_TRUE(agreement.disputed.empty())
+      << agreement.disputed.size() << " such as " << agreement.disputed.front();
+  EXPECT_GT(agreement.both_accept, count * 3 / 4);
+  EXPECT_GT(agreement.both_refuse, count / 4);
 }
 
 }  // namespace tia::test

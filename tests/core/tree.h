@@ -42,6 +42,12 @@ inline Finish glass(double ior) {
   finish.fresnel = true;
   return finish;
 }
+/// What is seen through and mirrors nothing.
+inline Finish clear_glass(double ior) {
+  Finish finish = glass(ior);
+  finish.fresnel = false;
+  return finish;
+}
 inline Finish mirror(double reflection, const Color& emission = {}) {
   Finish finish = dark();
   finish.reflection = reflection;

@@ -20,7 +20,7 @@ struct Names<Fruit> {
 namespace {
 
 template <class T>
-T read(const char* json, const Spec& spec = {}) {
+T read(const std::string& json, const Spec& spec = {}) {
   T out{};
   Faults faults;
   read_value(parse_json(json), Place{}, spec, faults, out);
@@ -29,8 +29,7 @@ T read(const char* json, const Spec& spec = {}) {
 }
 template <class T>
 void expect_refused(const char* json, const Spec& spec, const Expected& fault) {
-  SCOPED_TRACE(json);
-  test::expect_faults(test::faults_of([&] { read<T>(json, spec); }), {fault});
+  test::refusal_by([&](const std::string& text) { read<T>(text, spec); })(json, {fault});
 }
 
 // ---- numbers ----------------------------------------------------------------------------------

@@ -85,11 +85,8 @@ struct Node {
   bool operator==(const Node&) const = default;
 };
 
-Node read(const char* json) { return read_described<Node>(parse_json(json)); }
-void expect_refused(const char* json, const std::vector<Expected>& faults) {
-  SCOPED_TRACE(json);
-  test::expect_faults(test::faults_of([&] { read(json); }), faults);
-}
+Node read(const std::string& json) { return read_described<Node>(parse_json(json)); }
+const auto expect_refused = test::refusal_by([](const std::string& json) { read(json); });
 
 // ---- reading ----------------------------------------------------------------------------------
 
@@ -192,11 +189,7 @@ const std::vector<std::string> beyond_schema = {
 };
 
 TEST(NamedSchema, AgreesWithTheReaderOnMadeDocuments) {
-  const auto agreement = test::judge<Node>(whole_schema<Node>(), 1000, beyond_schema);
-  EXPECT_TRUE(agreement.disputed.empty())
-      << agreement.disputed.size() << " such as " << agreement.disputed.front();
-  EXPECT_GT(agreement.both_accept, 1000);
-  EXPECT_GT(agreement.both_refuse, 300);
+  test::expect_agreement<Node>(whole_schema<Node>(), 1000, beyond_schema);
 }
 
 // The value without any member of that name.

@@ -28,8 +28,7 @@ Numbers<T> read(const char* json, const Spec& spec = {}) {
 }
 template <class T>
 void expect_refused(const char* json, const Spec& spec, const std::vector<Expected>& faults) {
-  SCOPED_TRACE(json);
-  test::expect_faults(test::faults_of([&] { read<T>(json, spec); }), faults);
+  test::refusal_by([&](const std::string& text) { read<T>(text.c_str(), spec); })(json, faults);
 }
 
 TEST(Numbers, AreAFlatArray) {

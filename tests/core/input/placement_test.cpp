@@ -18,10 +18,7 @@ Placement read(const std::string& json) {
   faults.raise();
   return out;
 }
-void expect_refused(const std::string& json, const std::vector<Expected>& faults) {
-  SCOPED_TRACE(json);
-  test::expect_faults(test::faults_of([&] { read(json); }), faults);
-}
+const auto expect_refused = test::refusal_by([](const std::string& json) { read(json); });
 Vec3d moved(const char* json, const Vec3d& p) { return read(json).affine().point(p); }
 
 TEST(Placement, WithoutStepsIsTheIdentity) {

@@ -15,10 +15,7 @@ using enum FaultKind;
 using test::expect_faults;
 
 Light light(const std::string& json) { return read_described<Light>(parse_json(json)); }
-void expect_refused(const std::string& json, const std::vector<test::Expected>& faults) {
-  SCOPED_TRACE(json);
-  expect_faults(test::faults_of([&] { light(json); }), faults);
-}
+const auto expect_refused = test::refusal_by([](const std::string& json) { light(json); });
 // Of that kind, and more members.
 std::string point(const std::string& more) {
   return R"({"type":"point","position":[0,1,2],)" + more + "}";
@@ -176,11 +173,7 @@ TEST(LightFaults, TheSchemaAgreesWithTheReader) {
   const std::vector<std::string> beyond = {"a direction of some length", "from radius_degrees",
                                            "a point other than position", "spans an area",
                                            "at some distance"};
-  const auto agreement = test::judge<Light>(whole_schema<Light>(), 4000, beyond);
-  EXPECT_TRUE(agreement.disputed.empty())
-      << agreement.disputed.size() << " such as " << agreement.disputed.front();
-  EXPECT_GT(agreement.both_accept, 3000);
-  EXPECT_GT(agreement.both_refuse, 1000);
+  test::expect_agreement<Light>(whole_schema<Light>(), 4000, beyond);
 }
 
 }  // namespace

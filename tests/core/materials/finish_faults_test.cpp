@@ -13,10 +13,7 @@ using enum FaultKind;
 using test::expect_faults;
 
 Material material(const std::string& json) { return read_described<Material>(parse_json(json)); }
-void expect_refused(const std::string& json, const std::vector<test::Expected>& faults) {
-  SCOPED_TRACE(json);
-  expect_faults(test::faults_of([&] { material(json); }), faults);
-}
+const auto expect_refused = test::refusal_by([](const std::string& json) { material(json); });
 
 TEST(FinishFaults, EveryWordIsReadAndWrittenBack) {
   const char* json =
@@ -214,11 +211,7 @@ TEST(FinishFaults, OptionsOfLightHaveTheirRanges) {
 TEST(FinishFaults, TheSchemaAgreesWithTheReader) {
   const std::vector<std::string> beyond = {"can be undone", "PNG or JPEG picture",
                                            "a picture of at most"};
-  const auto agreement = test::judge<Material>(whole_schema<Material>(), 4000, beyond);
-  EXPECT_TRUE(agreement.disputed.empty())
-      << agreement.disputed.size() << " such as " << agreement.disputed.front();
-  EXPECT_GT(agreement.both_accept, 3000);
-  EXPECT_GT(agreement.both_refuse, 1000);
+  test::expect_agreement<Material>(whole_schema<Material>(), 4000, beyond);
 }
 
 }  // namespace

@@ -69,11 +69,7 @@ TEST(TextureDescription, AFinishHasOne) {
 TEST(TextureDescription, TheSchemaAgreesWithTheReader) {
   const std::vector<std::string> beyond = {"can be undone", "PNG or JPEG picture",
                                            "a picture of at most"};
-  const auto agreement = test::judge<Texture>(whole_schema<Texture>(), 3000, beyond);
-  EXPECT_TRUE(agreement.disputed.empty())
-      << agreement.disputed.size() << " such as " << agreement.disputed.front();
-  EXPECT_GT(agreement.both_accept, 3000);
-  EXPECT_GT(agreement.both_refuse, 1000);
+  test::expect_agreement<Texture>(whole_schema<Texture>(), 3000, beyond);
 }
 
 }  // namespace

@@ -50,6 +50,25 @@ TEST(Work, OfOneRayAloneIsBoundedToo) {
   }
 }
 
+// One of many balls is enough to hide a lamp; which of them is the first takes a search of all.
+TEST(Work, OfTheSearchForABlockerIsBoundedToo) {
+  Scene scene = overlapping(500'000);
+  scene.objects.push_back(
+      read_scene(R"({"objects":[{"type":"plane","point":[0,0,0],"normal":[0,0,1]}]})").objects[0]);
+  scene.lights = {test::point_light({0, 0, -20})};
+  scene.camera.location = {0, 0, -1};
+  scene.camera.look_at = Vec3d{0, 0, 0};
+  RenderOptions options;
+  options.max_work = 200'000;
+  EXPECT_NO_THROW(test::picture(scene, 1, 1, options));
+  const Ray<double> ray{{0, 0, -1}, {0, 0, 1}};
+  const auto faults = faults_of([&] { explain(scene, ray, options); });
+  ASSERT_EQ(faults.size(), 1U);
+  EXPECT_EQ(faults.front().kind, FaultKind::limit);
+  options.max_work = 20'000'000;
+  EXPECT_EQ(explain(scene, ray, options).tree->terms.back().light.blocker, 0);
+}
+
 TEST(Work, StopsWithinARayWhenItIsToldTo) {
   const World world = compile(overlapping(10'000'000));
   const View view = view_of(Camera{}, 1, 1);

@@ -12,10 +12,7 @@ namespace {
 using enum FaultKind;
 using test::Expected;
 
-void expect_refused(const std::string& json, const std::vector<Expected>& faults) {
-  SCOPED_TRACE(json);
-  test::expect_faults(test::faults_of([&] { read_scene(json); }), faults);
-}
+const auto expect_refused = test::refusal_by([](const std::string& json) { read_scene(json); });
 std::string with_object(const std::string& members) {
   return std::string(R"({"objects":[{)").append(members).append("}]}");
 }

@@ -17,10 +17,7 @@ std::string mesh(const std::string& more, const char* indices = "[0,1,2]") {
       .append("}");
 }
 Mesh read(const std::string& json) { return read_described<Mesh>(parse_json(json)); }
-void expect_refused(const std::string& json, const std::vector<Expected>& faults) {
-  SCOPED_TRACE(json);
-  test::expect_faults(test::faults_of([&] { read(json); }), faults);
-}
+const auto expect_refused = test::refusal_by([](const std::string& json) { read(json); });
 
 TEST(MeshDescription, CountsItsVerticesAndTriangles) {
   const Mesh two = read(R"({"positions":[0,0,0,1,0,0,0,1,0,1,1,0],"indices":[0,1,2,2,1,3]})");
