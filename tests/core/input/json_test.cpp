@@ -74,7 +74,7 @@ TEST(ParseJson, MalformedTextIsRefusedWhereItBreaks) {
   expect_refused(R"({"a":{"b":[{},{"c/d~":tru}]}})",
                  {{malformed, "/a/b/1/c~1d~0", "", "JSON text"}});
   expect_refused(R"({"objects":[{"radius":1 "x":2}]})",
-                 {malformed, "/objects/0/radius", "", "JSON text"});
+                 {{malformed, "/objects/0/radius", "", "JSON text"}});
 }
 
 TEST(ParseJson, TextAfterTheValueIsMalformed) {
@@ -96,7 +96,7 @@ TEST(ParseJson, IllFormedUtf8IsMalformed) {
     const std::string quoted = std::string("\"").append(bytes).append("\"");
     expect_refused(quoted, {{malformed, "", "", "JSON text"}});
     expect_refused(std::string("{\"a\":").append(quoted).append("}"),
-                   {malformed, "/a", "", "JSON text"});
+                   {{malformed, "/a", "", "JSON text"}});
     expect_refused(std::string("{").append(quoted).append(":1}"),
                    {{malformed, "", "", "JSON text"}});
   }
@@ -111,7 +111,7 @@ TEST(ParseJson, DuplicateKeysAreMalformedAtTheKey) {
   expect_refused(R"({"a":1,"a":2})", {{malformed, "/a", "\"a\"", "each key once"}});
   expect_refused(R"({"a":1,"\u0061":1})", {{malformed, "/a", "\"a\"", "each key once"}});
   expect_refused(R"({"x":[{"b":1,"a":1,"a":2,"c":3}]})",
-                 {malformed, "/x/0/a", "\"a\"", "each key once"});
+                 {{malformed, "/x/0/a", "\"a\"", "each key once"}});
   EXPECT_NO_THROW(parse_json(R"({"a":{"a":1},"b":{"a":2}})"));
 }
 
@@ -126,8 +126,8 @@ TEST(ParseJson, ThirtyTwoLevelsAreReadAndThirtyThreeAreNot) {
     return std::string("{\"a\":").append(nested(depth)).append("}");
   };
   EXPECT_NO_THROW(parse_json(member(31)));
-  expect_refused(member(32),
-                 {malformed, std::string("/a").append(pointer.substr(2)), "", "at most 32 levels"});
+  expect_refused(member(32), {{malformed, std::string("/a").append(pointer.substr(2)), "",
+                               "at most 32 levels"}});
   expect_refused(nested(100'000), {{malformed, pointer, "", "at most 32 levels"}});
 }
 
