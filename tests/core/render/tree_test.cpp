@@ -93,6 +93,26 @@ TEST(Tree, NeitherThreadsNorTilesNorWidthChangeAByte) {
   }
 }
 
+// What takes light of a lamp in that place from the floor, through a clear pane at y = 2.
+std::optional<int> blocker(const char* position, IntegratorName integrator) {
+  const Scene scene = read_scene(std::string(R"({
+    "objects": [{"type": "plane", "point": [0, 0, 0], "normal": [0, 1, 0]},
+                {"type": "disc", "center": [0, 2, 0], "normal": [0, 1, 0], "radius": 1,
+                 "material": {"transmission": 1}}],
+    "lights": [{"type": "sphere", "radius": 0.5, "samples": 16, "position": )") +
+                                 position + R"(}], "options": {"transparent_shadows": true}})");
+  RenderOptions options = at_depth(5);
+  options.integrator = integrator;
+  const std::unique_ptr<RayNode> floor = tree(scene, {0, 1, 0}, {0, -1, 0}, options);
+  return term(*floor, TermName::diffuse)->light.blocker;
+}
+
+TEST(Tree, BlockersAreLookedForAsShadowsAre) {
+  EXPECT_EQ(blocker("[0, 4, 0]", IntegratorName::whitted), std::nullopt);
+  EXPECT_EQ(blocker("[0, 4, 0]", IntegratorName::thesis), 1) << "whose shadows are all black";
+  EXPECT_EQ(blocker("[0, -4, 0]", IntegratorName::whitted), std::nullopt) << "below the horizon";
+}
+
 TEST(Tree, OneTooLargeForAnAnswerIsALimit) {
   // Two glass planes that split each ray at each surface.
   Scene scene;
