@@ -26,10 +26,10 @@ struct Wrapped {
   std::vector<std::string_view> places;
 };
 const std::vector<Wrapped> libraries = {
-    {"nlohmann/", {"core/input/"}},  {"stb", {"core/film/"}},
-    {"libdeflate", {"core/film/"}},  {"sleef", {"core/math/"}},
+    {"nlohmann/", {"core/input/"}},       {"stb", {"core/film/"}},
+    {"libdeflate", {"core/film/"}},       {"sleef", {"core/math/"}},
     {"xsimd", {"core/math/registers.h"}}, {"immintrin", {"core/math/wide.h"}},
-    {"httplib", {"server/http/"}},   {"CLI/", {"server/main.cpp", "server/config."}},
+    {"httplib", {"server/http/"}},        {"CLI/", {"server/main.cpp", "server/config."}},
 };
 
 // What core must not know: sockets, clocks, the environment, logs, files, chance.
@@ -40,6 +40,8 @@ const std::vector<std::string_view> headers_outside_core = {
 const std::regex words_outside_core(
     R"(\b(getenv|setenv|chrono|clock_gettime|gettimeofday|time\(|cout|cerr|clog|printf|fopen|)"
     R"(random_device|rand\(|syslog|sleep_for|sleep_until|socket\())");
+// But for the time that threads take, which decides who works next, never what comes out.
+constexpr std::string_view timekeeper = "core/render/pool.cpp";
 
 bool starts_with(std::string_view text, std::string_view start) {
   return text.substr(0, start.size()) == start;
@@ -60,6 +62,7 @@ std::string refusal(const std::string& file, const std::string& header) {
     if (std::none_of(places.begin(), places.end(), inside)) return "a library outside its place";
   }
   if (!starts_with(file, "core/")) return "";
+  if (file == timekeeper && header == "chrono") return "";
   for (const std::string_view each : headers_outside_core)
     if (header == each || (each.back() == '/' && starts_with(header, each))) return "not for core";
   if (starts_with(header, "core/") && layer_of(header) > layer_of(file))
@@ -134,7 +137,8 @@ TEST(Includes, CoresFoldersAreThoseOfTheList) {
 
 TEST(Includes, CoreNamesNoClockNoEnvironmentNoLogAndNoChance) {
   for (const Source& source : sources("core")) {
-    const std::string code = without_comments(source.text);
+    std::string code = without_comments(source.text);
+    if (source.path == timekeeper) code = std::regex_replace(code, std::regex("chrono"), "");
     std::smatch found;
     EXPECT_FALSE(std::regex_search(code, found, words_outside_core))
         << source.path << " says " << found.str();
@@ -181,9 +185,12 @@ TEST(IncludeRules, LibrariesOutsideTheirPlaceAreSeen) {
 TEST(IncludeRules, ClocksSocketsAndLogsInCoreAreSeen) {
   for (const char* header :
        {"chrono", "ctime", "sys/socket.h", "sys/time.h", "iostream", "netdb.h"}) {
-    EXPECT_NE(refusal("core/render/pool.cpp", header), "") << header;
+    EXPECT_NE(refusal("core/render/render.cpp", header), "") << header;
     EXPECT_EQ(refusal("server/main.cpp", header), "") << header;
   }
+  EXPECT_EQ(refusal("core/render/pool.cpp", "chrono"), "");
+  EXPECT_NE(refusal("core/render/pool.h", "chrono"), "");
+  EXPECT_NE(refusal("core/render/pool.cpp", "ctime"), "");
   const auto says = [](const std::string& code) {
     return std::regex_search(without_comments(code), words_outside_core);
   };
