@@ -27,23 +27,14 @@ struct Pool::Hand {
   std::condition_variable_any called;
 };
 
-struct Pool::Job {
-  const int count, most_hands;
+struct Pool::Job : Turn {
+  Job(int tasks, int most, const std::stop_token& asked, const std::function<void(int)>& what)
+      : Turn(tasks, most), stop(asked), task(what) {}
+
   const std::stop_token& stop;
   const std::function<void(int)>& task;
-  std::atomic<int> next = 0;
-  int hands = 0;           // guarded by the pool's mutex, as is all below
-  int awake = 0;           // of them
-  Nanoseconds before = 0;  // the service that those found, less the times at which they came
-  Nanoseconds young = 0;   // the service up to which it is within its credit
-  std::exception_ptr failure = nullptr;
+  std::exception_ptr failure = nullptr;  // guarded by the pool's mutex, as is what a turn counts
   Hand caller{};
-
-  bool has_tasks() const { return next.load(std::memory_order_relaxed) < count; }
-  bool wants_hand() const { return has_tasks() && hands < most_hands; }
-  bool is_over() const { return hands == 0 && !has_tasks(); }
-  Nanoseconds service(Nanoseconds now) const { return before + awake * now; }
-  bool is_young(Nanoseconds now) const { return service(now) < young; }
 
   // Takes tasks until that time. Returns: what a task threw.
   std::exception_ptr run(const Clock& clock, Nanoseconds end) {
@@ -68,12 +59,12 @@ struct Pool::Job {
   }
 };
 
-Pool::Nanoseconds Pool::steady_clock() {
+Nanoseconds Pool::steady_clock() {
   using namespace std::chrono;
   return duration_cast<nanoseconds>(steady_clock::now().time_since_epoch()).count();
 }
 
-Pool::Pool(int threads, Clock clock) : threads_(threads), clock_(std::move(clock)) {
+Pool::Pool(int threads, Clock clock) : clock_(std::move(clock)), turns_(threads) {
   idle_.reserve(static_cast<std::size_t>(threads));
   for (int i = 1; i < threads; ++i)
     workers_.emplace_back([this](const std::stop_token& ending) { serve(ending); });
@@ -86,10 +77,10 @@ Pool::~Pool() {
 void Pool::for_each(int count, int max_threads, const std::stop_token& stop,
                     const std::function<void(int)>& task) {
   if (inside_task) return in_turn(count, stop, task);
-  Job job{.count = count, .most_hands = std::min(max_threads, count), .stop = stop, .task = task};
+  Job job(count, std::min(std::max(max_threads, 1), count), stop, task);
   Hand& hand = job.caller;
   std::unique_lock lock(mutex_);
-  enter(job);
+  turns_.enter(job, clock_());
   call_hands();
   const auto has_news = [&] { return hand.job != nullptr || job.is_over(); };
   while (hand.called.wait(lock, stop, has_news) && !job.is_over()) {
@@ -99,7 +90,7 @@ void Pool::for_each(int count, int max_threads, const std::stop_token& stop,
   job.next = count;  // it may have been stopped while nobody was at work
   dismiss_idle(job);
   hand.called.wait(lock, [&] { return job.hands == 0; });
-  jobs_.erase(std::find(jobs_.begin(), jobs_.end(), &job));
+  turns_.leave(job);
   lock.unlock();
   if (job.failure) std::rethrow_exception(job.failure);
   end_if_asked(stop);
@@ -109,7 +100,7 @@ void Pool::serve(const std::stop_token& ending) {
   Hand hand;
   std::unique_lock lock(mutex_);
   for (;;) {
-    if (Job* job = next_job(clock_())) {
+    if (Job* job = next_job()) {
       seat(hand, *job);
     } else {
       idle_.push_back(&hand);
@@ -124,76 +115,32 @@ void Pool::serve(const std::stop_token& ending) {
 void Pool::work(Hand& hand, std::unique_lock<std::mutex>& lock) {
   Job& job = *hand.job;
   Nanoseconds now = clock_();
-  ++job.awake;
-  job.before -= now;
+  Turns::begin(job, now);
   do {
     const Nanoseconds since = now;
     lock.unlock();
-    const std::exception_ptr thrown = job.run(clock_, since + look);
+    const std::exception_ptr thrown = job.run(clock_, since + Turns::look);
     lock.lock();
     if (thrown && !job.failure) job.failure = thrown;
     now = clock_();
-    level_ += (now - since) / (2 * static_cast<Nanoseconds>(jobs_.size()));
-  } while (stays(job, now));
-  --job.awake;
-  job.before += now;
+    turns_.spend(now - since);
+  } while (turns_.stays(job, now));
+  Turns::end(job, now);
   unseat(hand);
   if (job.has_tasks()) return;
   dismiss_idle(job);
   if (job.is_over()) job.caller.called.notify_one();
 }
 
-// ---- who works next
-// ------------------------------------------------------------------------------
-
-void Pool::enter(Job& job) {
-  const Nanoseconds now = clock_();
-  const auto less = [&](const Job* a, const Job* b) { return a->service(now) < b->service(now); };
-  jobs_.push_back(&job);  // first, for it may throw
-  const auto others = std::prev(jobs_.end());
-  if (jobs_.begin() != others) {
-    const Nanoseconds most = (*std::max_element(jobs_.begin(), others, less))->service(now);
-    for (auto each = jobs_.begin(); each != others; ++each)
-      (*each)->before += std::max<Nanoseconds>(most - arrears - (*each)->service(now), 0);
-    const Nanoseconds least = (*std::min_element(jobs_.begin(), others, less))->service(now);
-    level_ = std::max(level_, least);
-  }
-  job.before = level_ - credit;
-  job.young = level_;
-}
-
-// Returns: the job that a free hand should go to, or null.
-Pool::Job* Pool::next_job(Nanoseconds now) const {
-  const bool old_at_work = std::any_of(jobs_.begin(), jobs_.end(), [&](const Job* job) {
-    return job->awake > 0 && !job->is_young(now);
-  });
-  Job* next = nullptr;
-  for (Job* job : jobs_) {
-    const bool extra = old_at_work && job->hands == 0 && job->is_young(now);
-    if (!job->wants_hand() || at_work_ >= threads_ + (extra ? 1 : 0)) continue;
-    if (next == nullptr || job->service(now) < next->service(now)) next = job;
-  }
-  return next;
-}
-
-// Whether a hand goes on with the job.
-bool Pool::stays(const Job& job, Nanoseconds now) const {
-  if (!job.has_tasks()) return false;
-  if (at_work_ > threads_ && !job.is_young(now)) return false;
-  return std::none_of(jobs_.begin(), jobs_.end(), [&](const Job* other) {
-    return other->wants_hand() && other->service(now) + slice < job.service(now);
-  });
-}
+Pool::Job* Pool::next_job() const { return static_cast<Job*>(turns_.next(clock_())); }
 
 void Pool::seat(Hand& hand, Job& job) {
-  ++at_work_;
-  ++job.hands;
+  turns_.call(job);
   hand.job = &job;
 }
 
 void Pool::unseat(Hand& hand) {
-  --at_work_;
-  --hand.job->hands;
+  turns_.dismiss(*hand.job);
   hand.job = nullptr;
 }
 
@@ -206,8 +153,7 @@ void Pool::dismiss_idle(const Job& job) {
 // Gives jobs to hands as long as there is one for another hand: to its own caller first. Where that
 // one works already some worker is idle, or has only begun to live: then it looks for itself.
 void Pool::call_hands() {
-  const Nanoseconds now = clock_();
-  while (Job* job = next_job(now)) {
+  while (Job* job = next_job()) {
     Hand* hand = &job->caller;
     if (hand->job != nullptr) {
       const auto uncalled = [](const Hand* each) { return each->job == nullptr; };

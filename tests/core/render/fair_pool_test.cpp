@@ -1,4 +1,5 @@
-// How jobs share a pool. Time is told by hand where only its amount matters: a task passes it.
+// How jobs share a pool's threads. Time is told by hand where only its amount matters: a task
+// passes it.
 #include <gtest/gtest.h>
 
 #include <atomic>
@@ -14,17 +15,17 @@
 namespace tia {
 namespace {
 
-constexpr Pool::Nanoseconds ms = 1'000'000;
+constexpr Nanoseconds ms = 1'000'000;
 
 struct HandTime {
-  std::atomic<Pool::Nanoseconds> now = 0;
+  std::atomic<Nanoseconds> now = 0;
   Pool::Clock clock() {
     return [this] { return now.load(); };
   }
-  void pass(Pool::Nanoseconds time) { now += time; }
+  void pass(Nanoseconds time) { now += time; }
 };
 
-void pass_truly(Pool::Nanoseconds time) {
+void pass_truly(Nanoseconds time) {
   using Clock = std::chrono::steady_clock;
   const auto end = Clock::now() + std::chrono::nanoseconds(time);
   while (Clock::now() < end) continue;
@@ -61,7 +62,7 @@ class Poster {
 
 // A big job grows old, then waits in its tasks for a small one. Returns: how many of the big one's
 // tasks began while the small one had tasks left.
-int overtaken(Pool& pool, const std::function<void(Pool::Nanoseconds)>& pass) {
+int overtaken(Pool& pool, const std::function<void(Nanoseconds)>& pass) {
   std::latch met(1), old(1);
   std::atomic<int> begun = 0;
   const Poster big(pool, [&](int i) {
@@ -88,7 +89,7 @@ TEST(FairPool, SmallJobStartsAtOnceAndIsDoneBeforeAnOlderOneGoesOn) {
   for (const int threads : {1, 2, 5}) {
     HandTime time;
     Pool pool(threads, time.clock());
-    EXPECT_LE(overtaken(pool, [&](Pool::Nanoseconds t) { time.pass(t); }), 0) << threads;
+    EXPECT_LE(overtaken(pool, [&](Nanoseconds t) { time.pass(t); }), 0) << threads;
   }
 }
 
