@@ -7,6 +7,8 @@
 #include <span>
 #include <vector>
 
+#include "core/input/stopped.h"
+
 namespace tia {
 namespace {
 
@@ -24,7 +26,8 @@ struct Split {
 
 class Builder {
  public:
-  explicit Builder(const std::vector<Aabb>& boxes) : boxes_(boxes) {
+  Builder(const std::vector<Aabb>& boxes, const std::stop_token& stop)
+      : boxes_(boxes), stop_(stop) {
     order_.resize(boxes.size());
     std::iota(order_.begin(), order_.end(), 0U);
     if (!boxes.empty()) build(order_, 0, 1);
@@ -66,6 +69,7 @@ class Builder {
 
   // Adds the subtree to the wide one. Returns: where it is.
   std::uint32_t collapse(std::uint32_t node, Bvh& bvh) const {
+    end_if_asked(stop_);
     const auto at = static_cast<std::uint32_t>(bvh.nodes.size());
     bvh.nodes.emplace_back();
     for (const std::uint32_t each : widened(node)) {
@@ -112,6 +116,7 @@ class Builder {
   Split best_split(Run run, const Aabb& centers) const {
     Split best;
     for (int axis = 0; axis < 3; ++axis) {
+      end_if_asked(stop_);  // a root has all boxes
       const double low = component(centers.min, axis), size = component(centers.size(), axis);
       if (!(size > 0) || !std::isfinite(bins / size)) continue;
       std::array<Aabb, bins> boxes;
@@ -162,12 +167,15 @@ class Builder {
   }
 
   const std::vector<Aabb>& boxes_;
+  const std::stop_token& stop_;
   std::vector<Binary> nodes_;
   std::vector<std::uint32_t> order_;
 };
 
 }  // namespace
 
-Bvh build_bvh(const std::vector<Aabb>& boxes) { return Builder(boxes).take(); }
+Bvh build_bvh(const std::vector<Aabb>& boxes, const std::stop_token& stop) {
+  return Builder(boxes, stop).take();
+}
 
 }  // namespace tia

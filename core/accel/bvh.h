@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <stop_token>
 #include <vector>
 
 #include "core/accel/bundle.h"
@@ -28,10 +29,10 @@ struct Bvh {
 
 /// Binned surface area heuristic: of 16 bins along each axis of the centres the split with the
 /// least expected cost; the middle of the list where no split separates anything.
-/// Domain: boxes that are bounded and not empty. Cost: O(n log n).
+/// Domain: boxes that are bounded and not empty. Cost: O(n log n). Errors: Stopped.
 /// Source: Wald, "On fast construction of SAH-based bounding volume hierarchies" (2007); eight
 /// children: Wald, Benthin, Boulos, "Getting rid of packets" (2008).
-Bvh build_bvh(const std::vector<Aabb>& boxes);
+Bvh build_bvh(const std::vector<Aabb>& boxes, const std::stop_token& stop = {});
 
 namespace detail {
 
@@ -79,7 +80,7 @@ void traverse(const Bvh& bvh, const BoxRay<Real>& ray, Mask<Real> active, const 
     const auto [node, child, near] = stack.entries[--stack.top];
     if (near > furthest) continue;
     Mask<Real> entered = active;
-    if constexpr (lanes<Real> > 1) {  // of one ray the bundle has told all
+    if constexpr (lanes < Real >> 1) {  // of one ray the bundle has told all
       effort.test();
       entered = active && ray.enters(node->boxes.box(child), t_max);
       if (!any(entered)) continue;

@@ -1,5 +1,6 @@
 // Scene -> World: places are multiplied out, materials handed down, lights lit.
 #include "core/accel/world_builder.h"
+#include "core/input/stopped.h"
 
 namespace tia {
 namespace {
@@ -25,7 +26,7 @@ Matter matter_of(const Finish& finish, const Vec3d& ambient_light) {
 
 class Compiler {
  public:
-  explicit Compiler(const Scene& scene) : scene_(scene) {
+  Compiler(const Scene& scene, const std::stop_token& stop) : scene_(scene), stop_(stop) {
     world_.background = rgb(scene.background);
     world_.transparent_shadows = scene.options.transparent_shadows;
     world_.matters.push_back(matter_of(Material{}));
@@ -60,6 +61,7 @@ class Compiler {
   }
 
   void add(const Object& object, const Setting& above) {
+    end_if_asked(stop_);
     const Setting own = below(object, above);
     std::visit(
         [&]<class Kind>(const Kind& kind) {
@@ -202,14 +204,17 @@ class Compiler {
   }
 
   const Scene& scene_;
+  const std::stop_token& stop_;
   World world_;
-  WorldBuilder builder_{world_};
+  WorldBuilder builder_{world_, stop_};
   std::map<std::string, int> named_;
   std::map<int, std::shared_ptr<const Strata>> strata_;
 };
 
 }  // namespace
 
-World compile(const Scene& scene) { return Compiler(scene).compile(); }
+World compile(const Scene& scene, const std::stop_token& stop) {
+  return Compiler(scene, stop).compile();
+}
 
 }  // namespace tia

@@ -1,5 +1,7 @@
 #include "core/accel/mesh_index.h"
 
+#include "core/input/stopped.h"
+
 namespace tia {
 namespace {
 
@@ -17,7 +19,7 @@ double extent(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
 
 }  // namespace
 
-MeshIndex::MeshIndex(const Mesh& mesh) {
+MeshIndex::MeshIndex(const Mesh& mesh, const std::stop_token& stop) {
   constexpr double thinnest =
       1e-14;  // an area below this share of the longest edge's square is none
   const auto& places = mesh.positions.values;
@@ -31,6 +33,7 @@ MeshIndex::MeshIndex(const Mesh& mesh) {
   std::vector<Aabb> boxes;
   std::vector<std::uint32_t> which;
   for (std::size_t i = 0; i < numbers.size() / 3; ++i) {
+    if (i % 4096 == 0) end_if_asked(stop);
     triangles.push_back({numbers[3 * i], numbers[3 * i + 1], numbers[3 * i + 2]});
     const Vec3d &a = corner(i, 0), &b = corner(i, 1), &c = corner(i, 2);
     if (!(length(area_vector(a, b, c)) > thinnest * extent(a, b, c))) {
@@ -40,7 +43,7 @@ MeshIndex::MeshIndex(const Mesh& mesh) {
     boxes.push_back(around(around(around(Aabb{}, a), b), c));
     which.push_back(static_cast<std::uint32_t>(i));
   }
-  bvh = build_bvh(boxes);
+  bvh = build_bvh(boxes, stop);
   for (std::uint32_t& each : bvh.order) each = which[each];
 }
 

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <stop_token>
 #include <vector>
 
 #include "core/accel/bvh.h"
@@ -20,7 +21,8 @@ struct MeshIndex {
   Bvh bvh;                                              ///< over those that are not degenerate
   std::size_t degenerate = 0;
 
-  explicit MeshIndex(const Mesh& mesh);
+  /// Errors: Stopped.
+  explicit MeshIndex(const Mesh& mesh, const std::stop_token& stop = {});
   const Vec3d& corner(std::size_t triangle, std::size_t i) const {
     return positions[triangles[triangle][i]];
   }

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -106,8 +107,8 @@ struct World {
   Affine to_space(int space, std::int64_t copy) const;
 };
 
-/// Domain: a scene that read_scene has passed.
-World compile(const Scene& scene);
+/// Domain: a scene that read_scene has passed. Errors: Stopped once that is asked for.
+World compile(const Scene& scene, const std::stop_token& stop = {});
 
 /// The balls that rays of a beam may meet, in the scene's order. Domain: world.few_balls.
 std::vector<int> candidates(const World& world, const Beam& beam);

@@ -79,7 +79,7 @@ int WorldBuilder::add(Form form, const Setting& at) {
 }
 
 int WorldBuilder::add(const Mesh& mesh, const Setting& at) {
-  MeshIndex index(mesh);
+  MeshIndex index(mesh, stop_);
   Aabb box;
   for (const Vec3d& p : index.positions) box = around(box, at.place.point(p));
   const int part = add_part(Sphere{}, at, world_.objects++);
@@ -173,7 +173,7 @@ void WorldBuilder::index(Space& space, const std::vector<Aabb>& boxes) {
     bounded.push_back(boxes[i]);
     which.push_back(item);
   }
-  space.bvh = build_bvh(bounded);
+  space.bvh = build_bvh(bounded, stop_);
   for (std::uint32_t& each : space.bvh.order) each = which[each];
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <map>
+#include <stop_token>
 #include <utility>
 #include <vector>
 
@@ -27,8 +28,11 @@ int pushed(List& list, T&& value) {
 
 class WorldBuilder {
  public:
-  /// Domain: a world without spaces.
-  explicit WorldBuilder(World& world) : world_(world) { world_.spaces.emplace_back(); }
+  /// Domain: a world without spaces; it and the token outlive the builder. Stopped is what all
+  /// functions throw once that is requested.
+  WorldBuilder(World& world, const std::stop_token& stop) : world_(world), stop_(stop) {
+    world_.spaces.emplace_back();
+  }
 
   /// An object that is one surface. Returns: its part.
   int add(Form form, const Setting& at);
@@ -53,6 +57,7 @@ class WorldBuilder {
   void index(Space& space, const std::vector<Aabb>& boxes);
 
   World& world_;
+  const std::stop_token& stop_;
   std::map<int, std::vector<Aabb>> boxes_;  // one an item, space by space
 };
 

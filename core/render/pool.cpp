@@ -89,6 +89,7 @@ void Pool::for_each(int count, int max_threads, const std::stop_token& stop,
   }
   job.next = count;  // it may have been stopped while nobody was at work
   dismiss_idle(job);
+  call_hands();
   hand.called.wait(lock, [&] { return job.hands == 0; });
   turns_.leave(job);
   lock.unlock();
@@ -107,6 +108,7 @@ void Pool::serve(const std::stop_token& ending) {
       if (!hand.called.wait(lock, ending, [&] { return hand.job != nullptr; })) return;
       idle_.erase(std::find(idle_.begin(), idle_.end(), &hand));
     }
+    call_hands();  // to the places of hands that were dismissed
     work(hand, lock);
   }
 }
@@ -150,8 +152,8 @@ void Pool::dismiss_idle(const Job& job) {
     if (hand->job == &job) unseat(*hand);
 }
 
-// Gives jobs to hands as long as there is one for another hand: to its own caller first. Where that
-// one works already some worker is idle, or has only begun to live: then it looks for itself.
+// Calls hands as long as a job may have one more: its own caller first. Where that one is called
+// already some worker is idle, or has only begun to live: then it looks for itself.
 void Pool::call_hands() {
   while (Job* job = next_job()) {
     Hand* hand = &job->caller;
