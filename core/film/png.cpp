@@ -6,6 +6,8 @@
 #include <memory>
 #include <new>
 
+#include "core/input/stopped.h"
+
 namespace {
 
 // The compressor's tables are large: one for each thread, kept.
@@ -19,9 +21,12 @@ libdeflate_compressor* compressor() {
   return mine.get();
 }
 
-// stb's hook: a zlib stream in memory that STBIW_FREE can free; null on failure.
+// What stb's hook has no parameter for.
+thread_local const std::stop_token* asked = nullptr;
+
+// stb's hook: a zlib stream in memory that STBIW_FREE can free; null on failure, or told to stop.
 unsigned char* deflate(unsigned char* data, int size, int* out_size, int) {
-  if (compressor() == nullptr) return nullptr;
+  if (asked->stop_requested() || compressor() == nullptr) return nullptr;
   const auto bytes = static_cast<std::size_t>(size);
   const std::size_t bound = libdeflate_zlib_compress_bound(compressor(), bytes);
   auto* out = static_cast<unsigned char*>(std::malloc(bound));
@@ -47,15 +52,20 @@ const int force_filter = stbi_write_force_png_filter = filter_sub;
 
 }  // namespace
 
-std::string encode_png(const Image8& image) {
+std::string encode_png(const Image8& image, const std::stop_token& stop) {
   struct Free {
     void operator()(unsigned char* p) const { std::free(p); }
   };
   static_cast<void>(force_filter);
+  end_if_asked(stop);
+  asked = &stop;
   int size = 0;
   const std::unique_ptr<unsigned char, Free> png(stbi_write_png_to_mem(
       image.rgb.data(), 3 * image.width, image.width, image.height, 3, &size));
-  if (png == nullptr) throw std::bad_alloc();
+  if (png == nullptr) {
+    end_if_asked(stop);
+    throw std::bad_alloc();
+  }
   return {reinterpret_cast<const char*>(png.get()), static_cast<std::size_t>(size)};
 }
 

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <thread>
 
+#include "core/input/stopped.h"
 #include "tests/core/support.h"
 
 #define STB_IMAGE_STATIC
@@ -137,6 +138,13 @@ TEST(Png, SameImageGivesTheSameBytesOnEveryThread) {
 }
 
 TEST(Png, FlatPicturesAreSmall) { EXPECT_LT(encode_png(Image8(640, 480)).size(), 10'000U); }
+
+TEST(Png, ToldToStopThereIsNone) {
+  std::stop_source source;
+  EXPECT_EQ(encode_png(ramp(64, 48), source.get_token()), encode_png(ramp(64, 48)));
+  source.request_stop();
+  EXPECT_THROW(encode_png(ramp(64, 48), source.get_token()), Stopped);
+}
 
 TEST(Png, EncoderNamesItselfAndTheFullVersionNamesIt) {
   EXPECT_EQ(png_encoder().find("libdeflate "), 0U);
