@@ -1,5 +1,7 @@
 #include "server/config.h"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <cstdlib>
 #include <stdexcept>
@@ -10,22 +12,42 @@
 namespace tia::server {
 namespace {
 
+constexpr std::string_view prefix = "TIA_";
+
 std::string variable_of(std::string_view name) {
-  std::string variable = "TIA_";
+  std::string variable(prefix);
   for (const char c : name) variable += c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
   return variable;
 }
 
 struct RowMaker {
-  std::vector<OptionRow> rows;
+  const Config& config;
+  std::vector<OptionRow> rows = {};
   template <class Member>
   void operator()(std::string_view name, Member Config::*member, const Spec& spec) {
-    const Value standard = write_value(Config{}.*member);
-    const auto* text = standard.template as<std::string>();
     rows.push_back({std::string(name), flag_of(name), variable_of(name), spec.about,
-                    TextForm<Member>::allowed(spec), text != nullptr ? *text : to_json(standard)});
+                    TextForm<Member>::allowed(spec), text_of(write_value(config.*member))});
   }
 };
+
+// Where a fault's setting came from: the last one of that name is the one that counts.
+const Setting* setting_at(const std::string& pointer, const std::vector<Setting>& settings) {
+  const Setting* found = nullptr;
+  for (const Setting& setting : settings)
+    if ((pointer + '/').starts_with('/' + setting.name + '/')) found = &setting;
+  return found;
+}
+
+std::string refusal(const Fault& fault, const std::vector<Setting>& settings) {
+  const Setting* setting = setting_at(fault.pointer, settings);
+  std::string text = "option " + (setting != nullptr ? setting->source : fault.pointer) + ": got " +
+                     to_json(*fault.got) + ", allowed: " + fault.allowed;
+  if (setting != nullptr && setting->text.starts_with("tcp://"))
+    text +=
+        "; Kubernetes sets this variable beside a Service of that name: put "
+        "\"enableServiceLinks: false\" into the pod's spec, or call the Service otherwise";
+  return text;
+}
 
 }  // namespace
 
@@ -45,10 +67,17 @@ int Config::processors() {
   return std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, 64);
 }
 
-std::vector<OptionRow> option_rows() {
-  RowMaker maker;
+std::vector<OptionRow> option_rows(const Config& config) {
+  RowMaker maker{config};
   Config::fields(maker);
   return maker.rows;
+}
+
+std::string env_file(const Config& config) {
+  std::string text;
+  for (const OptionRow& row : option_rows(config))
+    text += "# " + row.about + ": " + row.allowed + '\n' + row.variable + '=' + row.value + '\n';
+  return text;
 }
 
 Config read_config(const std::vector<Setting>& settings) {
@@ -60,12 +89,7 @@ Config read_config(const std::vector<Setting>& settings) {
   try {
     return read_described<Config>(object);
   } catch (const InputError& error) {
-    const Fault& fault = error.faults().front();
-    std::string source = fault.pointer;
-    for (const Setting& setting : settings)
-      if ("/" + setting.name == fault.pointer) source = setting.source;
-    throw std::invalid_argument("option " + source + ": got " + to_json(*fault.got) +
-                                ", allowed: " + fault.allowed);
+    throw std::invalid_argument(refusal(error.faults().front(), settings));
   }
 }
 
@@ -75,6 +99,23 @@ std::vector<Setting> environment_settings() {
     if (const char* text = std::getenv(row.variable.c_str()))
       settings.push_back({row.name, text, row.variable});
   return settings;
+}
+
+std::vector<std::string> unknown_variables() {
+  const std::vector<OptionRow> rows = option_rows();
+  std::vector<std::string_view> known;
+  for (const OptionRow& row : rows) known.push_back(row.variable);
+  std::vector<std::string> unknown;
+  for (char** each = environ; *each != nullptr; ++each) {
+    const std::string_view variable =
+        std::string_view(*each).substr(0, std::string_view(*each).find('='));
+    if (!variable.starts_with(prefix) || std::count(known.begin(), known.end(), variable) > 0)
+      continue;
+    const std::string nearest = nearest_name(variable, known);
+    unknown.push_back(std::string(variable) + " is no option" +
+                      (nearest.empty() ? "" : ", did you mean " + nearest + "?"));
+  }
+  return unknown;
 }
 
 }  // namespace tia::server

@@ -8,20 +8,31 @@
 
 #include "core/input/codec.h"
 #include "core/scene/limits.h"
+#include "server/peers.h"
 
 namespace tia::server {
 
 /// Config. A field `max_pixels` is the flag --max-pixels and the environment variable
 /// TIA_MAX_PIXELS; the flag wins.
 struct Config {
+  static constexpr double hour_ms = 3'600'000;
   std::string host = "127.0.0.1";
   int port = 8080;
   int threads = processors();
+  int renders = 8;
+  int queue = 64;
+  int connections = 1024;
+  int deadline_ms = 30'000;
+  int drain_ms = 9'000;  // docker kills after 10 s
+  int drain_delay_ms = 0;
   std::int64_t max_body_bytes = 4 << 20;
+  int max_nodes = 100'000;
   std::int64_t max_scenes_bytes = 64 << 20;
   std::int64_t max_pixels = Limits{}.max_pixels;
   std::int64_t max_rays = Limits{}.max_rays;
   std::int64_t max_work = Limits{}.max_work;
+  std::vector<Origin> cors_origins;
+  std::vector<Network> trusted_proxies;
 
   template <class Visitor>
   static void fields(Visitor&& visit) {
@@ -30,8 +41,35 @@ struct Config {
           Spec{.about = "port to listen on; 0 = any free one", .min = 0, .max = 65535});
     visit("threads", &Config::threads,
           Spec{.about = "threads that trace (default: the processors)", .min = 1, .max = 64});
+    visit("renders", &Config::renders,
+          Spec{.about = "pictures that may be drawn at once", .min = 1, .max = 64});
+    visit("queue", &Config::queue,
+          Spec{.about = "requests that may wait to be drawn", .min = 0, .max = 1024});
+    visit("connections", &Config::connections,
+          Spec{.about = "connections that may be open", .min = 8, .max = 65536});
+    visit("deadline_ms", &Config::deadline_ms,
+          Spec{.about = "what a request may take, its wait included; beyond it 503",
+               .unit = "ms",
+               .min = 1,
+               .max = hour_ms});
+    visit("drain_ms", &Config::drain_ms,
+          Spec{.about = "what requests may still take after SIGTERM before they are given up",
+               .unit = "ms",
+               .min = 0,
+               .max = 600'000});
+    visit("drain_delay_ms", &Config::drain_delay_ms,
+          Spec{.about = "how long after SIGTERM new requests are taken, /readyz being 503, so that "
+                        "balancers notice",
+               .unit = "ms",
+               .min = 0,
+               .max = 600'000});
     visit("max_body_bytes", &Config::max_body_bytes,
           Spec{.about = "largest request body", .unit = "bytes", .min = 1024, .max = 1 << 30});
+    visit("max_nodes", &Config::max_nodes,
+          Spec{.about = "most JSON values in a text, numbers inside arrays not counted",
+               .unit = "values",
+               .min = 4096,  // what a URL can hold
+               .max = 1e9});
     visit("max_scenes_bytes", &Config::max_scenes_bytes,
           Spec{.about = "memory for the scenes that POST /scenes keeps",
                .unit = "bytes",
@@ -49,12 +87,18 @@ struct Config {
                .unit = "tests",
                .min = 1,
                .max = 1e15});
+    visit("cors_origins", &Config::cors_origins,
+          Spec{.about = "origins whose pages may read answers (CORS)"});
+    visit("trusted_proxies", &Config::trusted_proxies,
+          Spec{.about = "proxies whose word for a client's address is taken"});
   }
 
   /// An empty host.
   void check(const Place& at, Faults& faults) const;
   /// What one request may ask for.
   Limits limits() const { return {max_pixels, max_rays, max_work}; }
+  /// What a text may hold.
+  JsonLimits json_limits() const { return {.values = static_cast<std::size_t>(max_nodes)}; }
 
   /// Processors that this process may use, at most 64.
   static int processors();
@@ -65,11 +109,16 @@ std::string flag_of(std::string_view name);
 
 /// An option as the command line and the documents need it.
 struct OptionRow {
-  std::string name, flag, variable, about, allowed, default_text;
+  std::string name, flag, variable, about, allowed;
+  std::string value;  ///< as a flag or variable would give it
 };
 
-/// The table's rows, in order.
-std::vector<OptionRow> option_rows();
+/// The table's rows, in order, with the values of a configuration, the default one unless told.
+std::vector<OptionRow> option_rows(const Config& config = {});
+
+/// The configuration as a file of variables, each with a comment: what `docker run --env-file`
+/// reads.
+std::string env_file(const Config& config);
 
 /// A setting as text: the option's name and what was given.
 struct Setting {
@@ -81,5 +130,9 @@ Config read_config(const std::vector<Setting>& settings);
 
 /// The settings that the environment gives.
 std::vector<Setting> environment_settings();
+
+/// The environment's variables TIA_… that are no option, each in a sentence with the nearest one
+/// that is.
+std::vector<std::string> unknown_variables();
 
 }  // namespace tia::server

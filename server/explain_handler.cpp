@@ -101,7 +101,7 @@ Response get_explain(const Request& request, const std::string&, Service& servic
 
 Response post_explain(const Request& request, const std::string&, Service& service) {
   const char* const what = "the parameters as a JSON object, such as {\"x\":320,\"y\":240}";
-  return explained(body_json(request, what), service);
+  return explained(body_json(request, what, service.config.json_limits()), service);
 }
 
 }  // namespace tia::server

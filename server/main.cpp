@@ -15,15 +15,23 @@ using namespace tia::server;
 
 constexpr int bad_use = 2;
 
+/// Asked: what the command line and the environment ask for.
+struct Asked {
+  std::vector<Setting> settings = environment_settings(), parameters = {};
+  std::string scene, file;
+  bool healthcheck = false, print_config = false;
+};
+
 // Every row of the options' table as a flag; what is given goes to `settings`.
 void add_options(CLI::App& app, std::vector<Setting>& settings) {
   for (const OptionRow& row : option_rows()) {
     const auto take = [&settings, row](const std::string& text) {
       settings.push_back({row.name, text, row.flag});
     };
+    const std::string standard = row.value.empty() ? "none" : row.value;
     app.add_option_function<std::string>(
            row.flag, take,
-           row.about + ": " + row.allowed + " [" + row.default_text + "], or " + row.variable)
+           row.about + ":\n" + row.allowed + " [" + standard + "], or " + row.variable)
         ->type_name("");
   }
 }
@@ -47,23 +55,39 @@ struct ParameterFlags {
   }
 };
 
+// Adds the subcommand `serve`, and all its flags to the program itself.
+void add_serve(CLI::App& app, Asked& asked) {
+  CLI::App* serve = app.add_subcommand("serve", "serve over HTTP (default)");
+  for (CLI::App* each : {&app, serve}) {
+    each->add_flag("--print-config", asked.print_config,
+                   "print every option's value as a file of variables (docker's --env-file), "
+                   "and exit");
+    add_options(*each, asked.settings);
+  }
+}
+
+CLI::App* add_render(CLI::App& app, Asked& asked) {
+  CLI::App* render = app.add_subcommand("render", "draw one picture to a file")->fallthrough();
+  render
+      ->add_option("scene", asked.scene,
+                   "a gallery scene's name, or a scene file: NAME.json or a path")
+      ->required()
+      ->type_name("");
+  render->add_option("-o,--output", asked.file, "NAME.png, NAME.pfm, or - for standard output")
+      ->required()
+      ->type_name("");
+  PictureRequest::fields(ParameterFlags{*render, asked.parameters});
+  return render;
+}
+
 int run(int argc, char** argv) {
   CLI::App app("Tia, a ray-tracing render service");
-  std::vector<Setting> settings = environment_settings(), parameters;
-  std::string scene, file;
-  bool healthcheck = false;
+  Asked asked;
   app.set_version_flag("--version", "Tia " + tia::version());
-  app.add_flag("--healthcheck", healthcheck, "ask the server on this machine whether it lives");
-  add_options(app, settings);
-  add_options(*app.add_subcommand("serve", "serve over HTTP (default)"), settings);
-  CLI::App* render = app.add_subcommand("render", "draw one picture to a file")->fallthrough();
-  render->add_option("scene", scene, "a gallery scene's name, or a scene file: NAME.json or a path")
-      ->required()
-      ->type_name("");
-  render->add_option("-o,--output", file, "NAME.png, NAME.pfm, or - for standard output")
-      ->required()
-      ->type_name("");
-  PictureRequest::fields(ParameterFlags{*render, parameters});
+  app.add_flag("--healthcheck", asked.healthcheck,
+               "ask the server on this machine whether it lives");
+  add_serve(app, asked);
+  const CLI::App* render = add_render(app, asked);
   app.require_subcommand(0, 1);
   try {
     app.parse(argc, argv);
@@ -71,9 +95,11 @@ int run(int argc, char** argv) {
     return app.exit(error) == 0 ? 0 : bad_use;
   }
 
-  const Config config = read_config(settings);
-  if (healthcheck) return is_healthy(config) ? 0 : 1;
-  if (render->parsed()) render_to_file(scene, file, parameters, config);
+  const Config config = read_config(asked.settings);
+  if (asked.healthcheck) return is_healthy(config) ? 0 : 1;
+  for (const std::string& warning : unknown_variables()) std::cerr << "tia: " << warning << '\n';
+  if (asked.print_config) std::cout << env_file(config) << std::flush;
+  else if (render->parsed()) render_to_file(asked.scene, asked.file, asked.parameters, config);
   else serve(config);
   return 0;
 }

@@ -47,7 +47,7 @@ void QueryReader::add_once(Value::Object& object, const Place& at, const std::st
   object.emplace_back(name, std::move(value));
 }
 
-Value body_json(const Request& request, const std::string& what) {
+Value body_json(const Request& request, const std::string& what, const JsonLimits& limits) {
   if (!request.query().empty())
     throw InputError({FaultKind::conflict, "", Value(request.query()),
                       "with POST all in the body, nothing in the URL"});
@@ -55,7 +55,7 @@ Value body_json(const Request& request, const std::string& what) {
   const bool declared_json = request.header("Content-Type").find("json") != std::string_view::npos;
   if (start == std::string::npos || (request.body[start] != '{' && !declared_json))
     throw HttpError("media-type", "send " + what);
-  return parse_json(request.body);
+  return parse_json(request.body, limits);
 }
 
 }  // namespace tia::server

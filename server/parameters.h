@@ -53,6 +53,6 @@ Value query_object(std::string_view query) {
 
 /// The JSON that a body is, whatever type it declares where it starts with {: curl -d declares a
 /// form. `what` says what to send. Errors: InputError; HttpError (media-type).
-Value body_json(const Request& request, const std::string& what);
+Value body_json(const Request& request, const std::string& what, const JsonLimits& limits = {});
 
 }  // namespace tia::server

@@ -32,10 +32,10 @@ void write_file(const std::string& name, const std::string& bytes) {
 }
 
 // A path or a name with an ending is a file, a bare word a scene of the gallery.
-Value scene_named(const std::string& scene) {
+Value scene_named(const std::string& scene, const JsonLimits& limits) {
   if (scene.find_first_of("./") == scene.npos) return scene;
   try {
-    return parse_json(read_file(scene));
+    return parse_json(read_file(scene), limits);
   } catch (const InputError& error) {
     throw std::runtime_error(scene + ": " + error.what());
   }
@@ -46,12 +46,13 @@ Value scene_named(const std::string& scene) {
 void render_to_file(const std::string& scene, const std::string& file,
                     const std::vector<Setting>& parameters, const Config& config) {
   const auto ending = std::filesystem::path(file).extension();
-  const bool told = std::ranges::any_of(parameters, [](auto& each) { return each.name == "format"; });
+  const bool told =
+      std::ranges::any_of(parameters, [](auto& each) { return each.name == "format"; });
   if (!told && !ending.empty() && ending != ".png" && ending != ".pfm")
     throw std::invalid_argument("option -o: got " + file +
                                 ", allowed: NAME.png, NAME.pfm, -, or any name with --format");
   Value::Object asked;
-  asked.emplace_back("scene", scene_named(scene));
+  asked.emplace_back("scene", scene_named(scene, config.json_limits()));
   if (file.ends_with(".pfm")) asked.emplace_back("format", "pfm");
   for (const Setting& each : parameters) {
     std::erase_if(asked, [&](const auto& member) { return member.first == each.name; });

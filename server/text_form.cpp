@@ -11,6 +11,11 @@ std::optional<Value> try_json(std::string_view text) {
   }
 }
 
+std::string_view trimmed(std::string_view text) {
+  const auto start = text.find_first_not_of(' ');
+  return start == text.npos ? "" : text.substr(start, text.find_last_not_of(' ') - start + 1);
+}
+
 }  // namespace
 
 Value number_from_text(std::string_view text) {
@@ -25,6 +30,17 @@ Value list_from_text(std::string_view text) {
   return value && value->as<Value::Array>() != nullptr ? *value : Value(text);
 }
 
+Value words_from_text(std::string_view text) {
+  Value::Array words;
+  if (trimmed(text).empty()) return words;
+  for (std::size_t comma = 0; comma != text.npos;
+       text.remove_prefix(std::min(comma + 1, text.size()))) {
+    comma = text.find(',');
+    words.emplace_back(trimmed(text.substr(0, comma)));
+  }
+  return words;
+}
+
 Value json_or_name_from_text(std::string_view text, const Place& at) {
   if (!text.starts_with('{')) return text;
   try {
@@ -34,6 +50,18 @@ Value json_or_name_from_text(std::string_view text, const Place& at) {
     for (Fault& fault : faults) fault.pointer.insert(0, at.pointer());
     throw InputError(std::move(faults));
   }
+}
+
+std::string text_of(const Value& value) {
+  if (const auto* text = value.as<std::string>()) return *text;
+  const auto* list = value.as<Value::Array>();
+  if (list == nullptr) return to_json(value);
+  std::string text;
+  for (const Value& each : *list) {
+    if (!text.empty()) text += ',';
+    text += text_of(each);
+  }
+  return text;
 }
 
 }  // namespace tia::server

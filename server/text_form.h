@@ -9,6 +9,7 @@
 #include <string>
 #include <string_view>
 #include <variant>
+#include <vector>
 
 #include "core/input/codec.h"
 
@@ -18,8 +19,12 @@ namespace tia::server {
 Value number_from_text(std::string_view text);
 /// "x,y,z" or "[x,y,z]" as an array of numbers, any other as a string.
 Value list_from_text(std::string_view text);
+/// "a, b" as an array of strings; "" as an empty one.
+Value words_from_text(std::string_view text);
 /// "{…}" as the JSON that it is, any other as a string. Errors: InputError, pointers below `at`.
 Value json_or_name_from_text(std::string_view text, const Place& at);
+/// The text that gives this value: strings as they are, lists of them with commas.
+std::string text_of(const Value& value);
 
 template <class T>
 struct TextForm {
@@ -46,6 +51,13 @@ struct TextForm<std::array<int, N>> {
   static Value read(std::string_view text, const Place&) { return list_from_text(text); }
   static std::string allowed(const Spec& spec) {
     return std::to_string(N) + " numbers, each " + range_text(spec, true);
+  }
+};
+template <class T>
+struct TextForm<std::vector<T>> {
+  static Value read(std::string_view text, const Place&) { return words_from_text(text); }
+  static std::string allowed(const Spec& spec) {
+    return "a list with commas between, each " + Codec<T>::allowed(spec);
   }
 };
 template <class T>

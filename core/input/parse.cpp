@@ -88,7 +88,7 @@ class Builder final : public nlohmann::json_sax<Json> {
     if (!in_flat_array && ++count_ > limits_.values)
       fail(FaultKind::limit, std::nullopt,
            "at most " + std::to_string(limits_.values) +
-               " JSON values (numbers inside arrays not counted)");
+               " JSON values, numbers inside arrays not counted (option TIA_MAX_NODES)");
     if (parent == nullptr) return &(root_ = std::move(value));
     if (array != nullptr) return &array->emplace_back(std::move(value));
     return &(parent->as<Value::Object>()->back().second = std::move(value));

@@ -20,7 +20,7 @@ TEST(CommandLine, HelpNamesEveryOptionItsVariableItsRangeAndDefault) {
     const Finished end = run(words);
     EXPECT_EQ(end.status, 0);
     for (const OptionRow& row : option_rows())
-      for (const std::string& part : {row.flag, row.variable, row.allowed, row.default_text})
+      for (const std::string& part : {row.flag, row.variable, row.allowed, row.value})
         EXPECT_THAT(end.out, HasSubstr(part));
   }
   const Finished end = run({"--help"});
@@ -75,6 +75,10 @@ const Use uses[] = {
     {"VariableOutOfRange", {}, "TIA_THREADS", {"TIA_THREADS=65"}},
     {"VariableNamesItsRange", {}, "64", {"TIA_THREADS=65"}},
     {"VariableOfPixels", {}, "TIA_MAX_PIXELS", {"TIA_MAX_PIXELS=0"}},
+    {"VariableOfKubernetes", {}, "enableServiceLinks", {"TIA_PORT=tcp://10.0.0.1:8080"}},
+    {"ProxyThatIsNone", {"--trusted-proxies", "10.0.0.1,proxy"}, "\"proxy\""},
+    {"OriginWithAPath", {}, "TIA_CORS_ORIGINS", {"TIA_CORS_ORIGINS=https://a.example/"}},
+    {"BadOptionBesidesPrintConfig", {"--print-config", "--port", "x"}, "--port"},
     {"RenderWithoutScene", {"render", "-o", "x.png"}, "scene"},
     {"RenderWithoutFile", {"render", "thesis"}, "--output"},
     {"VariableBesidesHealthcheck", {"--healthcheck"}, "TIA_PORT", {"TIA_PORT=99999"}},
@@ -88,6 +92,26 @@ TEST(CommandLine, AVariableSetsAnOptionAndAFlagWins) {
   const Tia by_flag({"--port", "0", "--max-pixels", "49"},
                     {"TIA_PORT=99999999", "TIA_MAX_PIXELS=48"});
   EXPECT_EQ(by_flag.get("/render?width=7&height=7").status, 200);
+}
+
+TEST(CommandLine, PrintConfigPrintsTheValuesInForceAndExits) {
+  Config config;
+  config.port = 9000;
+  config.max_pixels = 48;
+  for (const Process::Words& words : {Process::Words{"--print-config", "--port", "9000"},
+                                      {"serve", "--port", "9000", "--print-config"}}) {
+    const Finished end = run(words, {"TIA_PORT=1", "TIA_MAX_PIXELS=48"});
+    EXPECT_EQ(end.status, 0);
+    EXPECT_EQ(end.out, env_file(config));
+    EXPECT_EQ(end.err, "");
+  }
+}
+
+TEST(CommandLine, AnUnknownVariableIsWarnedOfAndDoesNoHarm) {
+  const Finished end = run({"--print-config"}, {"TIA_PROT=9000"});
+  EXPECT_EQ(end.status, 0);
+  EXPECT_EQ(end.out, env_file({}));
+  EXPECT_EQ(end.err, "tia: TIA_PROT is no option, did you mean TIA_PORT?\n");
 }
 
 TEST(Healthcheck, Is0WhereTheServerLivesAnd1WhereNoneDoes) {

@@ -2,6 +2,7 @@
 #include "server/config.h"
 
 #include <cstdlib>
+#include <sstream>
 
 #include "server/text_form.h"
 #include "tests/server/support.h"
@@ -26,6 +27,20 @@ const Numeric numerics[] = {
      [](const Config& c) -> std::int64_t { return c.port; }},
     {"threads", "--threads", "TIA_THREADS", Config::processors(), 1, 64,
      [](const Config& c) -> std::int64_t { return c.threads; }},
+    {"renders", "--renders", "TIA_RENDERS", 8, 1, 64,
+     [](const Config& c) -> std::int64_t { return c.renders; }},
+    {"queue", "--queue", "TIA_QUEUE", 64, 0, 1024,
+     [](const Config& c) -> std::int64_t { return c.queue; }},
+    {"connections", "--connections", "TIA_CONNECTIONS", 1024, 8, 65536,
+     [](const Config& c) -> std::int64_t { return c.connections; }},
+    {"deadline_ms", "--deadline-ms", "TIA_DEADLINE_MS", 30'000, 1, 3'600'000,
+     [](const Config& c) -> std::int64_t { return c.deadline_ms; }},
+    {"drain_ms", "--drain-ms", "TIA_DRAIN_MS", 9'000, 0, 600'000,
+     [](const Config& c) -> std::int64_t { return c.drain_ms; }},
+    {"drain_delay_ms", "--drain-delay-ms", "TIA_DRAIN_DELAY_MS", 0, 0, 600'000,
+     [](const Config& c) -> std::int64_t { return c.drain_delay_ms; }},
+    {"max_nodes", "--max-nodes", "TIA_MAX_NODES", 100'000, 4096, 1'000'000'000,
+     [](const Config& c) -> std::int64_t { return c.max_nodes; }},
     {"max_body_bytes", "--max-body-bytes", "TIA_MAX_BODY_BYTES", 4'194'304, 1024, 1'073'741'824,
      [](const Config& c) { return c.max_body_bytes; }},
     {"max_scenes_bytes", "--max-scenes-bytes", "TIA_MAX_SCENES_BYTES", 67'108'864, 0,
@@ -59,7 +74,7 @@ TEST_P(Option, IsOneRowOfTheTable) {
     if (row.name != option.name) continue;
     EXPECT_EQ(row.flag, option.flag);
     EXPECT_EQ(row.variable, option.variable);
-    EXPECT_EQ(row.default_text, std::to_string(option.standard));
+    EXPECT_EQ(row.value, std::to_string(option.standard));
     EXPECT_THAT(row.allowed, HasSubstr(std::to_string(option.least)));
     EXPECT_THAT(row.allowed, HasSubstr(std::to_string(option.most)));
     EXPECT_FALSE(row.about.empty());
@@ -128,7 +143,7 @@ INSTANTIATE_TEST_SUITE_P(Of, Option, testing::ValuesIn(numerics), name_of);
 TEST(Options, AreTheseAndNoOthers) {
   std::vector<std::string> names;
   for (const OptionRow& row : option_rows()) names.push_back(row.name);
-  std::vector<std::string> tested{"host"};
+  std::vector<std::string> tested{"host", "cors_origins", "trusted_proxies"};
   for (const Numeric& option : numerics) tested.emplace_back(option.name);
   EXPECT_THAT(names, testing::UnorderedElementsAreArray(tested));
 }
@@ -137,6 +152,74 @@ TEST(Options, HostIsTextAndTheLoopbackByDefault) {
   EXPECT_EQ(read_config({}).host, "127.0.0.1");
   EXPECT_EQ(read("host", "0.0.0.0").host, "0.0.0.0");
   EXPECT_EQ(read("host", "8").host, "8");
+}
+
+TEST(Options, AreTheTableOfTheReadme) {
+  std::string table;
+  for (const OptionRow& row : option_rows()) {
+    const std::string standard = row.name == "threads" ? "the processors"
+                                 : row.value.empty()   ? "none"
+                                                       : row.value;
+    table += "| `" + row.flag + "` `" + row.variable + "` | " + standard + " | " + row.allowed +
+             " | " + row.about + " |\n";
+  }
+  const std::string readme = file_bytes(std::string(TIA_SOURCE_DIR) + "/README.md");
+  EXPECT_NE(readme.find("|---|---:|---|---|\n" + table + "\n"), readme.npos) << table;
+}
+
+TEST(Options, AreReadBackFromTheFileOfVariablesThatTheyPrint) {
+  const Config config = read_config({{"host", "::1", ""},
+                                     {"max_rays", "123456789012345", ""},
+                                     {"cors_origins", "https://a.example, http://b:81", ""},
+                                     {"trusted_proxies", "10.0.0.0/8,::1", ""}});
+  std::istringstream lines(env_file(config));
+  std::vector<Setting> settings;
+  for (std::string comment, line; std::getline(lines, comment) && std::getline(lines, line);) {
+    ASSERT_LT(settings.size(), option_rows().size());
+    const OptionRow row = option_rows()[settings.size()];
+    EXPECT_EQ(comment, "# " + row.about + ": " + row.allowed);
+    ASSERT_TRUE(line.starts_with(row.variable + "=")) << line;
+    settings.push_back({row.name, line.substr(row.variable.size() + 1), row.variable});
+  }
+  EXPECT_EQ(settings.size(), option_rows().size());
+  EXPECT_EQ(env_file(read_config(settings)), env_file(config));
+}
+
+TEST(Options, AListHasCommasAndMayBeEmpty) {
+  EXPECT_TRUE(read("cors_origins", "").cors_origins.empty());
+  EXPECT_TRUE(read("trusted_proxies", " ").trusted_proxies.empty());
+  const auto origins = read("cors_origins", "https://a.example , *").cors_origins;
+  ASSERT_EQ(origins.size(), 2U);
+  EXPECT_EQ(origins[0].text, "https://a.example");
+  EXPECT_TRUE(origins[1].is_any());
+}
+
+TEST(Options, ABadEntryOfAListIsNamed) {
+  const std::pair<const char*, const char*> lists[] = {
+      {"trusted_proxies", "10.0.0.0/8,10.0.0.0/33"}, {"cors_origins", "*,http:/a"}};
+  for (const auto& [name, list] : lists) {
+    const std::string text = list, entry = text.substr(text.find(',') + 1);
+    EXPECT_THAT(refusal(name, text), HasSubstr("--some-flag: got \"" + entry + "\", allowed: "));
+    EXPECT_THAT(refusal(name, "*,"), HasSubstr("--some-flag: got \""));
+  }
+}
+
+TEST(Options, APortThatKubernetesSetIsRefusedWithTheWayOut) {
+  EXPECT_THAT(refusal("port", "tcp://10.0.0.1:8080"),
+              testing::AllOf(HasSubstr("tcp://10.0.0.1:8080"), HasSubstr("65535"),
+                             HasSubstr("enableServiceLinks: false")));
+  EXPECT_THAT(refusal("port", "http"), Not(HasSubstr("Kubernetes")));
+}
+
+TEST(Options, AVariableThatIsNoOptionIsNamedWithTheNearestOne) {
+  EXPECT_THAT(unknown_variables(), testing::IsEmpty());
+  setenv("TIA_MAX_PIXEL", "1", 1);
+  setenv("TIA_SERVICE_HOST", "1", 1);
+  const std::string nearest = "TIA_MAX_PIXEL is no option, did you mean TIA_MAX_PIXELS?";
+  EXPECT_THAT(unknown_variables(),
+              testing::UnorderedElementsAre(nearest, "TIA_SERVICE_HOST is no option"));
+  unsetenv("TIA_MAX_PIXEL");
+  unsetenv("TIA_SERVICE_HOST");
 }
 
 TEST(Options, ProcessorsAreFrom1To64) {

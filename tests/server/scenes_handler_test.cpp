@@ -78,5 +78,28 @@ TEST(Health, IsOkAndNeverStored) {
   EXPECT_EQ(header(response, "Cache-Control"), "no-store");
 }
 
+// An object, the array in it and the rest empty strings: that many JSON values.
+std::string text_of_nodes(int count) {
+  std::string text = R"({"objects":[)";
+  for (int i = 2; i < count; ++i) text += i > 2 ? R"(,"")" : R"("")";
+  return text + "]}";
+}
+
+TEST(Nodes, ATextMayHoldAsManyValuesAsTheOptionSays) {
+  Config config;
+  config.max_nodes = 4096;
+  Host small(config);
+  for (const char* path : {"/scenes", "/explain"}) {
+    EXPECT_NE(problem_of(small.post(path, text_of_nodes(4096))).type, "/problems/limit");
+    const Response response = small.post(path, text_of_nodes(4097));
+    EXPECT_EQ(response.status, 422);
+    EXPECT_EQ(problem_of(response).type, "/problems/limit");
+    const ProblemError error = only_error(response);
+    EXPECT_EQ(error.pointer, "/objects/4094");
+    EXPECT_THAT(error.allowed, testing::AllOf(testing::HasSubstr("at most 4096 JSON values"),
+                                              testing::HasSubstr("TIA_MAX_NODES")));
+  }
+}
+
 }  // namespace
 }  // namespace tia::test

@@ -30,6 +30,20 @@ TEST(ListFromText, KeepsAllElseAsTheTextThatCame) {
     EXPECT_EQ(list_from_text(text), Value(text)) << text;
 }
 
+TEST(WordsFromText, AreWhatStandsBetweenCommasWithoutTheSpacesAround) {
+  EXPECT_EQ(words_from_text("a"), Value(Value::Array{"a"}));
+  EXPECT_EQ(words_from_text(" a b ,c, ,"), Value(Value::Array{"a b", "c", "", ""}));
+  for (const char* nothing : {"", "  "})
+    EXPECT_EQ(words_from_text(nothing), Value(Value::Array{})) << nothing;
+}
+
+TEST(TextOf, IsTheTextThatGivesTheValue) {
+  EXPECT_EQ(text_of("a b"), "a b");
+  EXPECT_EQ(text_of(8080), "8080");
+  EXPECT_EQ(text_of(Value::Array{"a", "b"}), "a,b");
+  EXPECT_EQ(text_of(Value::Array{}), "");
+}
+
 TEST(JsonOrNameFromText, ReadsAnObjectAndElseAName) {
   EXPECT_EQ(json_or_name_from_text(R"({"a":[1]})", Place{}),
             Value(Value::Object{{"a", Value::Array{1}}}));
