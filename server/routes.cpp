@@ -2,6 +2,7 @@
 
 #include "server/assets.h"
 #include "server/handlers.h"
+#include "server/headers.h"
 #include "server/problem.h"
 
 namespace tia::server {
@@ -18,7 +19,14 @@ bool matches(const Route& route, std::string_view path, std::string_view& name) 
   return name.find('/') == name.npos;
 }
 
+// What may be done with a path (RFC 9110, 9.3.7), or with some path of this server.
+Response options(const std::string& allow) {
+  return {.status = 204, .content_type = "", .body = "", .headers = {{"Allow", allow}}};
+}
+
 Response dispatch(const Request& request, Service& service) {
+  if (request.method == "OPTIONS" && request.target == "*")
+    return options("GET, HEAD, POST, OPTIONS");
   if (request.target.size() > longest_target)
     throw HttpError("uri-too-long", "a URL may have " + std::to_string(longest_target) +
                                         " bytes; send the parameters as a JSON object with "
@@ -37,8 +45,20 @@ Response dispatch(const Request& request, Service& service) {
     allow = "GET, HEAD";
   }
   if (allow.empty()) throw HttpError("not-found", "no such path");
+  allow += ", OPTIONS";
+  if (method == "OPTIONS") return options(allow);
   throw HttpError("method", request.method + " is not for this path; allowed: " + allow,
                   {{"Allow", allow}});
+}
+
+Response answer_or_problem(const Request& request, Service& service) {
+  try {
+    Response response = dispatch(request, service);
+    response.headers.emplace_back("X-Request-Id", request.id);
+    return response;
+  } catch (...) {
+    return problem_response(std::current_exception(), request);
+  }
 }
 
 }  // namespace
@@ -61,13 +81,10 @@ const std::vector<Route>& routes() {
 }
 
 Response answer(const Request& request, Service& service) {
-  try {
-    Response response = dispatch(request, service);
-    response.headers.emplace_back("X-Request-Id", request.id);
-    return response;
-  } catch (...) {
-    return problem_response(std::current_exception(), request);
-  }
+  Response response = answer_or_problem(request, service);
+  guard(response);
+  share(response, request, service.config.cors_origins);
+  return response;
 }
 
 }  // namespace tia::server

@@ -29,6 +29,12 @@ TEST_P(Allow, NamesTheMethodsThatThePathTakes) {
   for (const char* method : methods) {
     SCOPED_TRACE(method);
     const Response response = host().ask(method, GetParam().path, "{}");
+    if (std::string_view(method) == "OPTIONS") {
+      EXPECT_EQ(response.status, 204);
+      EXPECT_EQ(header(response, "Allow"), allow);
+      EXPECT_EQ(response.content_type + response.body, "");
+      continue;
+    }
     const bool taken =
         (std::string(", ") + allow + ",").find(std::string(", ") + method + ",") != allow.npos;
     if (taken) {
@@ -46,17 +52,18 @@ TEST_P(Allow, NamesTheMethodsThatThePathTakes) {
 }
 
 std::string law_of(const testing::TestParamInfo<Path>& info) { return info.param.law; }
-INSTANTIATE_TEST_SUITE_P(Of, Allow,
-                         testing::Values(Path{"Page", "/", "GET, HEAD"},
-                                         Path{"Render", "/render", "GET, HEAD, POST"},
-                                         Path{"Scenes", "/scenes", "GET, HEAD, POST", 200, 201},
-                                         Path{"Explain", "/explain", "GET, HEAD, POST", 422, 422},
-                                         Path{"Scene", "/scenes/thesis", "GET, HEAD"},
-                                         Path{"Schema", "/schema/scene.json", "GET, HEAD"},
-                                         Path{"Health", "/healthz", "GET, HEAD"},
-                                         Path{"Version", "/version", "GET, HEAD"},
-                                         Path{"PageFile", "/style.css", "GET, HEAD"}),
-                         law_of);
+INSTANTIATE_TEST_SUITE_P(
+    Of, Allow,
+    testing::Values(Path{"Page", "/", "GET, HEAD, OPTIONS"},
+                    Path{"Render", "/render", "GET, HEAD, POST, OPTIONS"},
+                    Path{"Scenes", "/scenes", "GET, HEAD, POST, OPTIONS", 200, 201},
+                    Path{"Explain", "/explain", "GET, HEAD, POST, OPTIONS", 422, 422},
+                    Path{"Scene", "/scenes/thesis", "GET, HEAD, OPTIONS"},
+                    Path{"Schema", "/schema/scene.json", "GET, HEAD, OPTIONS"},
+                    Path{"Health", "/healthz", "GET, HEAD, OPTIONS"},
+                    Path{"Version", "/version", "GET, HEAD, OPTIONS"},
+                    Path{"PageFile", "/style.css", "GET, HEAD, OPTIONS"}),
+    law_of);
 
 TEST(Routes, AnUnknownPathIs404ForEveryMethod) {
   for (const char* path : {"/nowhere", "/renderer", "/render/", "/Render", "/docs/index.html",
@@ -67,6 +74,13 @@ TEST(Routes, AnUnknownPathIs404ForEveryMethod) {
       EXPECT_EQ(response.status, 404);
       EXPECT_EQ(problem_of(response).type, "/problems/not-found");
     }
+}
+
+TEST(Routes, OptionsOfTheServerAreAllMethods) {  // RFC 9110, 9.3.7
+  const Response response = host().ask("OPTIONS", "*");
+  EXPECT_EQ(response.status, 204);
+  EXPECT_EQ(header(response, "Allow"), "GET, HEAD, POST, OPTIONS");
+  EXPECT_EQ(host().get("*").status, 404);
 }
 
 TEST(Routes, NoPathLeadsToAFileOfTheMachine) {

@@ -79,11 +79,11 @@ TEST(RawBytes, AUrlOfAnyLengthIs414NamingThePostForm) {
 }
 
 TEST(RawBytes, AMethodThatNoPathTakesIs405) {
-  for (const char* method : {"PUT", "PATCH", "DELETE", "OPTIONS", "TRACE"}) {
+  for (const char* method : {"PUT", "PATCH", "DELETE", "TRACE"}) {
     const Response response = exchange(
         server().port(), std::string(method) + " /render HTTP/1.1\r\nContent-Length: 0\r\n" + host);
     EXPECT_EQ(response.status, 405) << method;
-    EXPECT_EQ(header(response, "Allow"), "GET, HEAD, POST") << method;
+    EXPECT_EQ(header(response, "Allow"), "GET, HEAD, POST, OPTIONS") << method;
   }
 }
 
