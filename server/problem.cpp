@@ -25,6 +25,7 @@ constexpr std::array rows{
     Row{"limit", 422, "The request asks for more than this server gives"},
     Row{"not-found", 404, "Nothing is here"},
     Row{"method", 405, "The method is not allowed here"},
+    Row{"not-acceptable", 406, "The client accepts nothing that is here"},
     Row{"timeout", 408, "The request came too slowly"},
     Row{"too-large", 413, "The request's body is too large"},
     Row{"uri-too-long", 414, "The URL is too long; POST /render takes the same as a JSON object"},

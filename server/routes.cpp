@@ -1,5 +1,6 @@
 #include "server/routes.h"
 
+#include "server/accept.h"
 #include "server/assets.h"
 #include "server/handlers.h"
 #include "server/headers.h"
@@ -36,7 +37,10 @@ Response dispatch(const Request& request, Service& service) {
   for (const Route& route : routes()) {
     std::string_view name;
     if (!matches(route, request.path(), name)) continue;
-    if (route.method == method) return route.handler(request, percent_decode(name), service);
+    if (route.method == method) {
+      if (!route.gives.empty()) static_cast<void>(preferred_type(request, route.gives));
+      return route.handler(request, percent_decode(name), service);
+    }
     allow += (allow.empty() ? "" : ", ") + std::string(route.method);
     if (route.method == "GET") allow += ", HEAD";
   }
@@ -64,16 +68,18 @@ Response answer_or_problem(const Request& request, Service& service) {
 }  // namespace
 
 const std::vector<Route>& routes() {
+  static constexpr std::string_view json = "application/json";
+  static constexpr std::string_view schema = "application/schema+json";  // which is JSON too
   static const std::vector<Route> table{
       {"GET", "/", "the page", get_page},
       {"GET", "/render", "a picture; no parameter is required", get_render},
       {"POST", "/render", "the same, parameters as a JSON object", post_render},
-      {"GET", "/explain", "what the ray of a pixel, or any ray, meets", get_explain},
-      {"POST", "/explain", "the same, parameters as a JSON object", post_explain},
-      {"GET", "/scenes", "the gallery: names and titles", get_scenes},
-      {"POST", "/scenes", "keeps a scene: its id is a name", post_scene},
-      {"GET", "/scenes/{}", "one scene's canonical JSON", get_scene},
-      {"GET", "/schema/scene.json", "JSON Schema of a scene", get_scene_schema},
+      {"GET", "/explain", "what the ray of a pixel, or any ray, meets", get_explain, {json}},
+      {"POST", "/explain", "the same, parameters as a JSON object", post_explain, {json}},
+      {"GET", "/scenes", "the gallery: names and titles", get_scenes, {json}},
+      {"POST", "/scenes", "keeps a scene: its id is a name", post_scene, {json}},
+      {"GET", "/scenes/{}", "one scene's canonical JSON", get_scene, {json}},
+      {"GET", "/schema/scene.json", "JSON Schema of a scene", get_scene_schema, {schema, json}},
       {"GET", "/healthz", "whether the server lives", get_health},
       {"GET", "/version", "what this build is", get_version},
   };

@@ -27,6 +27,8 @@ struct Route {
   std::string_view path;    ///< exact, or ending in {}: one more segment
   std::string_view about;
   Handler handler;
+  /// The media types of which Accept must allow one; empty = it is not asked, or by the handler.
+  std::vector<std::string_view> gives = {};
 };
 
 const std::vector<Route>& routes();
