@@ -9,6 +9,7 @@ namespace tia::server {
 /// Asset: one file of web/. `path` begins with a slash: "/index.html", "/scenes/thesis.json".
 struct Asset {
   std::string_view path, bytes;
+  std::string_view gzip;  ///< the same compressed (RFC 1952); empty where that is no shorter
 };
 
 /// All files, sorted by path.

@@ -1,7 +1,9 @@
 # embed_folder(TARGET FOLDER) puts every file below FOLDER into TARGET, which then defines
 # tia::server::assets() of server/assets.h. The assembler includes the bytes, so a large file
-# costs no compile time. A file added, changed or removed is picked up by the next build.
+# costs no compile time. A file added, changed or removed is picked up by the next build. Text that
+# browsers load is embedded compressed too.
 function(embed_folder target folder)
+  find_program(GZIP gzip REQUIRED)
   set(root "${PROJECT_SOURCE_DIR}/${folder}")
   file(GLOB_RECURSE files CONFIGURE_DEPENDS RELATIVE "${root}" "${root}/*")
   list(FILTER files EXCLUDE REGEX "(^|/)\\.|~$")  # hidden files and editors' backups
@@ -10,17 +12,35 @@ function(embed_folder target folder)
   set(blobs "")
   set(symbols "")
   set(entries "")
+  set(embedded "")
   set(index 0)
-  foreach(file IN LISTS files)
+  # Puts a file into the blobs as begin_N and end_N.
+  macro(embed path)
+    math(EXPR index "${index} + 1")
+    list(APPEND embedded "${path}")
     string(APPEND blobs
-      "    \"tia_asset_${index}: .incbin \\\"${root}/${file}\\\"\\n\"\n"
+      "    \"tia_asset_${index}: .incbin \\\"${path}\\\"\\n\"\n"
       "    \"tia_asset_${index}_end: .byte 0\\n\"\n")
     string(APPEND symbols
       "extern const char begin_${index}[] asm(\"tia_asset_${index}\");\n"
       "extern const char end_${index}[] asm(\"tia_asset_${index}_end\");\n")
-    string(APPEND entries "      Asset{\"/${file}\", between(begin_${index}, end_${index})},\n")
-    math(EXPR index "${index} + 1")
+  endmacro()
+  foreach(file IN LISTS files)
+    embed("${root}/${file}")
+    set(plain "between(begin_${index}, end_${index})")
+    set(shorter "{}")
+    if(file MATCHES "\\.(html|css|js|svg)$")
+      set(zipped "${PROJECT_BINARY_DIR}/${folder}/${file}.gz")
+      cmake_path(GET zipped PARENT_PATH where)
+      add_custom_command(OUTPUT "${zipped}" DEPENDS "${root}/${file}"
+        COMMAND "${CMAKE_COMMAND}" -E make_directory "${where}"
+        COMMAND "${GZIP}" -9nc "${root}/${file}" > "${zipped}" VERBATIM)
+      embed("${zipped}")
+      set(shorter "if_shorter(${plain}, between(begin_${index}, end_${index}))")
+    endif()
+    string(APPEND entries "      Asset{\"/${file}\", ${plain},\n            ${shorter}},\n")
   endforeach()
+  list(LENGTH files count)
 
   set(output "${PROJECT_BINARY_DIR}/assets.cpp")
   file(CONFIGURE OUTPUT "${output}" @ONLY CONTENT [=[
@@ -45,17 +65,20 @@ std::string_view between(const char* begin, const char* end) {
   return {begin, static_cast<std::size_t>(end - begin)};
 }
 
+std::string_view if_shorter(std::string_view plain, std::string_view zipped) {
+  return zipped.size() < plain.size() ? zipped : std::string_view();
+}
+
 }  // namespace
 
 std::span<const Asset> assets() {
-  static const std::array<Asset, @index@> list{
+  static const std::array<Asset, @count@> list{
 @entries@  };
   return list;
 }
 
 }  // namespace tia::server
 ]=])
-  list(TRANSFORM files PREPEND "${root}/")
-  set_source_files_properties("${output}" PROPERTIES OBJECT_DEPENDS "${files}")
+  set_source_files_properties("${output}" PROPERTIES OBJECT_DEPENDS "${embedded}")
   target_sources(${target} PRIVATE "${output}")
 endfunction()

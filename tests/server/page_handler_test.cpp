@@ -1,6 +1,9 @@
 // The page and its files: what web/ holds, each with its type and ETag, from memory.
+#include <libdeflate.h>
+
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <set>
 
 #include "server/assets.h"
@@ -100,6 +103,63 @@ TEST(Page, IsSentToWhoHasAnother) {
 
 TEST(Page, IsAskedForAgainEachTime) {
   EXPECT_EQ(header(host().get("/"), "Cache-Control"), "no-cache");  // but 304 costs nothing
+}
+
+// ---- compressed -----------------------------------------------------------------------------
+
+// The bytes of a gzip file that opens to `size` bytes; "" where it does not.
+std::string unzipped(std::string_view file, std::size_t size) {
+  std::string bytes(size, '\0');
+  const std::unique_ptr<libdeflate_decompressor, void (*)(libdeflate_decompressor*)> decompressor(
+      libdeflate_alloc_decompressor(), libdeflate_free_decompressor);
+  const auto result = libdeflate_gzip_decompress(decompressor.get(), file.data(), file.size(),
+                                                 bytes.data(), size, nullptr);
+  return result == LIBDEFLATE_SUCCESS ? bytes : "";
+}
+
+Response zipped(const std::string& path, Headers headers = {}) {
+  headers.emplace_back("Accept-Encoding", "gzip, deflate, br");
+  return host().get(path, headers);
+}
+
+TEST(Page, GoesCompressedToWhoTakesIt) {
+  for (const Asset& asset : assets()) {
+    if (of_the_gallery(asset.path)) continue;
+    const std::string path(asset.path);
+    SCOPED_TRACE(path);
+    const Response plain = host().get(path), response = zipped(path);
+    EXPECT_EQ(response.status, 200);
+    EXPECT_EQ(response.content_type, plain.content_type);
+    EXPECT_FALSE(header(plain, "Content-Encoding"));
+    ASSERT_FALSE(asset.gzip.empty());  // all that there is, is text of some length
+    EXPECT_EQ(header(response, "Content-Encoding"), "gzip");
+    EXPECT_LT(response.body.size(), plain.body.size());
+    EXPECT_TRUE(unzipped(response.body, plain.body.size()) == plain.body);
+    EXPECT_EQ(header(response, "Vary"), "Accept-Encoding");
+    EXPECT_EQ(header(plain, "Vary"), "Accept-Encoding");
+  }
+}
+
+TEST(Page, GoesAsItIsToWhoDoesNot) {
+  for (const char* accept : {"", "br", "gzip;q=0", "identity"}) {
+    const Response response = host().get("/", {{"Accept-Encoding", accept}});
+    EXPECT_FALSE(header(response, "Content-Encoding")) << accept;
+    EXPECT_TRUE(response.body == find_asset("/index.html")->bytes) << accept;
+  }
+}
+
+TEST(Page, EachCodingHasATagOfItsOwn) {  // RFC 9110, 8.8.3.3
+  const std::string plain = header(host().get("/"), "ETag").value();
+  const std::string coded = header(zipped("/"), "ETag").value();
+  EXPECT_THAT(coded, testing::MatchesRegex("\"[^\"]+\""));
+  EXPECT_NE(coded, plain);
+  const Response again = zipped("/", {{"If-None-Match", coded}});
+  EXPECT_EQ(again.status, 304);
+  EXPECT_EQ(header(again, "ETag"), coded);
+  EXPECT_EQ(header(again, "Vary"), "Accept-Encoding");
+  EXPECT_EQ(header(again, "Cache-Control"), "no-cache");
+  EXPECT_EQ(zipped("/", {{"If-None-Match", plain}}).status, 200);
+  EXPECT_EQ(host().get("/", {{"If-None-Match", coded}}).status, 200);
 }
 
 TEST(Page, AnUnknownFileIs404) {
