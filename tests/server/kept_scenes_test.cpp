@@ -170,7 +170,7 @@ TEST(PostScenes, WhatIsNoSceneIsRefused) {
   EXPECT_EQ(host().post("/scenes", R"({"scene":"thesis"})").status, 422);
   const Response put = host().ask("PUT", "/scenes", lit_ball);
   EXPECT_EQ(put.status, 405);
-  EXPECT_EQ(header(put, "Allow"), "GET, HEAD, POST");
+  EXPECT_EQ(header(put, "Allow"), "GET, HEAD, POST, OPTIONS");
 }
 
 // ---- sockets and threads -------------------------------------------------------------------
