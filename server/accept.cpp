@@ -14,12 +14,6 @@ namespace {
 
 constexpr int most = 1000;
 
-std::string_view trimmed(std::string_view text) {
-  const auto start = text.find_first_not_of(" \t");
-  if (start == text.npos) return "";
-  return text.substr(start, text.find_last_not_of(" \t") - start + 1);
-}
-
 // Takes the part before the mark off the text.
 std::string_view cut(std::string_view& text, char mark) {
   const std::string_view part = text.substr(0, text.find(mark));

@@ -76,32 +76,34 @@ RenderOptions options_of(const ExplainRequest& asked, const Scene& scene, const 
   return options;
 }
 
-Explanation explanation_of(const ExplainRequest& asked, const Service& service) {
+Explanation explanation_of(const ExplainRequest& asked, const Service& service,
+                           const std::stop_token& stop) {
   const SharedScene scene = scene_of(asked, service.studio);
   const RenderOptions options = options_of(asked, *scene, service);
   if (asked.ray)
-    return explain(*scene, {asked.ray->origin, normalize(asked.ray->direction)}, options);
+    return explain(*scene, {asked.ray->origin, normalize(asked.ray->direction)}, options, stop);
   const View view = view_of(scene->camera, asked.width, asked.height);
-  return explain(*scene, view, *asked.x, *asked.y, asked.sample, options);
+  return explain(*scene, view, *asked.x, *asked.y, asked.sample, options, stop);
 }
 
-Response explained(const Value& parameters, const Service& service) {
+Response explained(const Value& parameters, const Request& request, Service& service) {
   const auto asked = read_described<ExplainRequest>(parameters);
   check_size(asked.width, asked.height, service.studio.limits);
+  const auto ticket = service.admission.enter(1, request.stop);
   return {.content_type = "application/json",
-          .body = to_json(value_of(explanation_of(asked, service))),
+          .body = to_json(value_of(explanation_of(asked, service, request.stop))),
           .headers = {{"Cache-Control", "no-cache"}}};
 }
 
 }  // namespace
 
 Response get_explain(const Request& request, const std::string&, Service& service) {
-  return explained(query_object<ExplainRequest>(request.query()), service);
+  return explained(query_object<ExplainRequest>(request.query()), request, service);
 }
 
 Response post_explain(const Request& request, const std::string&, Service& service) {
   const char* const what = "the parameters as a JSON object, such as {\"x\":320,\"y\":240}";
-  return explained(body_json(request, what, service.config.json_limits()), service);
+  return explained(body_json(request, what, service.config.json_limits()), request, service);
 }
 
 }  // namespace tia::server

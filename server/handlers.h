@@ -21,6 +21,8 @@ Response get_scene_schema(const Request& request, const std::string&, Service& s
 
 // health_handler.cpp
 Response get_health(const Request& request, const std::string&, Service& service);
+Response get_ready(const Request& request, const std::string&, Service& service);
+Response get_metrics(const Request& request, const std::string&, Service& service);
 Response get_version(const Request& request, const std::string&, Service& service);
 
 // page_handler.cpp

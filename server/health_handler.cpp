@@ -1,4 +1,4 @@
-// /healthz and /version.
+// What operators ask: /healthz, /readyz, /version, /metrics.
 #include "core/input/json.h"
 #include "core/math/wide.h"
 #include "core/version.h"
@@ -13,11 +13,34 @@ constexpr std::string_view compiler = "clang " __clang_version__;
 constexpr std::string_view compiler = "gcc " __VERSION__;
 #endif
 
+Response status_of(const char* word, int status) {
+  return {.status = status,
+          .content_type = "application/json",
+          .body = to_json(Value::Object{{"status", word}}),
+          .headers = {{"Cache-Control", "no-store"}}};
+}
+
 }  // namespace
 
-Response get_health(const Request&, const std::string&, Service&) {
-  return {.content_type = "application/json",
-          .body = R"({"status":"ok"})",
+Response get_health(const Request&, const std::string&, Service&) { return status_of("ok", 200); }
+
+Response get_ready(const Request&, const std::string&, Service& service) {
+  if (service.draining) return status_of("draining", 503);
+  if (service.admission.waiting() >= service.config.queue && service.config.queue > 0)
+    return status_of("overloaded", 503);
+  return status_of("ready", 200);
+}
+
+Response get_metrics(const Request&, const std::string&, Service& service) {
+  const Admission& admission = service.admission;
+  const SceneStore& kept = service.studio.kept;
+  const Gauges gauges{.connections = service.connections(),
+                      .at_work = admission.at_work(),
+                      .waiting = admission.waiting(),
+                      .kept_scenes = kept.count(),
+                      .kept_scenes_bytes = kept.bytes()};
+  return {.content_type = std::string(Metrics::media_type),
+          .body = service.metrics.text(gauges),
           .headers = {{"Cache-Control", "no-store"}}};
 }
 

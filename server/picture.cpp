@@ -27,43 +27,47 @@ std::string_view media_type_of(Format format) {
 
 Plan plan_of(const PictureRequest& asked, const Studio& studio) {
   check_size(asked.width, asked.height, studio.limits);
-  Plan plan{scene_of(asked, studio), asked.window(), {}, {}};
-  RenderOptions& options = plan.options;
-  options = options_of(asked, *plan.scene, studio);
+  const SharedScene scene = scene_of(asked, studio);
+  RenderOptions options = options_of(asked, *scene, studio);
   options.threads = std::min(asked.threads.value_or(studio.pool.threads()), studio.pool.threads());
-  plan.display = {shown(options.integrator), asked.transfer.value_or(plan.scene->options.transfer)};
-  const Window& window = plan.window;
+  const Window window = asked.window();
   check_rays(static_cast<std::int64_t>(window.width()) * window.height(),
              least_samples(options.samples, options.threshold), studio.limits);
-  return plan;
+  return {.scene = scene,
+          .view = view_of(scene->camera, asked.width, asked.height),
+          .window = window,
+          .options = options,
+          .display = {shown(options.integrator), asked.transfer.value_or(scene->options.transfer)},
+          .format = asked.format};
 }
 
-Picture draw(const PictureRequest& asked, const Studio& studio, const std::stop_token& stop) {
+double Plan::rays() const {
+  return static_cast<double>(window.width()) * window.height() *
+         least_samples(options.samples, options.threshold);
+}
+
+Picture draw(const Plan& plan, Pool& pool, const std::stop_token& stop) {
   Picture picture;
   Stopwatch watch;
-  const Plan plan = plan_of(asked, studio);
-  picture.timing.parse = watch.lap_ms();
-
-  const World world = compile(*plan.scene);
-  const View view = view_of(plan.scene->camera, asked.width, asked.height);
+  const World world = compile(*plan.scene, stop);
   picture.degenerate = world.degenerate;
   picture.timing.build = watch.lap_ms();
 
   const auto trace_onto = [&](auto& film) {
-    picture.rays = render(world, view, plan.window, plan.options, studio.pool, stop,
+    picture.rays = render(world, plan.view, plan.window, plan.options, pool, stop,
                           [&](const Block& block) { film.put(block); });
     picture.timing.trace = watch.lap_ms();
   };
-  if (asked.format == Format::pfm) {
+  if (plan.format == Format::pfm) {
     LinearFilm film(plan.window.width(), plan.window.height());
     trace_onto(film);
     picture.bytes = encode_pfm(film.image());
   } else {
     DisplayFilm film(plan.window.width(), plan.window.height(), plan.display);
     trace_onto(film);
-    picture.bytes = encode_png(film.image());
+    picture.bytes = encode_png(film.image(), stop);
   }
-  picture.media_type = media_type_of(asked.format);
+  picture.media_type = media_type_of(plan.format);
   picture.timing.encode = watch.lap_ms();
   return picture;
 }

@@ -71,15 +71,20 @@ std::string_view media_type_of(Format format);
 /// Plan: a request whose picture can be drawn: all that may be wrong with it has been checked.
 struct Plan {
   SharedScene scene;
+  View view;
   Window window;
   RenderOptions options;
   DisplayRule display;
+  Format format = Format::png;
+
+  /// The fewest rays that the eye sends out.
+  double rays() const;
 };
 
 /// Errors: InputError. The plan may refer to the request.
 Plan plan_of(const PictureRequest& asked, const Studio& studio);
 
 /// Makes the picture. Errors: InputError; Stopped.
-Picture draw(const PictureRequest& asked, const Studio& studio, const std::stop_token& stop);
+Picture draw(const Plan& plan, Pool& pool, const std::stop_token& stop);
 
 }  // namespace tia::server

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
 
 #include "core/input/json.h"
 #include "core/render/pool.h"
+#include "server/log.h"
 
 namespace tia::server {
 namespace {
@@ -26,18 +26,25 @@ constexpr std::array rows{
     Row{"not-found", 404, "Nothing is here"},
     Row{"method", 405, "The method is not allowed here"},
     Row{"not-acceptable", 406, "The client accepts nothing that is here"},
-    Row{"timeout", 408, "The request came too slowly"},
+    Row{"slow", 408, "The request came too slowly"},
+    Row{"length-required", 411, "The body's length is not announced"},
     Row{"too-large", 413, "The request's body is too large"},
     Row{"uri-too-long", 414, "The URL is too long; POST /render takes the same as a JSON object"},
     Row{"media-type", 415, "The body is of a type that is not read here"},
-    Row{"draining", 503, "The server is going down"},
+    Row{"expectation", 417, "The expectation cannot be met"},
+    Row{"busy", 429, "The server has too much to do"},
+    Row{"header-too-large", 431, "The request's head is too large"},
     Row{"internal", 500, "The server made a mistake"},
+    Row{"not-implemented", 501, "The server does not know this part of HTTP"},
+    Row{"timeout", 503, "The answer took too long"},
+    Row{"draining", 503, "The server is going down"},
+    Row{"version", 505, "The server does not speak this version of HTTP"},
 };
 
 const Row& row_of(std::string_view type) {
   const auto found =
       std::find_if(rows.begin(), rows.end(), [&](const Row& row) { return row.type == type; });
-  return found == rows.end() ? rows.back() : *found;
+  return found == rows.end() ? row_of("internal") : *found;
 }
 
 std::string_view type_of(FaultKind kind) {
@@ -106,20 +113,16 @@ Response problem_response(const std::exception_ptr& failure, const Request& requ
   } catch (const Stopped&) {
     return document(row_of("draining"), "the render was stopped", request);
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "request %s: %s\n", request.id.c_str(), error.what());
+    log_failure(request.id, error.what());
   } catch (...) {
-    std::fprintf(stderr, "request %s: unknown failure\n", request.id.c_str());
+    log_failure(request.id, "unknown");
   }
   return document(row_of("internal"), "it is in the server's log under this id", request);
 }
 
-Response problem_response(int status, const Request& request) {
-  const auto found =
-      std::find_if(rows.begin(), rows.end(), [&](const Row& row) { return row.status == status; });
-  if (found != rows.end()) return document(*found, std::string(found->title), request);
-  Row row = row_of(status < 500 ? "malformed" : "internal");
-  row.status = status;
-  return document(row, std::string(row.title), request);
+HttpError uri_too_long() {
+  return {"uri-too-long", "a URL may have " + std::to_string(longest_target) +
+                              " bytes; send the parameters as a JSON object with POST /render"};
 }
 
 }  // namespace tia::server

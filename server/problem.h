@@ -31,7 +31,8 @@ class HttpError : public std::exception {
 /// text stays here; it is logged.
 Response problem_response(const std::exception_ptr& failure, const Request& request);
 
-/// The answer for a status that the HTTP library gave before any handler ran.
-Response problem_response(int status, const Request& request);
+/// The longest path and query together, in bytes, and the error for a longer one.
+constexpr std::size_t longest_target = 4096;
+HttpError uri_too_long();
 
 }  // namespace tia::server

@@ -67,7 +67,7 @@ void render_to_file(const std::string& scene, const std::string& file,
   if (file.ends_with(other))
     throw std::invalid_argument("--format " + std::string(name_of(request.format)) +
                                 " does not go with the file's name " + file);
-  const Picture picture = draw(request, studio, {});
+  const Picture picture = draw(plan_of(request, studio), pool, {});
   if (picture.degenerate > 0)
     std::cerr << "tia: " << picture.degenerate << " triangles without area are ignored\n";
   write_file(file, picture.bytes);

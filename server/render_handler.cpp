@@ -1,7 +1,9 @@
 // /render: parameters in, picture out.
 #include <cstdio>
 
+#include "server/accept.h"
 #include "server/handlers.h"
+#include "server/headers.h"
 #include "server/parameters.h"
 #include "server/stopwatch.h"
 
@@ -23,27 +25,31 @@ std::string ray_counts(const RayCounts& rays) {
 }
 
 Response picture_response(Picture&& picture) {
-  return {.content_type = std::string(picture.media_type),
-          .body = std::move(picture.bytes),
-          .headers = {{"Server-Timing", server_timing(picture.timing)},
-                      {"Tia-Rays", ray_counts(picture.rays)},
-                      {"Cache-Control", "no-cache"}}};
-}
-
-// What a client need not know, but whoever runs the server may.
-void log(const Picture& picture, const Request& request) {
+  Response response{.content_type = std::string(picture.media_type),
+                    .body = std::move(picture.bytes),
+                    .headers = {{"Server-Timing", server_timing(picture.timing)},
+                                {"Tia-Rays", ray_counts(picture.rays)},
+                                {"Cache-Control", "no-cache"}}};
+  for (const auto& [name, value] : response.headers)
+    if (name != "Cache-Control") response.log.emplace_back(name, value);
+  // What a client need not know, but whoever runs the server may.
   if (picture.degenerate > 0)
-    std::fprintf(stderr, "request %s: %zu triangles without area are ignored\n", request.id.c_str(),
-                 picture.degenerate);
+    response.log.emplace_back("triangles without area", static_cast<double>(picture.degenerate));
+  return response;
 }
 
+// The whole service in one function: parameters -> plan -> ticket -> picture -> answer.
 Response render_picture(const Value& parameters, Stopwatch watch, const Request& request,
                         Service& service) {
   const auto asked = read_described<PictureRequest>(parameters);
-  const double read_ms = watch.lap_ms();
-  Picture picture = draw(asked, service.studio, service.stopping);
-  picture.timing.parse += read_ms;
-  log(picture, request);
+  const Plan plan = plan_of(asked, service.studio);
+  const double parse_ms = watch.lap_ms();
+  const auto ticket = service.admission.enter(plan.rays(), request.stop);
+  const double queue_ms = watch.lap_ms();
+  Picture picture = draw(plan, service.studio.pool, request.stop);
+  picture.timing.parse = parse_ms;
+  picture.timing.queue = queue_ms;
+  service.metrics.count(picture);
   return picture_response(std::move(picture));
 }
 
@@ -53,21 +59,30 @@ Response head_of_picture(const PictureRequest& asked, const Service& service) {
   return {.content_type = std::string(media_type_of(asked.format)), .body = "", .unsized = true};
 }
 
+// Where no format is asked for, Accept chooses it.
+Response render_accepted(Value parameters, Stopwatch watch, const Request& request,
+                         Service& service) {
+  const bool chosen = choose_format(parameters, request);
+  Response response = request.is_head()
+                          ? head_of_picture(read_described<PictureRequest>(parameters), service)
+                          : render_picture(parameters, watch, request, service);
+  if (chosen) add_vary(response.headers, "Accept");
+  return response;
+}
+
 }  // namespace
 
 Response get_render(const Request& request, const std::string&, Service& service) {
   const Stopwatch watch;
-  const Value parameters = query_object<PictureRequest>(request.query());
-  if (request.is_head())
-    return head_of_picture(read_described<PictureRequest>(parameters), service);
-  return render_picture(parameters, watch, request, service);
+  return render_accepted(query_object<PictureRequest>(request.query()), watch, request, service);
 }
 
 Response post_render(const Request& request, const std::string&, Service& service) {
   const Stopwatch watch;
-  const Value parameters =
-      body_json(request, "the parameters as a JSON object, such as {\"key\":\"a\"}");
-  return render_picture(parameters, watch, request, service);
+  return render_accepted(
+      body_json(request, "the parameters as a JSON object, such as {\"key\":\"a\"}",
+                service.config.json_limits()),
+      watch, request, service);
 }
 
 }  // namespace tia::server

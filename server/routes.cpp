@@ -9,8 +9,6 @@
 namespace tia::server {
 namespace {
 
-constexpr std::size_t longest_target = 4096;
-
 // Whether the path fits the route; `name` becomes what its {} stands for.
 bool matches(const Route& route, std::string_view path, std::string_view& name) {
   if (!route.path.ends_with("{}")) return path == route.path;
@@ -28,10 +26,7 @@ Response options(const std::string& allow) {
 Response dispatch(const Request& request, Service& service) {
   if (request.method == "OPTIONS" && request.target == "*")
     return options("GET, HEAD, POST, OPTIONS");
-  if (request.target.size() > longest_target)
-    throw HttpError("uri-too-long", "a URL may have " + std::to_string(longest_target) +
-                                        " bytes; send the parameters as a JSON object with "
-                                        "POST /render");
+  if (request.target.size() > longest_target) throw uri_too_long();
   const std::string_view method = request.is_head() ? "GET" : std::string_view(request.method);
   std::string allow;
   for (const Route& route : routes()) {
@@ -65,32 +60,71 @@ Response answer_or_problem(const Request& request, Service& service) {
   }
 }
 
+// What every answer carries, whatever made it.
+Response dressed(Response response, const Request& request, const Service& service) {
+  guard(response);
+  share(response, request, service.config.cors_origins);
+  return response;
+}
+
 }  // namespace
 
 const std::vector<Route>& routes() {
+  using enum Pace;
   static constexpr std::string_view json = "application/json";
   static constexpr std::string_view schema = "application/schema+json";  // which is JSON too
   static const std::vector<Route> table{
-      {"GET", "/", "the page", get_page},
-      {"GET", "/render", "a picture; no parameter is required", get_render},
-      {"POST", "/render", "the same, parameters as a JSON object", post_render},
-      {"GET", "/explain", "what the ray of a pixel, or any ray, meets", get_explain, {json}},
-      {"POST", "/explain", "the same, parameters as a JSON object", post_explain, {json}},
-      {"GET", "/scenes", "the gallery: names and titles", get_scenes, {json}},
-      {"POST", "/scenes", "keeps a scene: its id is a name", post_scene, {json}},
-      {"GET", "/scenes/{}", "one scene's canonical JSON", get_scene, {json}},
-      {"GET", "/schema/scene.json", "JSON Schema of a scene", get_scene_schema, {schema, json}},
-      {"GET", "/healthz", "whether the server lives", get_health},
-      {"GET", "/version", "what this build is", get_version},
+      {"GET", "/", "the page", at_once, get_page},
+      {"GET", "/render", "a picture; no parameter is required", in_turn, get_render},
+      {"POST", "/render", "the same, parameters as a JSON object", in_turn, post_render},
+      {"GET",
+       "/explain",
+       "what the ray of a pixel, or any ray, meets",
+       in_turn,
+       get_explain,
+       {json}},
+      {"POST", "/explain", "the same, parameters as a JSON object", in_turn, post_explain, {json}},
+      {"GET", "/scenes", "the gallery: names and titles", at_once, get_scenes, {json}},
+      {"POST", "/scenes", "keeps a scene: its id is a name", in_turn, post_scene, {json}},
+      {"GET", "/scenes/{}", "one scene's canonical JSON", in_turn, get_scene, {json}},
+      {"GET",
+       "/schema/scene.json",
+       "JSON Schema of a scene",
+       at_once,
+       get_scene_schema,
+       {schema, json}},
+      {"GET", "/healthz", "whether the server lives", at_once, get_health},
+      {"GET", "/readyz", "whether it takes requests: 503 when it goes down or has too much to do",
+       at_once, get_ready},
+      {"GET", "/version", "what this build is", at_once, get_version},
+      {"GET", "/metrics", "counters and gauges, in Prometheus' text format", at_once, get_metrics},
   };
   return table;
 }
 
 Response answer(const Request& request, Service& service) {
-  Response response = answer_or_problem(request, service);
-  guard(response);
-  share(response, request, service.config.cors_origins);
-  return response;
+  return dressed(answer_or_problem(request, service), request, service);
+}
+
+Response refusal(const std::exception_ptr& failure, const Request& request,
+                 const Service& service) {
+  return dressed(problem_response(failure, request), request, service);
+}
+
+std::string_view route_label(const Request& request) {
+  std::string_view name;
+  for (const Route& route : routes())
+    if (matches(route, request.path(), name)) return route.path;
+  return find_asset(request.path()) != nullptr ? "file" : "none";
+}
+
+bool is_answered_at_once(const Request& request) {
+  const std::string_view method = request.is_head() ? "GET" : std::string_view(request.method);
+  std::string_view name;
+  for (const Route& route : routes())
+    if (route.method == method && matches(route, request.path(), name))
+      return route.pace == Pace::at_once;
+  return true;  // a file of the page, or nothing that is here
 }
 
 }  // namespace tia::server

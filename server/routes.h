@@ -2,12 +2,16 @@
 // will come from it too.
 #pragma once
 
+#include <atomic>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "server/admission.h"
 #include "server/config.h"
 #include "server/http/message.h"
+#include "server/metrics.h"
 #include "server/picture.h"
 
 namespace tia::server {
@@ -16,16 +20,23 @@ namespace tia::server {
 struct Service {
   const Config& config;
   Studio studio;
-  std::stop_token stopping;  ///< requested when renders must be given up
+  Admission& admission;
+  Metrics& metrics;
+  std::function<int()> connections = [] { return 0; };  ///< that are open
+  std::atomic<bool> draining = false;                   ///< the server goes down
 };
 
 /// A handler takes the request and what the path's {} stands for, percent-decoded.
 using Handler = Response (*)(const Request&, const std::string& name, Service&);
 
+/// Pace: whether an answer waits for a worker, or costs so little that it waits for nothing.
+enum class Pace { in_turn, at_once };
+
 struct Route {
   std::string_view method;  ///< GET answers HEAD too
   std::string_view path;    ///< exact, or ending in {}: one more segment
   std::string_view about;
+  Pace pace;
   Handler handler;
   /// The media types of which Accept must allow one; empty = it is not asked, or by the handler.
   std::vector<std::string_view> gives = {};
@@ -35,5 +46,15 @@ const std::vector<Route>& routes();
 
 /// The whole service as a function: never throws, whatever fails becomes a problem document.
 Response answer(const Request& request, Service& service);
+
+/// The answer to a request that failed before it came to answer().
+Response refusal(const std::exception_ptr& failure, const Request& request, const Service& service);
+
+/// The word by which a request is counted: its route's path, "file" for one of the page, "none" for
+/// what is not here; few, however many targets are asked for.
+std::string_view route_label(const Request& request);
+
+/// Whether the request's route, if it has one, is answered at once.
+bool is_answered_at_once(const Request& request);
 
 }  // namespace tia::server

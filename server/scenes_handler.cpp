@@ -31,6 +31,7 @@ Response get_scene(const Request&, const std::string& name, Service& service) {
 }
 
 Response post_scene(const Request& request, const std::string&, Service& service) {
+  const auto ticket = service.admission.enter(1, request.stop);
   const Value scene = body_json(request, "the scene as a JSON object, such as {\"objects\":[]}",
                                 service.config.json_limits());
   const std::string id = service.studio.kept.keep(read_described<Scene>(scene));

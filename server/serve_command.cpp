@@ -1,12 +1,10 @@
 #include "server/serve_command.h"
 
+#include <algorithm>
 #include <chrono>
-#include <condition_variable>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
-#include <mutex>
-#include <stop_token>
 #include <thread>
 
 #if defined(__GLIBC__)
@@ -14,10 +12,13 @@
 #endif
 
 #include "server/http/http_server.h"
+#include "server/log.h"
 #include "server/routes.h"
 
 namespace tia::server {
 namespace {
+
+using std::chrono::milliseconds;
 
 // Buffers of an ordinary picture stay warm in the heap (fresh pages would cost it a tenth of its
 // time); those of a poster go back to the system, and so does what a rush of requests left.
@@ -25,8 +26,14 @@ void bound_idle_memory() {
 #if defined(__GLIBC__)
   constexpr int megabyte = 1 << 20;
   mallopt(M_ARENA_MAX, 2);
-  mallopt(M_MMAP_THRESHOLD, 4 * megabyte);
+  mallopt(M_MMAP_THRESHOLD, 2 * megabyte);
   mallopt(M_TRIM_THRESHOLD, 4 * megabyte);
+#endif
+}
+
+void give_memory_back() {
+#if defined(__GLIBC__)
+  malloc_trim(0);
 #endif
 }
 
@@ -40,21 +47,38 @@ std::string reachable(const std::string& host) {
   return host == "0.0.0.0" ? "127.0.0.1" : host == "::" ? "::1" : host;
 }
 
-// Renders that still run then are given up with a 503.
-constexpr std::chrono::seconds drain_limit{20};
-
-bool stopped_within(std::chrono::seconds time, const std::stop_token& stop) {
-  std::mutex mutex;
-  std::unique_lock lock(mutex);
-  std::condition_variable_any never;
-  never.wait_for(lock, stop, time, [] { return false; });
-  return stop.stop_requested();
-}
-
 int wait_for(const sigset_t& signals) {
   int signal = 0;
   sigwait(&signals, &signal);
   return signal;
+}
+
+HttpOptions http_options(const Config& config) {
+  HttpOptions options{.host = config.host, .port = config.port};
+  options.max_body_bytes = config.max_body_bytes;
+  options.connections = config.connections;
+  options.workers = config.renders + config.queue;  // one each, to work or to wait
+  options.deadline = milliseconds(config.deadline_ms);
+  options.trusts_proxy = [&config](const std::string& address) {
+    const auto& trusted = config.trusted_proxies;
+    return std::any_of(trusted.begin(), trusted.end(),
+                       [&](const Network& network) { return network.contains(address); });
+  };
+  return options;
+}
+
+Application application(Service& service) {
+  return {.answer = [&](const Request& request) { return answer(request, service); },
+          .refuse = [&](const std::exception_ptr& failure,
+                        const Request& request) { return refusal(failure, request, service); },
+          .at_once = is_answered_at_once,
+          .retry_after = [&] { return service.admission.retry_after(); },
+          .rested = give_memory_back,
+          .answered =
+              [&](const Exchange& exchange) {
+                service.metrics.count(exchange, route_label(exchange.request));
+                log_exchange(exchange);
+              }};
 }
 
 }  // namespace
@@ -71,21 +95,21 @@ void serve(const Config& config) {
   const Gallery gallery;
   SceneStore kept(config.max_scenes_bytes);
   Pool pool(config.threads);
-  std::stop_source giving_up;
-  Service service{config, {gallery, kept, pool, config.limits()}, giving_up.get_token()};
-  HttpServer server({config.host, config.port, config.max_body_bytes},
-                    [&](const Request& request) { return answer(request, service); });
+  Admission admission(config.renders);
+  Metrics metrics;
+  Service service{config, {gallery, kept, pool, config.limits()}, admission, metrics};
+  HttpServer server(http_options(config), application(service));
+  service.connections = [&] { return server.connections(); };
   std::printf("Tia %s listening on http://%s:%d\n", version().c_str(), in_url(config.host).c_str(),
               server.port());
   std::fflush(stdout);
 
+  const Log log;
   std::jthread listening([&] { server.run(); });
   wait_for(signals);
   std::thread([signals] { std::_Exit(128 + wait_for(signals)); }).detach();  // impatience
-  server.stop();
-  const std::jthread patience([&](const std::stop_token& drained) {
-    if (!stopped_within(drain_limit, drained)) giving_up.request_stop();
-  });
+  service.draining = true;
+  server.stop(milliseconds(config.drain_delay_ms), milliseconds(config.drain_ms));
   listening.join();
 }
 

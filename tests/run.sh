@@ -143,6 +143,18 @@ old_processor() {
   if cmp "$scratch/old.png" "$scratch/new.png"; then pass; else fail "old processor: same bytes"; fi
 }
 
+# fuzz: each fuzzer for FUZZ_SECONDS, from the seeds on. What breaks it stays in build/fuzz.
+fuzz() {
+  local name
+  for name in request scene query; do
+    mkdir -p "$scratch/$name"
+    run "fuzz $name" "build/fuzz/tests/${name}_fuzz" -max_total_time="${FUZZ_SECONDS:-10}" \
+      -max_len=4096 -timeout=5 -rss_limit_mb=2048 -verbosity=0 -artifact_prefix=build/fuzz/ \
+      "$scratch/$name" "tests/fuzz/corpus/$name"
+    if [ "$status" = 0 ]; then pass; else fail "fuzz $name"; fi
+  done
+}
+
 browser() {
   local good bad cancelled
   title "browser packages"
@@ -180,6 +192,9 @@ if build asan -- core_tests server_tests; then
 fi
 if build tsan -- server_tests; then
   googletest tsan server_tests
+fi
+if build fuzz -- request_fuzz scene_fuzz query_fuzz; then
+  fuzz
 fi
 
 title "done"

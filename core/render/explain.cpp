@@ -9,8 +9,9 @@ namespace tia {
 namespace {
 
 std::unique_ptr<RayNode> tree_of(const World& world, const Ray<float>& ray,
-                                 const Draws<float>& draws, const RenderOptions& options) {
-  RayMeter meter(options.max_rays, options.max_work, {});
+                                 const Draws<float>& draws, const RenderOptions& options,
+                                 const std::stop_token& stop) {
+  RayMeter meter(options.max_rays, options.max_work, stop);
   WorldScope scope{world, Effort([&](std::int64_t work) { meter.add_work(work); }),
                    rules_of(options.integrator, options.max_depth)};
   return explain_whitted(scope, ray, draws);
@@ -18,16 +19,17 @@ std::unique_ptr<RayNode> tree_of(const World& world, const Ray<float>& ray,
 
 }  // namespace
 
-Explanation explain(const Scene& scene, const Ray<double>& ray, const RenderOptions& options) {
-  Explanation all{compile(scene), object_labels(scene), {}, ray, {}, {}};
+Explanation explain(const Scene& scene, const Ray<double>& ray, const RenderOptions& options,
+                    const std::stop_token& stop) {
+  Explanation all{compile(scene, stop), object_labels(scene), {}, ray, {}, {}};
   all.hits = all_hits(all.world, ray);
   const Ray<float> rounded{lift<float>(ray.origin), normalize(lift<float>(ray.direction))};
-  all.tree = tree_of(all.world, rounded, Draws<float>{}, options);
+  all.tree = tree_of(all.world, rounded, Draws<float>{}, options, stop);
   return all;
 }
 
 Explanation explain(const Scene& scene, const View& view, int x, int y, int sample,
-                    const RenderOptions& options) {
+                    const RenderOptions& options, const std::stop_token& stop) {
   const Sampler sampler(options.samples, options.threshold, options.seed);
   const bool centered = sampler.centered();
   const Aim<float> aim = centered ? Aim<float>{} : sampler.aim(x, y, sample);
@@ -35,7 +37,7 @@ Explanation explain(const Scene& scene, const View& view, int x, int y, int samp
     const Vec3<Real> center = view.column(static_cast<Real>(x)) + view.row(static_cast<Real>(y));
     return Eye<Real>(view).ray(center, at);
   };
-  Explanation all{compile(scene),
+  Explanation all{compile(scene, stop),
                   object_labels(scene),
                   {},
                   ray(Aim<double>{aim.dx, aim.dy, aim.lens_x, aim.lens_y}),
@@ -49,7 +51,7 @@ Explanation explain(const Scene& scene, const View& view, int x, int y, int samp
                            {static_cast<std::uint32_t>(y)},
                            static_cast<std::uint32_t>(sample),
                            sampler.key()};
-  all.tree = tree_of(all.world, ray(aim), draws, options);
+  all.tree = tree_of(all.world, ray(aim), draws, options, stop);
   return all;
 }
 

@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <optional>
+#include <stop_token>
 #include <vector>
 
 #include "core/accel/all_hits.h"
@@ -31,12 +32,13 @@ struct Explanation {
 };
 
 /// A ray that belongs to no picture. Domain: a unit direction; an integrator of light.
-/// Errors: InputError (limit) where it crosses too much or its tree grows too large.
-Explanation explain(const Scene& scene, const Ray<double>& ray, const RenderOptions& options);
+/// Errors: InputError (limit) where it crosses too much or its tree grows too large; Stopped.
+Explanation explain(const Scene& scene, const Ray<double>& ray, const RenderOptions& options,
+                    const std::stop_token& stop = {});
 /// The ray of the sample of pixel (x, y); its tree's colour is that sample's, bit for bit.
 /// Domain: a pixel of the view, one of the options' samples. Errors: as above.
 Explanation explain(const Scene& scene, const View& view, int x, int y, int sample,
-                    const RenderOptions& options);
+                    const RenderOptions& options, const std::stop_token& stop = {});
 
 /// {"pixel", "sample", "hits": [{"t", "object", "type", "point", "normal", "uv", "front"}],
 /// "tree": {"ray", "depth", "winner", "point", "normal", "terms", "color"}}.

@@ -1,196 +1,218 @@
 #include "server/http/http_server.h"
 
 #include <httplib.h>
+#include <sys/resource.h>
 
 #include <algorithm>
-#include <atomic>
-#include <random>
+#include <asio/ip/v6_only.hpp>
+#include <asio/post.hpp>
+#include <asio/steady_timer.hpp>
+#include <list>
 #include <stdexcept>
-#include <thread>
+#include <vector>
 
-#include "core/input/errors.h"
-#include "server/problem.h"
+#include "server/http/connection.h"
 
 namespace tia::server {
 namespace {
 
-constexpr std::size_t connection_threads = 64;
-constexpr std::size_t requests_per_connection = 100'000;
-constexpr std::size_t dropped_bytes = 64 << 20;
-constexpr int keep_alive_s = 5, read_timeout_s = 5, write_timeout_s = 10;
+using asio::ip::tcp;
+using std::chrono::milliseconds;
 
-// An id fit for a log line and an answer's head: the client's, or 16 random hexadecimal digits.
-std::string id_of(const std::string& asked) {
-  const auto fit = [](char c) {
-    return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '-' ||
-           c == '_' || c == '.';
-  };
-  if (!asked.empty() && asked.size() <= 64 && std::all_of(asked.begin(), asked.end(), fit))
-    return asked;
-  thread_local std::mt19937_64 random{std::random_device{}()};
-  std::string id(16, '0');
-  for (char& c : id) c = "0123456789abcdef"[random() & 15U];
-  return id;
-}
+constexpr int backlog = 4096;  // connections that wait to be accepted
+constexpr milliseconds tick{20}, breath{50};
 
-Request plain(const httplib::Request& from) {
-  Request request{from.method, from.target, {}, from.body, {}};
-  for (const auto& [name, value] : from.headers) request.headers.emplace_back(name, value);
-  request.id = id_of(from.get_header_value("X-Request-Id"));
-  return request;
-}
-
-bool is_routed(const std::string& method) {
-  constexpr std::string_view routed[] = {"GET",   "HEAD",   "POST",   "PUT",
-                                         "PATCH", "DELETE", "OPTIONS"};
-  return std::find(std::begin(routed), std::end(routed), method) != std::end(routed);
-}
-
-// A picture is sent whole. The library would cut ranges out of any answer, as often as they ask.
-void drop_range(const httplib::Request& from) {
-  const_cast<httplib::Request&>(from).ranges.clear();  // its own request, which is not const
-}
-
-void send(Response&& from, httplib::Response& to) {
-  to.status = from.status;
-  for (const auto& [name, value] : from.headers) to.set_header(name, value);
-  if (from.unsized)  // announces a body of unknown length; HEAD sends none
-    to.set_content_provider(from.content_type,
-                            [](std::size_t, httplib::DataSink& sink) { return sink.done(), true; });
-  else if (!from.content_type.empty()) to.set_content(std::move(from.body), from.content_type);
-}
-
-// The library closes a connection after a body whose provider fails; this one does when all has
-// been written.
-void send_and_close(Response&& from, httplib::Response& to) {
-  const std::string body = std::move(from.body), type = std::move(from.content_type);
-  from.content_type.clear();
-  from.headers.emplace_back("Connection", "close");
-  send(std::move(from), to);
-  to.set_content_provider(body.size(), type, [body](std::size_t, std::size_t, auto& sink) {
-    sink.write(body.data(), body.size());
-    return false;
-  });
+// Every connection is a descriptor, and a few are ours: as many as the system lets us have.
+void allow_descriptors(int connections) {
+  rlimit limit{};
+  if (getrlimit(RLIMIT_NOFILE, &limit) != 0) return;
+  const rlim_t wanted = static_cast<rlim_t>(connections) + 64;
+  if (limit.rlim_cur >= wanted) return;
+  limit.rlim_cur = std::min(wanted, limit.rlim_max);
+  setrlimit(RLIMIT_NOFILE, &limit);
+  if (limit.rlim_cur < wanted)
+    throw std::runtime_error("option TIA_CONNECTIONS: got " + std::to_string(connections) +
+                             ", allowed: at most " + std::to_string(limit.rlim_cur - 64) +
+                             " under this system's limit of open files");
 }
 
 }  // namespace
 
 class HttpServer::Listener {
  public:
-  Listener(HttpOptions options, Answer answer)
-      : options_(std::move(options)), answer_(std::move(answer)) {
-    set_up_connections();
-    set_up_answers();
-    port_ = options_.port != 0 && server_.bind_to_port(options_.host, options_.port) ? options_.port
-            : options_.port == 0 ? server_.bind_to_any_port(options_.host)
-                                 : -1;
-    if (port_ < 0)
-      throw std::runtime_error("cannot listen on " + options_.host + " port " +
-                               std::to_string(options_.port) +
-                               ": the address is in use or not this machine's");
+  Listener(HttpOptions options, Application application)
+      : house_(std::move(options), std::move(application)) {
+    allow_descriptors(house_.options.connections);
+    listen();
   }
+  ~Listener() { house_.workers.join(); }
 
   int port() const { return port_; }
+  int connections() const { return house_.open; }
+
   void run() {
-    started_ = true;
-    if (!stopped_) server_.listen_after_bind();
-    finished_ = true;
+    for (tcp::acceptor& acceptor : acceptors_) accept(acceptor);
+    house_.io.run();
+    house_.workers.join();
   }
-  // The library forgets a stop() that comes before it listens: wait for it to, unless it never
-  // will.
-  void stop() {
-    stopped_ = true;
-    while (started_ && !finished_ && !server_.is_running()) std::this_thread::yield();
-    server_.stop();
+
+  void stop(milliseconds delay, milliseconds limit) {
+    asio::post(house_.io, [this, delay, limit] {
+      if (stopping_) return;
+      stopping_ = true;
+      after(closing_, delay, [this, limit] { close_doors(limit); });
+    });
   }
 
  private:
-  void set_up_connections() {
-    server_.set_tcp_nodelay(true);  // else a keep-alive round trip waits 40 ms for an ACK
-    server_.set_keep_alive_max_count(requests_per_connection);
-    server_.set_keep_alive_timeout(keep_alive_s);
-    server_.set_read_timeout(read_timeout_s);
-    server_.set_write_timeout(write_timeout_s);
-    server_.new_task_queue = [] { return new httplib::ThreadPool(connection_threads); };
-    // The library would set SO_REUSEPORT, with which two servers share one port unawares.
-    server_.set_socket_options([](socket_t socket) {
-      const int yes = 1;
-      setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
+  void listen();
+  void open(const tcp::endpoint& endpoint);
+  void accept(tcp::acceptor& acceptor);
+  void welcome(tcp::socket socket);
+  bool make_room();
+  template <class Which>
+  bool close_longest(Which which);
+  void give_back(Clock::time_point now);
+  void close_doors(milliseconds limit);
+  void keep_time();
+  template <class Then>
+  void after(asio::steady_timer& timer, milliseconds time, Then then) {
+    timer.expires_after(time);
+    timer.async_wait([then](asio::error_code error) {
+      if (!error) then();
     });
   }
-
-  // Every method and path comes to answer_, which has the one table of routes. Bodies are read here
-  // and not by the library, which would take a long `curl -d` for a form and refuse it.
-  void set_up_answers() {
-    static constexpr const char* any = R"([\s\S]*)";
-    server_.set_pre_routing_handler([this](const httplib::Request& from, httplib::Response& to) {
-      drop_range(from);
-      if (is_routed(from.method)) return httplib::Server::HandlerResponse::Unhandled;
-      send(answer_(plain(from)), to);
-      return httplib::Server::HandlerResponse::Handled;
-    });
-    const auto bodiless = [this](const httplib::Request& from, httplib::Response& to) {
-      send(answer_(plain(from)), to);
-    };
-    const auto with_body = [this](const httplib::Request& from, httplib::Response& to,
-                                  const httplib::ContentReader& read) {
-      // Without either there is no body (RFC 9112, 6.3), for which the library would wait in vain.
-      if (!from.has_header("Content-Length") && !from.has_header("Transfer-Encoding"))
-        return send(answer_(plain(from)), to);
-      take_body(plain(from), from.is_multipart_form_data(), read, to);
-    };
-    server_.Get(any, bodiless).Options(any, bodiless);
-    server_.Post(any, with_body).Put(any, with_body).Patch(any, with_body).Delete(any, with_body);
-    server_.set_error_handler([this](const httplib::Request& from, httplib::Response& to) {
-      if (to.status == 416) return send(answer_(plain(from)), to);  // a Range it cannot read
-      if (to.status >= 400 && !to.has_header("Content-Type"))
-        send(problem_response(to.status, plain(from)), to);
-    });
-    server_.set_exception_handler(
-        [](const httplib::Request& from, httplib::Response& to, std::exception_ptr failure) {
-          send(problem_response(failure, plain(from)), to);
-        });
+  template <class Action>
+  void for_each_connection(Action action) {  // which may close and so erase it
+    const auto all = std::vector(house_.connections.begin(), house_.connections.end());
+    for (const auto& connection : all) action(*connection);
   }
 
-  // What is beyond the limit is read and dropped, as far as that is cheap: to close on a client
-  // that still writes would reset the connection and lose the answer.
-  void take_body(Request request, bool multipart, const httplib::ContentReader& read,
-                 httplib::Response& to) {
-    const auto most = static_cast<std::size_t>(options_.max_body_bytes);
-    std::size_t come = 0;
-    const auto take = [&](const char* data, std::size_t size) {
-      come += size;
-      if (come <= most) request.body.append(data, size);
-      return come <= most + dropped_bytes;
-    };
-    const auto any_part = [](const httplib::MultipartFormData&) { return true; };
-    const bool whole = multipart ? read(any_part, take) : read(take);
-    const auto refusal = [&](const HttpError& error) {
-      return problem_response(std::make_exception_ptr(error), request);
-    };
-    if (come > most)
-      send_and_close(refusal({"too-large", "a body may have " + std::to_string(most) +
-                                               " bytes (option TIA_MAX_BODY_BYTES)"}),
-                     to);
-    else if (whole) send(answer_(request), to);
-    else if (multipart) send_and_close(answer_(request), to);
-    else
-      send_and_close(refusal({"malformed", "the body broke off or is not framed as declared"}), to);
-  }
-
-  HttpOptions options_;
-  Answer answer_;
-  httplib::Server server_;
-  int port_ = -1;
-  std::atomic<bool> started_ = false, stopped_ = false, finished_ = false;
+  House house_;
+  std::list<tcp::acceptor> acceptors_;
+  asio::steady_timer ticking_{house_.io}, resting_{house_.io}, closing_{house_.io};
+  bool keeps_time_ = false, stopping_ = false;
+  int port_ = 0;
 };
 
-HttpServer::HttpServer(HttpOptions options, Answer answer)
-    : listener_(std::make_unique<Listener>(std::move(options), std::move(answer))) {}
+// Every address that the host's name stands for, all on one port.
+void HttpServer::Listener::listen() {
+  const HttpOptions& options = house_.options;
+  port_ = options.port;
+  try {
+    tcp::resolver resolver(house_.io);
+    const auto found = resolver.resolve(options.host, std::to_string(options.port),
+                                        tcp::resolver::passive | tcp::resolver::numeric_service);
+    for (const auto& entry : found)
+      open({entry.endpoint().address(), static_cast<unsigned short>(port_)});
+  } catch (const std::system_error& error) {
+    throw std::runtime_error("cannot listen on " + options.host + " port " + std::to_string(port_) +
+                             ": " + error.code().message() +
+                             " (the address is in use or not this machine's)");
+  }
+}
+
+void HttpServer::Listener::open(const tcp::endpoint& endpoint) {
+  tcp::acceptor& acceptor = acceptors_.emplace_back(house_.io);
+  acceptor.open(endpoint.protocol());
+  // Not SO_REUSEPORT, with which two servers share one port unawares.
+  acceptor.set_option(tcp::acceptor::reuse_address(true));
+  if (endpoint.address().is_v6())  // of :: alone, IPv4 is a part
+    acceptor.set_option(asio::ip::v6_only(!endpoint.address().is_unspecified()));
+  acceptor.bind(endpoint);
+  acceptor.listen(backlog);
+  acceptor.non_blocking(true);
+  port_ = acceptor.local_endpoint().port();
+}
+
+void HttpServer::Listener::accept(tcp::acceptor& acceptor) {
+  acceptor.async_accept([this, &acceptor](asio::error_code error, tcp::socket socket) {
+    if (error == asio::error::operation_aborted || !acceptor.is_open()) return;
+    if (!error) {
+      welcome(std::move(socket));
+      return accept(acceptor);
+    }
+    make_room();  // most likely there are no descriptors left
+    after(resting_, breath, [this, &acceptor] { accept(acceptor); });
+  });
+}
+
+void HttpServer::Listener::welcome(tcp::socket socket) {
+  const bool full = static_cast<int>(house_.connections.size()) >= house_.options.connections;
+  const bool has_room = !full || make_room();
+  const auto connection = std::make_shared<Connection>(std::move(socket), house_);
+  house_.connections.insert(connection);
+  house_.open = static_cast<int>(house_.connections.size());
+  if (has_room) connection->start();
+  else connection->turn_away();
+  keep_time();
+}
+
+// Closes the connection that has waited longest for its client: one in earnest asks at once.
+// Returns: false where a request is under way on all of them.
+bool HttpServer::Listener::make_room() {
+  return close_longest([](const Connection& each) { return each.waits_for_client(); });
+}
+
+// Closes that one of those connections that has been so for longest. Returns: false without any.
+template <class Which>
+bool HttpServer::Listener::close_longest(Which which) {
+  std::shared_ptr<Connection> longest;
+  for (const auto& each : house_.connections)
+    if (which(*each) && (!longest || each->since() < longest->since())) longest = each;
+  if (longest) longest->close();
+  return longest != nullptr;
+}
+
+// Tells the application once that there has been nothing to do for a while.
+void HttpServer::Listener::give_back(Clock::time_point now) {
+  const bool at_work = house_.free_workers < house_.options.workers;
+  if (at_work || !house_.last_work || now - *house_.last_work < patience::rest) return;
+  house_.last_work.reset();
+  house_.application.rested();
+}
+
+// One clock for all connections, while there are any.
+void HttpServer::Listener::keep_time() {
+  if (house_.closing && house_.connections.empty()) closing_.cancel();  // all is done: run() ends
+  const bool idle = house_.connections.empty() && !house_.last_work;
+  if (keeps_time_ || idle || (house_.closing && house_.connections.empty())) return;
+  keeps_time_ = true;
+  after(ticking_, tick, [this] {
+    keeps_time_ = false;
+    const auto now = Clock::now();
+    for_each_connection([&](Connection& connection) { connection.tick(now); });
+    while (house_.holds_too_much() && close_longest([](auto& each) { return each.is_stalled(); })) {
+    }
+    give_back(now);
+    keep_time();
+  });
+}
+
+void HttpServer::Listener::close_doors(milliseconds limit) {
+  house_.closing = true;
+  resting_.cancel();
+  std::vector<tcp::socket> last;  // those who have come before the door closes
+  for (tcp::acceptor& acceptor : acceptors_) {
+    asio::error_code error;
+    while (!error && last.size() < std::size_t{backlog}) last.push_back(acceptor.accept(error));
+    if (error && !last.empty()) last.pop_back();
+    acceptor.close(error);
+  }
+  for (tcp::socket& socket : last) welcome(std::move(socket));
+  for_each_connection([](Connection& connection) { connection.retire(); });
+  after(closing_, limit,
+        [this] { for_each_connection([](Connection& connection) { connection.give_up(); }); });
+  keep_time();
+}
+
+HttpServer::HttpServer(HttpOptions options, Application application)
+    : listener_(std::make_unique<Listener>(std::move(options), std::move(application))) {}
 HttpServer::~HttpServer() = default;
 int HttpServer::port() const { return listener_->port(); }
+int HttpServer::connections() const { return listener_->connections(); }
 void HttpServer::run() { listener_->run(); }
-void HttpServer::stop() { listener_->stop(); }
+void HttpServer::stop(milliseconds delay, milliseconds limit) { listener_->stop(delay, limit); }
 
 bool answers(const std::string& host, int port, const std::string& path) {
   httplib::Client client(host, port);

@@ -1,13 +1,15 @@
-// All about connections: cpp-httplib behind a function from Request to Response. Nothing else in
-// the server knows the library.
+// All about connections: one thread reads requests and sends answers for all of them, workers make
+// the answers. The rest of the server sees plain requests and responses.
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <memory>
 #include <string>
 
-#include "server/http/message.h"
+#include "server/http/proxies.h"
+#include "server/problem.h"
 
 namespace tia::server {
 
@@ -15,22 +17,55 @@ struct HttpOptions {
   std::string host;
   int port = 0;  ///< 0 = any free one
   std::int64_t max_body_bytes = 4 << 20;
+  int connections = 1024;  ///< beyond them the one that has waited longest is closed
+  int workers = 16;        ///< requests that may be in work at once; beyond them 429
+  std::chrono::milliseconds deadline{30'000};  ///< from a request's last byte to its answer
+  std::size_t most_held_bytes = 256 << 20;     ///< of requests and answers, of all connections
+  TrustsProxy trusts_proxy = [](const std::string&) { return false; };
+};
+
+/// Exchange: a request that is done with.
+struct Exchange {
+  const Request& request;
+  const Response& response;    ///< but for its body
+  std::size_t body_bytes = 0;  ///< of the response
+  double ms = 0;               ///< from the request's last byte to now
+};
+
+/// Application: what a server serves. All but `answer` are called on the connections' own thread.
+struct Application {
+  static constexpr int client_left = 499;  ///< the status of an exchange that got no answer
+
+  /// Never throws. Called on a worker, or on the connections' thread where at_once says so.
+  std::function<Response(const Request&)> answer;
+  /// The answer to what is no request, or has no time or place here. Any thread may call.
+  std::function<Response(const std::exception_ptr&, const Request&)> refuse = problem_response;
+  /// Whether the answer costs so little that it need not wait for a worker.
+  std::function<bool(const Request&)> at_once = [](const Request&) { return false; };
+  /// Seconds after which one who is refused for want of workers may ask again.
+  std::function<int()> retry_after = [] { return 1; };
+  /// Called once all work has been done and some time has passed.
+  std::function<void()> rested = [] {};
+  /// Told of every exchange before its answer's first byte is sent.
+  std::function<void(const Exchange&)> answered = [](const Exchange&) {};
 };
 
 /// HttpServer: listens from its making on; serves while run() runs.
 class HttpServer {
  public:
-  using Answer = std::function<Response(const Request&)>;
-
   /// Errors: std::runtime_error if the address cannot be had, another Tia's port included.
-  HttpServer(HttpOptions options, Answer answer);
+  HttpServer(HttpOptions options, Application application);
   ~HttpServer();
 
   int port() const;
+  /// Connections that are open now.
+  int connections() const;
   /// Serves until stop(), then finishes the requests that have come and returns.
   void run();
-  /// Stops accepting; safe from any thread, before or during run().
-  void stop();
+  /// Stops accepting after `delay`; what is not answered `limit` after that is given up with a 503.
+  /// Safe from any thread, before or during run().
+  void stop(std::chrono::milliseconds delay = {},
+            std::chrono::milliseconds limit = std::chrono::hours(24));
 
  private:
   class Listener;

@@ -1,15 +1,28 @@
 // A request and its answer as plain data: all that the rest of the server sees of HTTP.
 #pragma once
 
+#include <chrono>
+#include <functional>
+#include <stop_token>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include "core/input/value.h"
+
 namespace tia::server {
 
 /// Header fields in order. Names compare without case.
 using Headers = std::vector<std::pair<std::string, std::string>>;
+
+using Clock = std::chrono::steady_clock;
+
+/// The text without the white space around it (RFC 9110, 5.6.3).
+std::string_view trimmed(std::string_view text);
+
+/// Whether two names of header fields, or two of HTTP's keywords, are the same: without case.
+bool same_word(std::string_view a, std::string_view b);
 
 struct Request {
   std::string method;
@@ -17,6 +30,10 @@ struct Request {
   Headers headers;
   std::string body;
   std::string id;  ///< X-Request-Id: the client's where it is fit for a log line, else our own
+  std::string peer = {};  ///< the client's address, as its proxies tell it where they are trusted
+  bool is_http_1_0 = false;
+  std::stop_token stop = {};  ///< requested once nobody waits for the answer any more
+  Clock::time_point arrived = Clock::now();  ///< when its last byte had come
 
   std::string_view path() const { return std::string_view(target).substr(0, target.find('?')); }
   std::string_view query() const {
@@ -28,12 +45,19 @@ struct Request {
   bool is_head() const { return method == "HEAD"; }
 };
 
+/// Sends the next part of an answer; waits while the client is slow. Errors: Stopped once the
+/// client has left or the request's time is up.
+using SendPart = std::function<void(std::string_view)>;
+
 struct Response {
   int status = 200;
   std::string content_type;  ///< "" = no body
   std::string body;
   Headers headers = {};
   bool unsized = false;  ///< HEAD of something that would have to be made to be measured
+  /// Makes the body in parts while they are sent, in the body's place.
+  std::function<void(const SendPart&)> parts = nullptr;
+  Value::Object log = {};  ///< what the log says of it besides
 };
 
 /// Strict percent-decoding, '+' as it stands. Errors: InputError of kind malformed at `pointer`.

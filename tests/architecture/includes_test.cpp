@@ -30,6 +30,7 @@ const std::vector<Wrapped> libraries = {
     {"libdeflate", {"core/film/"}},       {"sleef", {"core/math/"}},
     {"xsimd", {"core/math/registers.h"}}, {"immintrin", {"core/math/wide.h"}},
     {"httplib", {"server/http/"}},        {"CLI/", {"server/main.cpp", "server/config."}},
+    {"asio", {"server/http/"}},           {"prometheus/", {"server/metrics.cpp"}},
 };
 
 // What core must not know: sockets, clocks, the environment, logs, files, chance.

@@ -27,19 +27,12 @@ std::size_t descriptors(const Tia& tia) {
   return static_cast<std::size_t>(std::distance(begin(each), end(each)));
 }
 
-// The sanitizer's check of virtual calls needs descriptors of its own, but only the first time.
-#if defined(__SANITIZE_ADDRESS__)
-constexpr bool sanitized = true;
-#else
-constexpr bool sanitized = false;
-#endif
-
 // With no descriptor left to give, whatever opens a file fails.
 TEST(Files, EveryAnswerIsGivenWithoutOpeningOne) {
   Tia tia;
   Host host;
   for (const char* target : targets)
-    if (sanitized) tia.get(target);
+    if (sanitized) tia.get(target);  // whose check of virtual calls needs some the first time
   Connection connection(tia.port());
   connection.send("GET /healthz HTTP/1.1\r\nHost: x\r\n\r\n");
   ASSERT_EQ(connection.receive().status, 200);

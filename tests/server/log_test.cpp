@@ -11,23 +11,71 @@ constexpr const char* flat_mesh = R"({"objects":[{"type":"mesh",
     "positions":[-1,-1,-5, 1,-1,-5, 0,1,-5, 0,0,-5],"indices":[0,1,2, 0,0,1, 2,3,3]}]})";
 constexpr const char* said = "2 triangles without area are ignored";
 
+const Value* logged(const Response& response) {
+  return find(response.log, "triangles without area");
+}
+
 TEST(Log, CountsTheTrianglesWithoutAreaThatARequestLeavesOut) {
   Host host;
-  const std::string asked = R"({"width":8,"height":8,"scene":)" + std::string(flat_mesh) + "}";
-  testing::internal::CaptureStderr();
-  const Response response = host.post("/render", asked);
-  const std::string log = testing::internal::GetCapturedStderr();
+  const Response response =
+      host.post("/render", R"({"width":8,"height":8,"scene":)" + std::string(flat_mesh) + "}");
   EXPECT_EQ(response.status, 200);
-  EXPECT_EQ(log, std::string("request ") + Host::id + ": " + said + "\n");
+  ASSERT_NE(logged(response), nullptr);
+  EXPECT_EQ(*logged(response), Value(2));
   for (const auto& [name, value] : response.headers) EXPECT_THAT(value, Not(HasSubstr("area")));
 }
 
 TEST(Log, SaysNothingOfAMeshWhoseTrianglesAllHaveArea) {
   Host host;
-  testing::internal::CaptureStderr();
-  host.post("/render", R"({"width":8,"height":8,"scene":{"objects":[{"type":"mesh",
-      "positions":[-1,-1,-5, 1,-1,-5, 0,1,-5],"indices":[0,1,2]}]}})");
-  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+  EXPECT_EQ(logged(host.post("/render", R"({"width":8,"height":8,"scene":{"objects":[{"type":"mesh",
+      "positions":[-1,-1,-5, 1,-1,-5, 0,1,-5],"indices":[0,1,2]}]}})")),
+            nullptr);
+}
+
+// The lines that a server has written for requests, which it does a little later.
+std::vector<Value> lines_of(const Tia& tia, std::size_t count) {
+  std::vector<Value> lines;
+  eventually([&] {
+    lines.clear();
+    std::istringstream all(tia.err());
+    for (std::string line; std::getline(all, line) && !all.eof();)
+      lines.push_back(parse_json(line));
+    return lines.size() >= count;
+  });
+  return lines;
+}
+
+TEST(Log, HasOneJsonLineARequest) {
+  Tia tia;
+  auto client = tia.client();
+  client.Get("/render?width=8&height=8", {{"X-Request-Id", "one"}});
+  client.Post("/render", {{"X-Request-Id", "two"}}, "{}x", "application/json");
+  client.Get("/nowhere", {{"X-Request-Id", "three"}});
+  const std::vector<Value> lines = lines_of(tia, 3);
+  ASSERT_EQ(lines.size(), 3U);
+  const char* const ids[] = {"one", "two", "three"};
+  const int status[] = {200, 400, 404};
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(text_at(lines[i], "id"), ids[i]);
+    EXPECT_EQ(number_at(lines[i], "status"), status[i]);
+    EXPECT_EQ(text_at(lines[i], "peer"), "127.0.0.1");
+    EXPECT_GT(number_at(lines[i], "answer_bytes"), 0);
+    EXPECT_GE(number_at(lines[i], "us"), 0);
+    EXPECT_THAT(text_at(lines[i], "time"), testing::MatchesRegex("20[0-9-]+T[0-9:.]+Z"));
+  }
+  EXPECT_EQ(text_at(lines[0], "target"), "/render?width=8&height=8");
+  EXPECT_THAT(text_at(lines[0], "Server-Timing"), HasSubstr("queue;dur="));
+  EXPECT_THAT(text_at(lines[0], "Tia-Rays"), HasSubstr("primary=64"));
+  EXPECT_EQ(number_at(lines[1], "request_bytes"), 3);
+  EXPECT_EQ(text_at(lines[1], "method"), "POST");
+}
+
+TEST(Log, ARequestCannotForgeALine) {
+  Tia tia;
+  exchange(tia.port(), "GET /a%0d%0a\"}{\"id\":\"forged\"} HTTP/1.1\r\nHost: x\r\n\r\n");
+  exchange(tia.port(), "GET /\"} HTTP/1.1\r\nHost: x\r\nX-Request-Id: \"x\r\n\r\n");
+  for (const Value& line : lines_of(tia, 2)) EXPECT_NE(text_at(line, "id"), "forged");
+  EXPECT_EQ(lines_of(tia, 2).size(), 2U);
 }
 
 TEST(Log, TiaRenderSaysItOnItsErrorOutput) {

@@ -92,11 +92,9 @@ TEST(Answer, EveryAnswerCarriesTheRequestsId) {
     EXPECT_EQ(header(host().get(target), "X-Request-Id"), Host::id) << target;
 }
 
-// A host whose renders are stopped before they start: whatever traces a ray fails.
 TEST(Head, RendersNothingAndHasNoBody) {
-  std::stop_source stop;
-  stop.request_stop();
-  Host stopped({}, stop.get_token());
+  Host stopped;
+  stopped.stop();
   for (const char* target : {"/render", "/render?key=a&format=png", "/render?light=1,2,3"}) {
     SCOPED_TRACE(target);
     EXPECT_EQ(stopped.get(target).status, 503);

@@ -87,9 +87,8 @@ void expect_too_many_rays(const Response& response, const std::string& limit) {
 
 // 640 x 480 pixels of 6511 samples are 2 000 179 200 rays, of 6510 they are 1 999 872 000.
 TEST(RenderLimits, RaysThatAreSureToComeAreRefusedBeforeTracing) {
-  std::stop_source stop;
-  stop.request_stop();
-  Host stopped({}, stop.get_token());  // whatever traces a ray is answered 503
+  Host stopped;
+  stopped.stop();
   EXPECT_EQ(stopped.get("/render?samples=6510").status, 503);
   expect_too_many_rays(stopped.get("/render?samples=6511"), "2000000000");
   expect_too_many_rays(stopped.post("/render", R"({"samples":6511})"), "2000000000");
@@ -169,10 +168,11 @@ TEST(RenderLimits, AnAnswerToManyUnknownNamesIsShortAndComesAtOnce) {
 
 TEST(RenderLimits, AStoppedRenderIs503Draining) {
   std::stop_source stop;
-  Host stopped({}, stop.get_token());
-  EXPECT_EQ(stopped.get("/render?width=8&height=8").status, 200);
+  Request request{"GET", "/render?width=8&height=8", {}, "", Host::id};
+  request.stop = stop.get_token();
+  EXPECT_EQ(host().ask(request).status, 200);
   stop.request_stop();
-  const Response response = stopped.get("/render?width=8&height=8");
+  const Response response = host().ask(request);
   EXPECT_EQ(response.status, 503);
   EXPECT_EQ(problem_of(response).type, "/problems/draining");
 }

@@ -89,7 +89,7 @@ TEST(Nodes, ATextMayHoldAsManyValuesAsTheOptionSays) {
   Config config;
   config.max_nodes = 4096;
   Host small(config);
-  for (const char* path : {"/scenes", "/explain"}) {
+  for (const char* path : {"/scenes", "/explain", "/render"}) {
     EXPECT_NE(problem_of(small.post(path, text_of_nodes(4096))).type, "/problems/limit");
     const Response response = small.post(path, text_of_nodes(4097));
     EXPECT_EQ(response.status, 422);

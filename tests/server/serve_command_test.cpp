@@ -38,7 +38,8 @@ TEST_P(Ending, OfAnIdleServerIsASuccess) {
   tia.signal(GetParam());
   const Finished end = tia.wait(seconds(10));
   EXPECT_EQ(end.status, 0);
-  EXPECT_EQ(end.err, "");
+  EXPECT_THAT(end.err, HasSubstr("\"target\":\"/healthz\""));  // the log, and no more
+  EXPECT_EQ(std::count(end.err.begin(), end.err.end(), '\n'), 1);
 }
 
 TEST_P(Ending, RightAfterTheFirstLineIsASuccess) {

@@ -40,10 +40,9 @@ inline bool eventually(const std::function<bool()>& ask, Clock::duration patienc
 class Server {
  public:
   explicit Server(HttpOptions options = {.host = "127.0.0.1", .port = 0})
-      : http_(std::move(options), [this](const Request& request) {
-          return host_.ask(request.method, request.target, request.body, request.headers,
-                           request.id);
-        }) {}
+      : http_(std::move(options),
+              {.answer = [this](const Request& request) { return host_.ask(request); },
+               .at_once = is_answered_at_once}) {}
   ~Server() {
     http_.stop();
     running_.join();
@@ -83,8 +82,10 @@ class Connection {
     to.sin_family = AF_INET;
     to.sin_port = htons(static_cast<std::uint16_t>(port));
     to.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-    if (::connect(socket_, reinterpret_cast<const sockaddr*>(&to), sizeof to) != 0)
+    if (::connect(socket_, reinterpret_cast<const sockaddr*>(&to), sizeof to) != 0) {
+      ::close(socket_);
       throw std::runtime_error("cannot connect to port " + std::to_string(port));
+    }
   }
   ~Connection() { ::close(socket_); }
   Connection(const Connection&) = delete;

@@ -22,6 +22,15 @@ namespace tia::test {
 
 using namespace tia::server;
 
+/// Whether a sanitizer watches, which takes memory, descriptors and time of its own.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+inline constexpr bool sanitized = true;
+#else
+inline constexpr bool sanitized = false;
+#endif
+/// KiB that a process may grow by beyond what is its own.
+inline constexpr long sanitizers_kilobytes = sanitized ? 1 << 20 : 0;
+
 inline std::string file_bytes(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   if (!file) throw std::runtime_error("cannot read " + path);
@@ -41,15 +50,17 @@ class Host {
   static constexpr int threads = 7;  // more than most machines have: they must not matter
   static constexpr const char* id = "test-1";
 
-  explicit Host(Config config = {}, const std::stop_token& stopping = {})
-      : config_(std::move(config)),
-        kept_(config_.max_scenes_bytes),
-        service_{config_, {gallery_, kept_, pool_, config_.limits()}, stopping} {}
+  explicit Host(Config config = {}) : config_(std::move(config)), kept_(config_.max_scenes_bytes) {}
 
   Response ask(const std::string& method, const std::string& target, const std::string& body = "",
                const Headers& headers = {}, const std::string& request_id = id) {
-    return answer(Request{method, target, headers, body, request_id}, service_);
+    Request request{method, target, headers, body, request_id};
+    request.stop = stop_.get_token();
+    return answer(request, service_);
   }
+  /// As if nobody waited for any answer: whatever traces a ray is answered 503.
+  void stop() { stop_.request_stop(); }
+  Response ask(const Request& request) { return answer(request, service_); }
   Response get(const std::string& target, const Headers& headers = {}) {
     return ask("GET", target, "", headers);
   }
@@ -60,14 +71,18 @@ class Host {
   }
   const Gallery& gallery() const { return gallery_; }
   SceneStore& kept() { return kept_; }
+  Service& service() { return service_; }
   Pool& pool() { return pool_; }
 
  private:
+  std::stop_source stop_;
   Config config_;
   Gallery gallery_;
   SceneStore kept_;
   Pool pool_{threads};
-  Service service_;
+  Admission admission_{config_.renders};
+  Metrics metrics_;
+  Service service_{config_, {gallery_, kept_, pool_, config_.limits()}, admission_, metrics_};
 };
 
 // ---- JSON -----------------------------------------------------------------------------------

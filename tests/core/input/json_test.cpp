@@ -126,8 +126,8 @@ TEST(ParseJson, ThirtyTwoLevelsAreReadAndThirtyThreeAreNot) {
     return std::string("{\"a\":").append(nested(depth)).append("}");
   };
   EXPECT_NO_THROW(parse_json(member(31)));
-  expect_refused(member(32), {{malformed, std::string("/a").append(pointer.substr(2)), "",
-                               "at most 32 levels"}});
+  expect_refused(member(32),
+                 {{malformed, std::string("/a").append(pointer.substr(2)), "", "at most 32 levels"}});
   expect_refused(nested(100'000), {{malformed, pointer, "", "at most 32 levels"}});
 }
 

@@ -21,9 +21,10 @@ void PrintTo(const Raw& raw, std::ostream* out) { *out << raw.law; }
 
 class RawBytes : public testing::TestWithParam<Raw> {};
 
-TEST_P(RawBytes, Get4xxOrACloseAndTheNextRequestItsAnswer) {
+TEST_P(RawBytes, AreRefusedAndTheNextRequestGetsItsAnswer) {
   const Response response = exchange(server().port(), GetParam().bytes);
-  EXPECT_TRUE(response.status == 0 || response.status / 100 == 4) << response.status;
+  const bool unknown = response.status == 501 || response.status == 505;  // parts of HTTP
+  EXPECT_TRUE(response.status == 0 || response.status / 100 == 4 || unknown) << response.status;
   if (response.status != 0) problem_of(response);
   expect_alive();
 }
@@ -93,7 +94,7 @@ TEST(RawBytes, ABadRequestLeavesTheConnectionToTheNext) {
        {"GET /render?width=0 HTTP/1.1\r\n" + host, "GET /nowhere HTTP/1.1\r\n" + host,
         "DELETE /render HTTP/1.1\r\nContent-Length: 0\r\n" + host,
         "GET /render?key=%zz HTTP/1.1\r\n" + host,
-        "GET /render?" + std::string(5000, 'a') + " HTTP/1.1\r\n" + host,
+        "GET /render?" + std::string(4100, 'a') + " HTTP/1.1\r\n" + host,
         "POST /render HTTP/1.1\r\nContent-Length: 2\r\n" + host + "{]",
         "POST /render HTTP/1.1\r\nContent-Length: 5\r\n" + host + "key=a",
         "POST /healthz HTTP/1.1\r\nContent-Length: 5\r\n" + host + "key=a"}) {

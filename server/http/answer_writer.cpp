@@ -1,0 +1,131 @@
+#include "server/http/answer_writer.h"
+
+#include <httplib.h>
+
+#include <ctime>
+#include <exception>
+#include <utility>
+
+#include "core/render/pool.h"
+#include "server/http/patience.h"
+
+namespace tia::server {
+namespace {
+
+// What the library takes for a connection: the shortest request, and a place for the answer.
+class Memory : public httplib::Stream {
+ public:
+  Memory(std::string_view request, const TakeBytes& take) : request_(request), take_(take) {}
+  bool is_readable() const override { return !request_.empty(); }
+  bool is_writable() const override { return true; }
+  ssize_t read(char* to, std::size_t size) override {
+    const std::size_t n = request_.copy(to, size);
+    request_.remove_prefix(n);
+    return static_cast<ssize_t>(n);
+  }
+  ssize_t write(const char* from, std::size_t size) override {
+    return take_({from, size}) ? static_cast<ssize_t>(size) : -1;
+  }
+  void get_remote_ip_and_port(std::string&, int&) const override {}
+  void get_local_ip_and_port(std::string&, int&) const override {}
+  socket_t socket() const override { return 0; }
+
+ private:
+  std::string_view request_;
+  const TakeBytes& take_;
+};
+
+// RFC 9110, 5.6.7. Made once a second.
+const std::string& http_date() {
+  thread_local std::time_t of = 0;
+  thread_local std::string date;
+  const std::time_t now = std::time(nullptr);
+  if (std::exchange(of, now) == now) return date;
+  std::tm utc{};
+  gmtime_r(&now, &utc);
+  char text[40];
+  std::strftime(text, sizeof text, "%a, %d %b %Y %H:%M:%S GMT", &utc);
+  return date = text;
+}
+
+// Writer: the library's server, with every request answered by what is to be sent.
+class Writer : httplib::Server {
+ public:
+  Writer() {
+    svr_sock_ = 0;  // else the library takes itself for stopped and sends no part
+    set_keep_alive_timeout(patience::idle.count());  // which the answers' heads tell
+    set_keep_alive_max_count(patience::most_requests);
+    set_pre_routing_handler([this](const httplib::Request&, httplib::Response& to) {
+      fill(to);
+      return HandlerResponse::Handled;
+    });
+  }
+  void write(Response& response, bool is_head, bool keep_alive, const TakeBytes& take) {
+    from_ = &response;
+    failure_ = nullptr;
+    refused_ = false;
+    const TakeBytes take_more = [&](std::string_view bytes) { return !(refused_ = !take(bytes)); };
+    Memory memory(is_head ? "HEAD / HTTP/1.1\r\n\r\n" : "GET / HTTP/1.1\r\n\r\n", take_more);
+    bool closed = false;
+    process_request(memory, !keep_alive, closed, nullptr);
+    if (failure_) std::rethrow_exception(failure_);
+  }
+
+ private:
+  void fill(httplib::Response& to) {
+    Response& from = *from_;
+    to.status = from.status;
+    to.set_header("Date", http_date());
+    for (const auto& [name, value] : from.headers) to.set_header(name, value);
+    if (from.parts) fill_parts(to);
+    else if (from.unsized)  // announces a body of unknown length; HEAD sends none
+      to.set_content_provider(from.content_type, [](std::size_t, httplib::DataSink& sink) {
+        sink.done();
+        return true;
+      });
+    else if (!from.content_type.empty()) {
+      to.body.swap(from.body);
+      to.set_header("Content-Type", from.content_type);
+    }
+  }
+
+  void fill_parts(httplib::Response& to) {
+    to.set_chunked_content_provider(
+        from_->content_type, [this](std::size_t, httplib::DataSink& sink) {
+          try {
+            from_->parts([&](std::string_view part) {
+              if (!part.empty()) sink.write(part.data(), part.size());  // an empty one ends it
+              if (refused_) throw Stopped();
+            });
+            sink.done();
+            return true;
+          } catch (...) {
+            failure_ = std::current_exception();
+            return false;
+          }
+        });
+  }
+
+  Response* from_ = nullptr;
+  std::exception_ptr failure_;  // of what makes the parts
+  bool refused_ = false;        // nobody takes the bytes any more
+};
+
+}  // namespace
+
+void write_answer(Response& response, bool is_head, bool keep_alive, const TakeBytes& take) {
+  thread_local Writer writer;
+  writer.write(response, is_head, keep_alive, take);
+}
+
+std::string answer_bytes(Response& response, bool is_head, bool keep_alive) {
+  std::string bytes;
+  bytes.reserve(response.body.size() + 1024);
+  write_answer(response, is_head, keep_alive, [&](std::string_view part) {
+    bytes.append(part);
+    return true;
+  });
+  return bytes;
+}
+
+}  // namespace tia::server

@@ -1,0 +1,24 @@
+// Responses -> bytes. The one place that uses cpp-httplib's server: of its parts the one that
+// frames answers. What it would read of a request has been read more strictly already.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <string_view>
+
+#include "server/http/message.h"
+
+namespace tia::server {
+
+/// Takes bytes of an answer, in order. Returns: whether it wants more.
+using TakeBytes = std::function<bool(std::string_view)>;
+
+/// Writes the answer to a request as HTTP/1.1: status line, fields, Content-Length and body; a body
+/// made in parts goes chunked, as its parts are made. Takes the body out of the response.
+/// Errors: what making the parts throws.
+void write_answer(Response& response, bool is_head, bool keep_alive, const TakeBytes& take);
+
+/// The same, whole. Domain: a response without parts.
+std::string answer_bytes(Response& response, bool is_head, bool keep_alive);
+
+}  // namespace tia::server

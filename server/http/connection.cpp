@@ -1,0 +1,347 @@
+#include "server/http/connection.h"
+
+#include <linux/sockios.h>
+#include <sys/ioctl.h>
+
+#include <algorithm>
+#include <asio/post.hpp>
+
+#include "server/http/answer_writer.h"
+#include "server/http/patience.h"
+#include "server/problem.h"
+
+namespace tia::server {
+namespace {
+
+using asio::ip::tcp;
+using State = RequestReader::State;
+
+std::string address_of(const tcp::socket& socket) {
+  asio::error_code error;
+  const auto address = socket.remote_endpoint(error).address();
+  if (error) return {};
+  if (!address.is_v6() || !address.to_v6().is_v4_mapped()) return address.to_string();
+  return asio::ip::make_address_v4(asio::ip::v4_mapped, address.to_v6()).to_string();
+}
+
+bool would_block(const asio::error_code& error) {
+  return error == asio::error::would_block || error == asio::error::try_again ||
+         error == asio::error::interrupted;
+}
+
+double ms_since(Clock::time_point start) {
+  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+std::exception_ptr failure(std::string_view type, std::string detail, Headers headers = {}) {
+  return std::make_exception_ptr(HttpError(type, std::move(detail), std::move(headers)));
+}
+
+Request without_body(const Request& from) {
+  Request to{from.method, from.target, from.headers, "", from.id, from.peer};
+  to.arrived = from.arrived;
+  return to;
+}
+
+}  // namespace
+
+Connection::Connection(tcp::socket socket, House& house)
+    : socket_(std::move(socket)),
+      house_(house),
+      peer_(address_of(socket_)),
+      reader_(house.options.max_body_bytes) {}
+
+void Connection::start() {
+  asio::error_code error;
+  socket_.non_blocking(true, error);
+  socket_.set_option(tcp::no_delay(true), error);  // else a round trip waits 40 ms for an ACK
+  // Else the system takes megabytes for each client that does not read, until it has none left.
+  socket_.set_option(tcp::socket::send_buffer_size(static_cast<int>(patience::most_at_once)),
+                     error);
+  enter(Phase::reading, house_.closing ? Clock::duration(patience::drained) : patience::head);
+  read();
+}
+
+void Connection::turn_away() {
+  asio::error_code error;
+  socket_.non_blocking(true, error);
+  refuse(failure("busy", "all connections are in use (option TIA_CONNECTIONS)",
+                 {{"Retry-After", std::to_string(house_.application.retry_after())}}));
+  proceed();
+}
+
+void Connection::enter(Phase phase, Clock::duration patience) {
+  phase_ = phase;
+  since_ = Clock::now();
+  due_ = since_ + patience;
+}
+
+// ---- reading --------------------------------------------------------------------------------
+
+void Connection::read() {
+  asio::error_code error;
+  const std::size_t size = socket_.read_some(asio::buffer(house_.scratch), error);
+  if (error && !would_block(error)) return leave();
+  if (phase_ != Phase::lingering) reader_.feed({house_.scratch.data(), size});
+  if (phase_ == Phase::reading) return proceed();
+  if (phase_ == Phase::lingering || reader_.unread() < patience::most_ahead) wait_readable();
+}
+
+void Connection::wait_readable() {
+  if (read_armed_ || phase_ == Phase::closed) return;
+  read_armed_ = true;
+  socket_.async_wait(tcp::socket::wait_read, [self = shared_from_this()](asio::error_code error) {
+    self->read_armed_ = false;
+    // While an answer goes out, only whether it does tells that the client is there.
+    if (self->phase_ == Phase::closed || self->phase_ == Phase::writing) return;
+    if (error) return self->close();
+    self->read();
+  });
+}
+
+// Bytes of the answer that the system holds for the client.
+std::size_t Connection::waiting_bytes() {
+  int waiting = 0;
+  ioctl(socket_.native_handle(), SIOCOUTQ, &waiting);
+  return std::min(static_cast<std::size_t>(waiting), outbox_.sent());
+}
+
+// Goes on until something must be waited for.
+void Connection::proceed() {
+  for (;;) {
+    if (!flush()) return;
+    switch (phase_) {
+      case Phase::reading:
+        if (!take_request()) return wait_readable();
+        break;
+      case Phase::answering: return wait_readable();  // to see whether the client leaves
+      case Phase::writing:
+        if (!keep_alive_) return linger();
+        enter(Phase::reading, patience::idle);
+        break;
+      case Phase::lingering:
+      case Phase::closed: return;
+    }
+  }
+}
+
+// Returns: false where more bytes must come first.
+bool Connection::take_request() {
+  try {
+    const State before = reader_.state(), now = reader_.read();
+    account();
+    if (now == State::whole) {
+      keep_alive_ = reader_.keep_alive() && ++requests_ < patience::most_requests;
+      begin(reader_.take());
+      return true;
+    }
+    if (house_.holds_too_much() && held_ > patience::most_ahead)
+      throw HttpError("busy", "too many requests with long bodies come at once",
+                      {{"Retry-After", std::to_string(house_.application.retry_after())}});
+    set_patience(before);
+    if (!reader_.wants_continue()) return false;
+    outbox_.put("HTTP/1.1 100 Continue\r\n\r\n");
+  } catch (...) {
+    refuse(std::current_exception());
+  }
+  return true;
+}
+
+void Connection::set_patience(State before) {
+  const State now = reader_.state();
+  if (now == State::idle && house_.closing && requests_ > 0) return linger();
+  if (before == State::idle && now != before && requests_ > 0)
+    enter(Phase::reading, patience::head);
+  if (now == State::body) {
+    if (before != now) enter(Phase::reading, patience::body);
+    due_ = since_ + patience::body + patience::at_slowest_rate(reader_.request().body.size());
+  }
+}
+
+void Connection::account() {
+  const std::size_t held =
+      reader_.held() + outbox_.held() + (turn_ ? turn_->request.body.capacity() : 0);
+  house_.held_bytes += held - held_;
+  held_ = held;
+}
+
+// ---- answering ------------------------------------------------------------------------------
+
+void Connection::begin(Request request) {
+  request.peer = client_address(peer_, request.headers, house_.options.trusts_proxy);
+  turn_ = std::make_shared<Turn>(std::move(request));
+  turn_->keep_alive = keep_alive_;
+  account();
+  const Application& application = house_.application;
+  if (application.at_once(turn_->request)) {
+    turn_->make(application.answer, house_.closing, [] {});
+    deliver(*turn_);
+  } else if (house_.free_workers == 0) {
+    fail_turn(failure("busy", "all that may wait here does (option TIA_QUEUE)",
+                      {{"Retry-After", std::to_string(application.retry_after())}}));
+  } else {
+    work();
+  }
+}
+
+void Connection::work() {
+  enter(Phase::answering, house_.options.deadline);
+  --house_.free_workers;
+  asio::post(house_.workers, [self = shared_from_this(), turn = turn_]() mutable {
+    House& house = self->house_;
+    turn->make(house.application.answer, house.closing,
+               [&] { asio::post(house.io, [self] { self->pump(); }); });
+    asio::post(house.io, [self = std::move(self), turn = std::move(turn)] { self->finish(turn); });
+  });
+}
+
+// Sends the parts that have been made, while the client takes them.
+void Connection::pump() {
+  if (phase_ == Phase::answering && outbox_.empty()) proceed();
+}
+
+void Connection::finish(const std::shared_ptr<Turn>& turn) {
+  ++house_.free_workers;
+  house_.last_work = Clock::now();
+  if (turn != turn_ || phase_ != Phase::answering) return;  // nobody waits for it any more
+  if (turn->is_cut) return leave();
+  outbox_.put(turn->take_parts());
+  deliver(*turn);
+  proceed();
+}
+
+void Connection::deliver(Turn& turn) {
+  keep_alive_ = turn.keep_alive;
+  outbox_.put(std::move(turn.bytes));
+  house_.application.answered(
+      {turn.request, turn.response, turn.body_bytes, ms_since(turn.request.arrived)});
+  turn_.reset();
+  account();
+  outbox_.begin();
+  enter(Phase::writing, patience::answer);
+}
+
+// Answers the request in work with a problem, whatever its worker does, which may still read it.
+void Connection::fail_turn(const std::exception_ptr& failure) {
+  const std::shared_ptr<Turn> turn = turn_;
+  turn->abandon();
+  if (turn->has_parts()) return leave();  // its head has gone out: all that is left is to break off
+  Turn instead(without_body(turn->request));
+  instead.keep_alive = keep_alive_ && !house_.closing;
+  instead.make([&](const Request& request) { return house_.application.refuse(failure, request); },
+               house_.closing, [] {});
+  deliver(instead);
+}
+
+// Answers bytes that are no request. Where the next one begins is unknown: so the connection ends.
+void Connection::refuse(const std::exception_ptr& failure) {
+  turn_ = std::make_shared<Turn>(without_body(reader_.request()));
+  if (turn_->request.id.empty()) turn_->request.id = request_id("");
+  turn_->request.peer = client_address(peer_, turn_->request.headers, house_.options.trusts_proxy);
+  keep_alive_ = false;
+  fail_turn(failure);
+}
+
+// ---- writing --------------------------------------------------------------------------------
+
+// Sends what there is to send. Returns: false where the rest must wait, or the client is gone.
+bool Connection::flush() {
+  do {
+    if (const asio::error_code error = outbox_.send(socket_)) {
+      account();
+      if (would_block(error)) wait_writable();
+      else leave();
+      return false;
+    }
+    if (phase_ == Phase::answering) outbox_.put(turn_->take_parts());
+  } while (!outbox_.empty());
+  account();
+  return true;
+}
+
+void Connection::wait_writable() {
+  if (write_armed_) return;
+  write_armed_ = true;
+  socket_.async_wait(tcp::socket::wait_write, [self = shared_from_this()](asio::error_code error) {
+    self->write_armed_ = false;
+    if (self->phase_ == Phase::closed) return;
+    if (error) return self->close();
+    self->proceed();
+  });
+}
+
+// ---- ending ---------------------------------------------------------------------------------
+
+void Connection::tick(Clock::time_point now) {
+  if (now < due_ || phase_ == Phase::closed) return;
+  switch (phase_) {
+    case Phase::reading:
+      if (reader_.state() == State::idle) return linger();
+      refuse(failure("slow", "a head must come within 5 s, a body at 64 KiB/s"));
+      return proceed();
+    case Phase::answering:
+      fail_turn(failure("timeout",
+                        "no answer within " + std::to_string(house_.options.deadline.count()) +
+                            " ms, the time in the queue included (option TIA_DEADLINE_MS)",
+                        {{"Retry-After", std::to_string(house_.application.retry_after())}}));
+      return proceed();
+    case Phase::writing:
+      due_ =
+          since_ + patience::answer + patience::at_slowest_rate(outbox_.sent() - waiting_bytes());
+      if (now >= due_) close();
+      return;
+    case Phase::lingering:
+    case Phase::closed: return close();
+  }
+}
+
+void Connection::retire() {
+  if (phase_ != Phase::reading || reader_.state() != State::idle) return;
+  if (requests_ > 0) linger();
+  else due_ = Clock::now() + patience::drained;
+}
+
+void Connection::give_up() {
+  if (phase_ == Phase::answering) {
+    fail_turn(failure("draining", "the server goes down; ask again", {{"Retry-After", "1"}}));
+    proceed();
+  } else if (phase_ == Phase::reading) {
+    linger();
+  } else {
+    close();
+  }
+}
+
+// The client has closed or is gone.
+void Connection::leave() {
+  if (turn_) {
+    turn_->abandon();
+    Response none;
+    none.status = Application::client_left;
+    house_.application.answered({turn_->request, none, 0, ms_since(turn_->request.arrived)});
+  }
+  close();
+}
+
+// Lets the client read what was sent: to close on one that still writes would reset the connection
+// and lose the answer on its way.
+void Connection::linger() {
+  asio::error_code error;
+  socket_.shutdown(tcp::socket::shutdown_send, error);
+  enter(Phase::lingering, patience::linger);
+  wait_readable();
+}
+
+void Connection::close() {
+  if (phase_ == Phase::closed) return;
+  phase_ = Phase::closed;
+  house_.held_bytes -= held_;
+  held_ = 0;
+  turn_.reset();
+  asio::error_code error;
+  socket_.close(error);
+  house_.connections.erase(shared_from_this());
+  house_.open = static_cast<int>(house_.connections.size());
+}
+
+}  // namespace tia::server

@@ -1,0 +1,76 @@
+// One client's connection: bytes in, requests, answers, bytes out, each in its time. Lives on the
+// server's one connection thread; only the answers are made elsewhere.
+#pragma once
+
+#include <asio/ip/tcp.hpp>
+#include <memory>
+#include <string>
+
+#include "server/http/house.h"
+#include "server/http/outbox.h"
+#include "server/http/request_reader.h"
+#include "server/http/turn.h"
+
+namespace tia::server {
+
+class Connection : public std::enable_shared_from_this<Connection> {
+ public:
+  Connection(asio::ip::tcp::socket socket, House& house);
+
+  void start();
+  /// Cuts off what has taken too long.
+  void tick(Clock::time_point now);
+  /// Closes once nothing is under way.
+  void retire();
+  /// Answers a request that is still in work with 503: the server goes down.
+  void give_up();
+  void close();
+
+  /// Answers with 429, whatever is asked: there is no room.
+  void turn_away();
+
+  /// Whether it holds an answer that its client does not take.
+  bool is_stalled() const { return phase_ == Phase::writing; }
+  /// Whether no whole request is lost by closing.
+  bool waits_for_client() const { return phase_ == Phase::reading || phase_ == Phase::lingering; }
+  /// Since when it waits, reads, works or writes.
+  Clock::time_point since() const { return since_; }
+
+ private:
+  enum class Phase { reading, answering, writing, lingering, closed };
+
+  void enter(Phase phase, Clock::duration patience);
+  void proceed();
+  bool take_request();
+  void set_patience(RequestReader::State before);
+  void begin(Request request);
+  void work();
+  void pump();
+  void finish(const std::shared_ptr<Turn>& turn);
+  void deliver(Turn& turn);
+  void refuse(const std::exception_ptr& failure);
+  void fail_turn(const std::exception_ptr& failure);
+  void leave();
+  bool flush();
+  void linger();
+  void wait_readable();
+  void wait_writable();
+  void read();
+  std::size_t waiting_bytes();
+  void account();
+
+  asio::ip::tcp::socket socket_;
+  House& house_;
+  std::string peer_;
+  RequestReader reader_;
+  Phase phase_ = Phase::reading;
+  Clock::time_point since_, due_;
+  std::shared_ptr<Turn> turn_;  // the request in work
+  Outbox outbox_;
+  std::size_t held_ = 0;  // what we have told the house that we hold
+  std::size_t requests_ = 0;
+  bool keep_alive_ = true;
+  bool read_armed_ = false, write_armed_ = false;
+};
+
+}  // namespace tia::server

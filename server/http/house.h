@@ -1,0 +1,39 @@
+// What all connections of a server share.
+#pragma once
+
+#include <array>
+#include <asio/io_context.hpp>
+#include <asio/thread_pool.hpp>
+#include <atomic>
+#include <memory>
+#include <optional>
+#include <set>
+
+#include "server/http/http_server.h"
+#include "server/http/patience.h"
+
+namespace tia::server {
+
+class Connection;
+
+/// House: all but the atomics belongs to the connections' thread.
+struct House {
+  House(HttpOptions given, Application serving)
+      : options(std::move(given)), application(std::move(serving)) {}
+
+  HttpOptions options;
+  Application application;
+  asio::io_context io{1};
+  asio::thread_pool workers{static_cast<std::size_t>(options.workers)};
+  int free_workers = options.workers;
+  std::optional<Clock::time_point> last_work;  ///< none since the application was told of its end
+  std::set<std::shared_ptr<Connection>> connections;
+  std::atomic<int> open = 0;           ///< connections, for other threads
+  std::atomic<bool> closing = false;   ///< no connection is used again after its answer
+  std::size_t held_bytes = 0;          ///< of requests and answers, by all connections
+  std::array<char, 64 << 10> scratch;  ///< where bytes are read to before they are taken
+
+  bool holds_too_much() const { return held_bytes > options.most_held_bytes; }
+};
+
+}  // namespace tia::server

@@ -1,0 +1,103 @@
+#include "server/http/request_reader.h"
+
+#include <algorithm>
+#include <random>
+#include <utility>
+
+#include "server/problem.h"
+
+namespace tia::server {
+
+RequestReader::State RequestReader::read() {
+  if (state_ == State::idle) {
+    skip_empty_line();
+    if (!bytes_.empty() && (skipped_ || bytes_ != "\r")) state_ = State::head;
+  }
+  if (state_ == State::head && read_head()) state_ = State::body;
+  if (state_ == State::body && read_body()) state_ = State::whole;
+  return state_;
+}
+
+bool RequestReader::wants_continue() {
+  const bool wants = state_ == State::body && bytes_.empty() && request_.body.empty();
+  return wants && std::exchange(head_.expects_continue, false);
+}
+
+Request RequestReader::take() {
+  request_.arrived = Clock::now();
+  state_ = State::idle;
+  skipped_ = false;
+  if (bytes_.empty()) std::string().swap(bytes_);  // an idle connection holds nothing
+  return std::exchange(request_, Request{});
+}
+
+// One empty line before a request is let pass: old clients end a body with it (RFC 9112, 2.2).
+void RequestReader::skip_empty_line() {
+  if (skipped_ || bytes_.substr(0, 2) != "\r\n") return;
+  bytes_.erase(0, 2);
+  skipped_ = true;
+}
+
+bool RequestReader::read_head() {
+  const std::size_t from = scanned_ < 3 ? 0 : scanned_ - 3;
+  const std::size_t end = bytes_.find("\r\n\r\n", from);
+  const std::string_view known =
+      std::string_view(bytes_).substr(0, end == bytes_.npos ? end : end + 4);
+  constexpr std::size_t longest_line = longest_target + 64;
+  const bool long_line =
+      known.size() > longest_line && known.substr(0, longest_line).find("\r\n") == known.npos;
+  // No further than the limit: what is wrong first counts, however many bytes come at once.
+  check_lines(known.substr(0, (long_line ? longest_line : Head::most_bytes) + 1), from);
+  if (long_line) throw uri_too_long();
+  if (known.size() > Head::most_bytes)
+    throw HttpError("header-too-large",
+                    "a head may have " + std::to_string(Head::most_bytes) + " bytes");
+  scanned_ = bytes_.size();
+  if (end == bytes_.npos) return false;
+
+  head_ = server::read_head(std::string_view(bytes_).substr(0, end + 4));
+  bytes_.erase(0, end + 4);
+  scanned_ = 0;
+  chunks_ = ChunkDecoder(most_body_);
+  request_.method = head_.method;
+  request_.target = head_.target;
+  request_.headers = std::move(head_.headers);
+  request_.is_http_1_0 = head_.is_http_1_0;
+  request_.id = request_id(request_.header("X-Request-Id"));
+  check_length(static_cast<std::uint64_t>(head_.length), most_body_);
+  return true;
+}
+
+bool RequestReader::read_body() {
+  std::string& body = request_.body;
+  if (head_.body == Head::Body::chunked) {
+    std::string_view rest = bytes_;
+    const bool ended = chunks_.decode(rest, body);
+    bytes_.erase(0, bytes_.size() - rest.size());
+    return ended;
+  }
+  const auto length = static_cast<std::size_t>(head_.length);
+  const std::size_t size = std::min(length - body.size(), bytes_.size());
+  body.append(bytes_, 0, size);
+  bytes_.erase(0, size);
+  return body.size() == length;
+}
+
+std::string request_id(std::string_view asked) {
+  const auto fit = [](char c) {
+    return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '-' ||
+           c == '_' || c == '.';
+  };
+  if (!asked.empty() && asked.size() <= 64 && std::all_of(asked.begin(), asked.end(), fit))
+    return std::string(asked);
+  thread_local std::mt19937_64 random{std::random_device{}()};
+  std::string id(16, '0');
+  std::uint64_t word = random();
+  for (char& c : id) {
+    c = "0123456789abcdef"[word & 15U];
+    word >>= 4U;
+  }
+  return id;
+}
+
+}  // namespace tia::server

@@ -1,0 +1,57 @@
+// Bytes -> requests, without a socket: what a connection, a test and a fuzzer feed.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "server/http/chunks.h"
+#include "server/http/head.h"
+
+namespace tia::server {
+
+/// RequestReader: takes one request after the other out of a connection's bytes. Once it has
+/// thrown, where the next request begins is unknown: the connection can only be closed.
+class RequestReader {
+ public:
+  enum class State { idle, head, body, whole };
+
+  explicit RequestReader(std::int64_t most_body_bytes)
+      : most_body_(most_body_bytes), chunks_(most_body_bytes) {}
+
+  void feed(std::string_view bytes) { bytes_.append(bytes); }
+  /// Reads on as far as the bytes reach. `idle` is before the first byte of a request.
+  /// Errors: HttpError.
+  State read();
+  State state() const { return state_; }
+  /// Whether the client waits to be told that it may send the body; true once a request.
+  bool wants_continue();
+  /// The whole request; the next one begins after it. Domain: state() == whole.
+  Request take();
+  /// What is known of the request; all of it but the body where read() threw after its head.
+  const Request& request() const { return request_; }
+  /// Whether the connection may be used again after this request.
+  bool keep_alive() const { return head_.keep_alive; }
+  /// Bytes that are held: of the request, and not yet read.
+  std::size_t held() const { return bytes_.capacity() + request_.body.capacity(); }
+  std::size_t unread() const { return bytes_.size(); }
+
+ private:
+  void skip_empty_line();
+  bool read_head();
+  bool read_body();
+
+  std::int64_t most_body_;
+  State state_ = State::idle;
+  std::string bytes_;        // fed and not yet read
+  std::size_t scanned_ = 0;  // how many of them hold no end of a head
+  Head head_;
+  ChunkDecoder chunks_;
+  Request request_;
+  bool skipped_ = false;
+};
+
+/// An id fit for a log line and an answer's head: the client's, or 16 random hexadecimal digits.
+std::string request_id(std::string_view asked);
+
+}  // namespace tia::server

@@ -1,0 +1,50 @@
+// One request's way through a worker: what the connection gives it and what it gives back.
+#pragma once
+
+#include <atomic>
+#include <condition_variable>
+#include <functional>
+#include <mutex>
+#include <stop_token>
+#include <string>
+
+#include "server/http/message.h"
+
+namespace tia::server {
+
+/// Turn: a request in work. The worker owns `response` and `bytes` until it is done, then the
+/// connection does; the parts of an answer pass between them under a lock.
+class Turn {
+ public:
+  explicit Turn(Request asked) : request(std::move(asked)) { request.stop = stop.get_token(); }
+
+  std::stop_source stop;
+  Request request;
+  bool keep_alive = true;
+  Response response;
+  std::size_t body_bytes = 0;
+  std::string bytes;    ///< the whole answer, or the rest of one that goes in parts
+  bool is_cut = false;  ///< the parts broke off: the client must see that
+
+  using Answer = std::function<Response(const Request&)>;
+  /// Worker: makes the answer. `more` is called whenever a part waits to be sent.
+  void make(const Answer& answer, const std::atomic<bool>& closing,
+            const std::function<void()>& more);
+  /// Connection: the parts that wait, so that the worker may go on.
+  std::string take_parts();
+  /// Connection: nobody waits for the answer any more.
+  void abandon();
+  /// Whether the answer goes in parts, and its head has been made.
+  bool has_parts();
+
+ private:
+  void gather_parts();
+  bool put(std::string_view part, const std::function<void()>& more);
+
+  std::mutex mutex_;
+  std::condition_variable taken_;
+  std::string parts_;
+  bool in_parts_ = false;
+};
+
+}  // namespace tia::server

@@ -1,0 +1,103 @@
+#include "server/metrics.h"
+
+#include <prometheus/counter.h>
+#include <prometheus/gauge.h>
+#include <prometheus/histogram.h>
+#include <prometheus/registry.h>
+#include <prometheus/text_serializer.h>
+
+#include "core/version.h"
+#include "server/http/http_server.h"
+
+namespace tia::server {
+namespace {
+
+using prometheus::Counter;
+using prometheus::Gauge;
+using prometheus::Histogram;
+
+template <class Builder>
+auto& family(Builder builder, const char* name, const char* help, prometheus::Registry& registry) {
+  return builder.Name(name).Help(help).Register(registry);
+}
+
+}  // namespace
+
+struct Metrics::Families {
+  prometheus::Registry registry;
+  prometheus::Family<Counter>& requests =
+      family(prometheus::BuildCounter(), "tia_requests_total",
+             "Requests by route and status; 499: the client left before its answer.", registry);
+  prometheus::Family<Counter>& bytes = family(prometheus::BuildCounter(), "tia_body_bytes_total",
+                                              "Bytes of requests' and answers' bodies.", registry);
+  prometheus::Family<Counter>& rays =
+      family(prometheus::BuildCounter(), "tia_rays_total", "Rays traced, by kind.", registry);
+  prometheus::Family<Histogram>& seconds =
+      family(prometheus::BuildHistogram(), "tia_picture_phase_seconds",
+             "Where pictures' time went, by phase.", registry);
+  prometheus::Family<Gauge>& connections =
+      family(prometheus::BuildGauge(), "tia_connections", "Connections that are open.", registry);
+  prometheus::Family<Gauge>& at_work = family(prometheus::BuildGauge(), "tia_requests_at_work",
+                                              "Requests that hold a ticket.", registry);
+  prometheus::Family<Gauge>& waiting = family(prometheus::BuildGauge(), "tia_requests_waiting",
+                                              "Requests in the queue for a ticket.", registry);
+  prometheus::Family<Gauge>& kept = family(prometheus::BuildGauge(), "tia_kept_scenes",
+                                           "Scenes that POST /scenes keeps.", registry);
+  prometheus::Family<Gauge>& kept_bytes =
+      family(prometheus::BuildGauge(), "tia_kept_scenes_bytes",
+             "Memory of the scenes that POST /scenes keeps.", registry);
+  prometheus::Family<Gauge>& build =
+      family(prometheus::BuildGauge(), "tia_build_info", "Always 1; what this build is.", registry);
+
+  Counter& received = bytes.Add({{"direction", "received"}});
+  Counter& sent = bytes.Add({{"direction", "sent"}});
+
+  Histogram& phase(const char* name) {
+    return seconds.Add({{"phase", name}},
+                       Histogram::BucketBoundaries{0.0001, 0.001, 0.01, 0.1, 1, 10});
+  }
+};
+
+Metrics::Metrics() : families_(std::make_unique<Families>()) {
+  families_->build.Add({{"version", version()}, {"bytes", full_version()}}).Set(1);
+}
+Metrics::~Metrics() = default;
+
+void Metrics::count(const Exchange& exchange, std::string_view route) {
+  families_->requests
+      .Add({{"route", std::string(route)}, {"status", std::to_string(exchange.response.status)}})
+      .Increment();
+  families_->received.Increment(static_cast<double>(exchange.request.body.size()));
+  families_->sent.Increment(static_cast<double>(exchange.body_bytes));
+}
+
+void Metrics::count(const Picture& picture) {
+  const RayCounts& rays = picture.rays;
+  const auto add = [&](const char* kind, std::int64_t count) {
+    families_->rays.Add({{"kind", kind}}).Increment(static_cast<double>(count));
+  };
+  add("primary", rays.primary);
+  add("shadow", rays.shadow);
+  add("reflection", rays.reflection);
+  add("refraction", rays.refraction);
+  const Timing& ms = picture.timing;
+  families_->phase("queue").Observe(ms.queue / 1000);
+  families_->phase("parse").Observe(ms.parse / 1000);
+  families_->phase("build").Observe(ms.build / 1000);
+  families_->phase("trace").Observe(ms.trace / 1000);
+  families_->phase("encode").Observe(ms.encode / 1000);
+}
+
+std::string Metrics::text(const Gauges& gauges) {
+  const auto set = [](prometheus::Family<Gauge>& gauge, auto value) {
+    gauge.Add({}).Set(static_cast<double>(value));
+  };
+  set(families_->connections, gauges.connections);
+  set(families_->at_work, gauges.at_work);
+  set(families_->waiting, gauges.waiting);
+  set(families_->kept, gauges.kept_scenes);
+  set(families_->kept_bytes, gauges.kept_scenes_bytes);
+  return prometheus::TextSerializer().Serialize(families_->registry.Collect());
+}
+
+}  // namespace tia::server

@@ -1,0 +1,40 @@
+// What is counted, in Prometheus' words; the only place that knows its library.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "core/render/meter.h"
+#include "server/picture.h"
+
+namespace tia::server {
+
+struct Exchange;
+
+/// Gauges: what there is now, asked when the metrics are.
+struct Gauges {
+  int connections = 0, at_work = 0, waiting = 0;  ///< the latter two of requests
+  std::size_t kept_scenes = 0, kept_scenes_bytes = 0;
+};
+
+/// Metrics: counters since the start. Any thread may call.
+class Metrics {
+ public:
+  Metrics();
+  ~Metrics();
+
+  /// Counts a request by its route and status, and the bytes of its bodies.
+  void count(const Exchange& exchange, std::string_view route);
+  /// Counts a picture's rays and where its time went.
+  void count(const Picture& picture);
+  /// Prometheus' text format 0.0.4.
+  std::string text(const Gauges& gauges);
+  static constexpr std::string_view media_type = "text/plain; version=0.0.4; charset=utf-8";
+
+ private:
+  struct Families;
+  std::unique_ptr<Families> families_;
+};
+
+}  // namespace tia::server

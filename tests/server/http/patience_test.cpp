@@ -1,0 +1,143 @@
+// How long a connection may take for what: slow clients are cut, steady ones are not.
+#include "server/http/patience.h"
+
+#include "tests/server/http/wire.h"
+
+namespace tia::test {
+namespace {
+
+// Within 6 s where 5 s are allowed; the machine that tests may be busy with other things, too.
+constexpr double earliest_ms = 4900, latest_ms = 7000;
+
+Application echo() {
+  return answering([](const Request& request) { return text(request.body); });
+}
+
+// What came, until the close, and when that was.
+struct Ended {
+  std::string bytes;
+  double ms = 0;
+};
+using Client = std::function<void(Wire&)>;
+
+std::future<Ended> start(int port, const Client& client) {
+  return std::async(std::launch::async, [port, client] {
+    Wire wire(port);
+    const auto started = Clock::now();
+    client(wire);
+    Ended end{wire.rest(), 0};
+    end.ms = ms_since(started);
+    return end;
+  });
+}
+
+// Sends the first part at once and then one byte after the other, until the server has enough.
+Client dripping(const std::string& first, milliseconds pause) {
+  return [first, pause](Wire& wire) {
+    wire.send(first);
+    while (!wire.readable(pause)) wire.send("a");
+  };
+}
+
+TEST(Patience, OfFiveSecondsHasAServerForAHeadAndForABodyHoweverTheyDrip) {
+  Serving serving(echo());
+  const auto port = serving.port();
+  const std::string half = "GET / HTTP/1.1\r\nX: ";
+  std::map<std::string, std::future<Ended>> slow;
+  slow["half a head"] = start(port, [&](Wire& wire) { wire.send(half); });
+  slow["one byte"] = start(port, [&](Wire& wire) { wire.send("G"); });
+  slow["a dripping head"] = start(port, dripping(half, milliseconds(100)));
+  slow["half a body"] = start(port, [&](Wire& wire) { wire.send(forms::sized(" 9", "{")); });
+  slow["no body"] = start(port, [&](Wire& wire) { wire.send(forms::sized(" 9", "")); });
+  slow["half a chunk"] = start(port, [&](Wire& wire) { wire.send(forms::chunks("9\r\n{")); });
+  slow["half a size"] = start(port, [&](Wire& wire) { wire.send(forms::chunks("9")); });
+  slow["no trailer"] = start(port, [&](Wire& wire) { wire.send(forms::chunks("0\r\n")); });
+  slow["a dripping body"] = start(port, dripping(forms::sized(" 999", ""), milliseconds(100)));
+  slow["a second head"] = start(port, [&](Wire& wire) { wire.send(forms::get("") + half); });
+  for (auto& [name, future] : slow) {
+    SCOPED_TRACE(name);
+    const Ended end = future.get();
+    EXPECT_GE(end.ms, earliest_ms);
+    EXPECT_LE(end.ms, latest_ms);
+    RecordProperty(name, static_cast<int>(end.ms));
+    const std::size_t last = end.bytes.rfind("HTTP/1.1 ");
+    ASSERT_NE(last, std::string::npos);
+    EXPECT_EQ(status_of(end.bytes.substr(last)), 408);
+    EXPECT_THAT(end.bytes.substr(last), testing::HasSubstr("/problems/slow"));
+  }
+}
+
+TEST(Patience, AConnectionThatNeverSaysAnythingIsClosedWithoutAWord) {
+  Serving serving(echo());
+  const Ended end = start(serving.port(), [](Wire&) {}).get();
+  EXPECT_EQ(end.bytes, "");
+  EXPECT_GE(end.ms, earliest_ms);
+  EXPECT_LE(end.ms, latest_ms);
+}
+
+// A head may take 5 s, an idle connection 30.
+TEST(Patience, BetweenTwoRequestsIsLongerThanForOne) {
+  Serving serving(echo());
+  Wire idle(serving.port());
+  idle.get("/");
+  EXPECT_EQ(status_of(idle.until("\r\n\r\n")), 200);
+  EXPECT_FALSE(idle.readable(milliseconds(7000)));
+  idle.get("/");
+  EXPECT_EQ(status_of(idle.until("\r\n\r\n")), 200);
+}
+
+TEST(Patience, ABodyThatComesSteadilyMayTakeLonger) {
+  Serving serving(echo());
+  constexpr std::size_t pieces = 70, bytes = 12 << 10;  // 7 s at 120 KiB/s
+  Wire wire(serving.port());
+  wire.send(forms::sized(" " + std::to_string(pieces * bytes), ""));
+  const auto started = Clock::now();
+  for (std::size_t i = 1; i <= pieces; ++i) {
+    ASSERT_FALSE(wire.readable()) << ms_since(started);
+    wire.send(std::string(bytes, 'x'));
+    std::this_thread::sleep_until(started + i * milliseconds(100));  // what a slow line does
+  }
+  EXPECT_EQ(status_of(wire.until("\r\n\r\n")), 200);
+}
+
+// ---- clients that do not read ---------------------------------------------------------------
+
+// A picture of 2048 x 2048 pixels in floats is larger than what the system takes off our hands.
+constexpr std::size_t large = 2048UL * 2048 * 12;
+
+TEST(Patience, AClientThatDoesNotReadIsCutWithinTenSeconds) {
+  Serving serving(answering([](const Request&) { return text(std::string(large, 'x')); }));
+  Wire wire(serving.port(), 4096);
+  const auto started = Clock::now();
+  wire.get("/");
+  ASSERT_TRUE(eventually([&] { return serving.connections() == 1; }));
+  const bool cut = eventually([&] { return serving.connections() == 0; }, std::chrono::seconds(60));
+  RecordProperty("ms", static_cast<int>(ms_since(started)));
+  EXPECT_TRUE(cut);
+  EXPECT_LE(ms_since(started), 11'000);
+  EXPECT_LT(wire.rest().size(), large);
+}
+
+TEST(Patience, AClientThatReadsSlowlyButSteadilyGetsAll) {
+  constexpr std::size_t size = 8 << 20;
+  Serving serving(answering([](const Request&) { return text(std::string(size, 'x')); }));
+  Wire wire(serving.port(), 64 << 10);
+  wire.get("/");
+  wire.until("\r\n\r\n");
+  std::size_t got = 0;
+  const auto started = Clock::now();
+  for (int i = 1; got < size; ++i) {
+    const std::size_t before = got;
+    while (got < size && got < static_cast<std::size_t>(i) * (80 << 10)) {
+      const std::string more = wire.read(16 << 10);
+      if (more.empty()) break;
+      got += more.size();
+    }
+    ASSERT_GT(got, before) << "cut after " << ms_since(started) << " ms";
+    std::this_thread::sleep_until(started + i * milliseconds(100));  // 800 KiB/s: 10 s
+  }
+  EXPECT_EQ(got, size);
+}
+
+}  // namespace
+}  // namespace tia::test

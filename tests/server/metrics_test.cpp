@@ -1,0 +1,100 @@
+// What operators ask: /readyz and /metrics.
+#include <map>
+
+#include "server/http/http_server.h"
+#include "tests/server/support.h"
+
+namespace tia::test {
+namespace {
+
+/// Prometheus' text as the value of each series.
+std::map<std::string, double> series_of(const std::string& text) {
+  std::map<std::string, double> series;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.empty() || line[0] == '#') continue;
+    const std::size_t space = line.rfind(' ');
+    EXPECT_TRUE(series.emplace(line.substr(0, space), std::stod(line.substr(space + 1))).second);
+  }
+  return series;
+}
+
+std::map<std::string, double> metrics_of(Host& host) {
+  const Response response = host.get("/metrics");
+  EXPECT_EQ(response.status, 200);
+  EXPECT_EQ(response.content_type, "text/plain; version=0.0.4; charset=utf-8");
+  return series_of(response.body);
+}
+
+TEST(Metrics, CountRaysAsTheAnswersTellThem) {
+  Host host;
+  const char* const target = "/render?key=a&width=40&height=30";
+  std::map<std::string, double> rays;
+  for (int i = 0; i < 3; ++i) {
+    std::istringstream list(*header(host.get(target), "Tia-Rays"));
+    for (std::string each; std::getline(list >> std::ws, each, ',');)
+      rays[each.substr(0, each.find('='))] += std::stod(each.substr(each.find('=') + 1));
+  }
+  EXPECT_EQ(rays["primary"], 3 * 40 * 30);
+  auto metrics = metrics_of(host);
+  for (const auto& [kind, count] : rays)
+    EXPECT_EQ(metrics["tia_rays_total{kind=\"" + kind + "\"}"], count) << kind;
+}
+
+TEST(Metrics, ObserveEveryPhaseOfAPicture) {
+  Host host;
+  for (int i = 0; i < 4; ++i) host.get("/render?width=8&height=8");
+  host.get("/render?width=0");
+  auto metrics = metrics_of(host);
+  for (const char* phase : {"queue", "parse", "build", "trace", "encode"}) {
+    const std::string of = std::string("{phase=\"") + phase + "\"";
+    EXPECT_EQ(metrics["tia_picture_phase_seconds_count" + of + "}"], 4);
+    EXPECT_EQ(metrics["tia_picture_phase_seconds_bucket" + of + ",le=\"+Inf\"}"], 4);
+    EXPECT_LT(metrics["tia_picture_phase_seconds_sum" + of + "}"], 60);
+  }
+}
+
+TEST(Metrics, CountRequestsByRouteAndStatus) {
+  Host host;
+  for (const char* target :
+       {"/render?width=8&height=8", "/render?width=8&height=9", "/render?width=0", "/scenes/thesis",
+        "/scenes/none", "/x", "/style.css"}) {
+    const Request request{"GET", target, {}, "", Host::id};
+    const Response response = host.ask(request);
+    host.service().metrics.count(Exchange{request, response, response.body.size(), 1},
+                                 route_label(request));
+  }
+  auto metrics = metrics_of(host);
+  const auto count = [&](const char* route, const char* status) {
+    return metrics[std::string("tia_requests_total{route=\"") + route + "\",status=\"" + status +
+                   "\"}"];
+  };
+  EXPECT_EQ(count("/render", "200"), 2);
+  EXPECT_EQ(count("/render", "422"), 1);
+  EXPECT_EQ(count("/scenes/{}", "200"), 1);
+  EXPECT_EQ(count("/scenes/{}", "404"), 1);
+  EXPECT_EQ(count("none", "404"), 1);
+  EXPECT_EQ(count("file", "200"), 1);
+}
+
+TEST(Metrics, TellOfKeptScenesAndTheBuild) {
+  Host host;
+  host.post("/scenes", R"({"objects":[]})");
+  auto metrics = metrics_of(host);
+  EXPECT_EQ(metrics["tia_kept_scenes"], 1);
+  EXPECT_EQ(metrics["tia_kept_scenes_bytes"], static_cast<double>(host.kept().bytes()));
+  int builds = 0;
+  for (const auto& [name, value] : metrics) builds += name.rfind("tia_build_info{", 0) == 0 ? 1 : 0;
+  EXPECT_EQ(builds, 1);
+}
+
+TEST(Ready, UntilTheServerGoesDown) {
+  Host host;
+  EXPECT_EQ(host.get("/readyz").status, 200);
+  host.service().draining = true;
+  EXPECT_EQ(host.get("/readyz").status, 503);
+  EXPECT_EQ(host.get("/healthz").status, 200);  // it lives, and answers what still comes
+}
+
+}  // namespace
+}  // namespace tia::test
