@@ -76,6 +76,7 @@ class Writer : httplib::Server {
     Response& from = *from_;
     to.status = from.status;
     to.set_header("Date", http_date());
+    to.set_header("Accept-Ranges", "none");  // else the library promises bytes
     for (const auto& [name, value] : from.headers) to.set_header(name, value);
     if (from.parts) fill_parts(to);
     else if (from.unsized)  // announces a body of unknown length; HEAD sends none

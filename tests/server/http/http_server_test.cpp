@@ -68,6 +68,7 @@ TEST(HttpServer, HeadHasTheHeadOfGetAndNoBody) {
     EXPECT_EQ(head.status, get.status) << target;
     EXPECT_EQ(head.content_type, get.content_type) << target;
     EXPECT_EQ(head.body, "") << target;
+    EXPECT_EQ(header(head, "Accept-Ranges"), "none") << target;
     const std::string length = std::to_string(get.body.size());
     EXPECT_EQ(header(head, "Content-Length").value_or(length), length) << target;
     EXPECT_EQ(client.Get("/healthz")->body, R"({"status":"ok"})");  // nothing is left over
