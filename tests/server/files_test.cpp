@@ -31,12 +31,12 @@ std::size_t descriptors(const Tia& tia) {
 TEST(Files, EveryAnswerIsGivenWithoutOpeningOne) {
   Tia tia;
   Host host;
-  for (const char* target : targets)
-    if (sanitized) tia.get(target);  // whose check of virtual calls needs some the first time
   Connection connection(tia.port());
   connection.send("GET /healthz HTTP/1.1\r\nHost: x\r\n\r\n");
   ASSERT_EQ(connection.receive().status, 200);
-  const rlimit none{descriptors(tia), descriptors(tia)};
+  // A sanitizer's check of virtual calls needs some now and then.
+  const rlim_t left = descriptors(tia) + (sanitized ? 8 : 0);
+  const rlimit none{left, left};
   ASSERT_EQ(prlimit(tia.pid(), RLIMIT_NOFILE, &none, nullptr), 0);
   for (const char* target : targets) {
     SCOPED_TRACE(target);
