@@ -13,7 +13,7 @@ namespace tia::server {
 struct Exchange;
 
 /// Log: while one lives, lines are gathered for a moment and written together: one at a time they
-/// cost a busy server a third of its requests. Lines that find too many waiting are lost, and
+/// cost a busy server half of its requests. Lines that find too many waiting are lost, and
 /// counted in the next one. Without a Log they are written at once.
 class Log {
  public:
