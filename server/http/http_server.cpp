@@ -2,6 +2,7 @@
 
 #include <httplib.h>
 #include <sys/resource.h>
+#include <time.h>
 
 #include <algorithm>
 #include <asio/ip/v6_only.hpp>
@@ -43,6 +44,7 @@ class HttpServer::Listener {
   Listener(HttpOptions options, Application application)
       : house_(std::move(options), std::move(application)) {
     allow_descriptors(house_.options.connections);
+    tzset();  // reads the zone's file, which strftime would do at the first answer
     listen();
   }
   ~Listener() { house_.workers.join(); }
@@ -51,7 +53,7 @@ class HttpServer::Listener {
   int connections() const { return house_.open; }
 
   void run() {
-    for (tcp::acceptor& acceptor : acceptors_) accept(acceptor);
+    for (Door& door : doors_) accept(door);
     house_.io.run();
     house_.workers.join();
   }
@@ -65,9 +67,16 @@ class HttpServer::Listener {
   }
 
  private:
+  // One of the addresses that clients come to, and its rests when it cannot let them in.
+  struct Door {
+    explicit Door(asio::io_context& io) : acceptor(io), resting(io) {}
+    tcp::acceptor acceptor;
+    asio::steady_timer resting;
+  };
+
   void listen();
   void open(const tcp::endpoint& endpoint);
-  void accept(tcp::acceptor& acceptor);
+  void accept(Door& door);
   void welcome(tcp::socket socket);
   bool make_room();
   template <class Which>
@@ -89,8 +98,8 @@ class HttpServer::Listener {
   }
 
   House house_;
-  std::list<tcp::acceptor> acceptors_;
-  asio::steady_timer ticking_{house_.io}, resting_{house_.io}, closing_{house_.io};
+  std::list<Door> doors_;
+  asio::steady_timer ticking_{house_.io}, closing_{house_.io};
   bool keeps_time_ = false, stopping_ = false;
   int port_ = 0;
 };
@@ -113,7 +122,7 @@ void HttpServer::Listener::listen() {
 }
 
 void HttpServer::Listener::open(const tcp::endpoint& endpoint) {
-  tcp::acceptor& acceptor = acceptors_.emplace_back(house_.io);
+  tcp::acceptor& acceptor = doors_.emplace_back(house_.io).acceptor;
   acceptor.open(endpoint.protocol());
   // Not SO_REUSEPORT, with which two servers share one port unawares.
   acceptor.set_option(tcp::acceptor::reuse_address(true));
@@ -125,15 +134,17 @@ void HttpServer::Listener::open(const tcp::endpoint& endpoint) {
   port_ = acceptor.local_endpoint().port();
 }
 
-void HttpServer::Listener::accept(tcp::acceptor& acceptor) {
-  acceptor.async_accept([this, &acceptor](asio::error_code error, tcp::socket socket) {
-    if (error == asio::error::operation_aborted || !acceptor.is_open()) return;
+void HttpServer::Listener::accept(Door& door) {
+  door.acceptor.async_accept([this, &door](asio::error_code error, tcp::socket socket) {
+    if (error == asio::error::operation_aborted || !door.acceptor.is_open()) return;
     if (!error) {
       welcome(std::move(socket));
-      return accept(acceptor);
+      return accept(door);
     }
-    make_room();  // most likely there are no descriptors left
-    after(resting_, breath, [this, &acceptor] { accept(acceptor); });
+    // Most likely there are no descriptors left, which the system says even if nobody has come.
+    door.acceptor.wait(tcp::acceptor::wait_read, error);
+    if (!error) make_room();
+    after(door.resting, breath, [this, &door] { accept(door); });
   });
 }
 
@@ -191,13 +202,14 @@ void HttpServer::Listener::keep_time() {
 
 void HttpServer::Listener::close_doors(milliseconds limit) {
   house_.closing = true;
-  resting_.cancel();
   std::vector<tcp::socket> last;  // those who have come before the door closes
-  for (tcp::acceptor& acceptor : acceptors_) {
+  for (Door& door : doors_) {
     asio::error_code error;
-    while (!error && last.size() < std::size_t{backlog}) last.push_back(acceptor.accept(error));
+    while (!error && last.size() < std::size_t{backlog})
+      last.push_back(door.acceptor.accept(error));
     if (error && !last.empty()) last.pop_back();
-    acceptor.close(error);
+    door.acceptor.close(error);
+    door.resting.cancel();
   }
   for (tcp::socket& socket : last) welcome(std::move(socket));
   for_each_connection([](Connection& connection) { connection.retire(); });
