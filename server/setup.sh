@@ -1,21 +1,32 @@
 # shellcheck shell=bash
 # Shared by server/run.sh and tests/run.sh; sourced, with ROOT set to the repository.
 
+# missing_headers COMPILER: of lines "package header", the packages whose header it does not find.
+missing_headers() {
+  local package header source=''
+  while read -r package header; do
+    source+="#if !__has_include(<$header>)"$'\n'"\"$package\""$'\n#endif\n'
+  done
+  if command -v "$1" >/dev/null; then
+    source=$("$1" -std=c++20 -E -P -x c++ - <<< "$source")
+  fi
+  sed -n 's/^"\(.*\)"$/\1/p' <<< "$source"
+}
+
 # missing_packages SECTION: the packages of a section of packages.txt whose command or header is
 # nowhere to be found. Package names do not matter: a node or a compiler from elsewhere counts.
 missing_packages() {
-  local section package kind probe headers=''
+  local section package kind probe headers='' clang_headers=''
   while read -r section package kind probe; do
     [ "$section" = "$1" ] || continue
     case $kind in
       command) command -v "$probe" >/dev/null || echo "$package" ;;
-      header) headers+="#if !__has_include(<$probe>)"$'\n'"\"$package\""$'\n#endif\n' ;;
+      header) headers+="$package $probe"$'\n' ;;
+      clang-header) clang_headers+="$package $probe"$'\n' ;;
     esac
   done < "$ROOT/server/packages.txt"
-  if command -v "${CXX:-c++}" >/dev/null; then
-    headers=$("${CXX:-c++}" -std=c++20 -E -P -x c++ - <<< "$headers")
-  fi
-  sed -n 's/^"\(.*\)"$/\1/p' <<< "$headers"
+  missing_headers "${CXX:-c++}" < <(printf %s "$headers")
+  missing_headers clang++ < <(printf %s "$clang_headers")
 }
 
 # install_missing SECTION: installs them with apt; calls nothing when all is there.
