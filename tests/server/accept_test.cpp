@@ -9,11 +9,6 @@ namespace {
 
 using testing::HasSubstr;
 
-Host& host() {
-  static Host shared;
-  return shared;
-}
-
 Request accepting(const std::string& accept, const char* field = "Accept") {
   return {"GET", "/", {{field, accept}}, "", Host::id};
 }

@@ -6,11 +6,6 @@
 namespace tia::test {
 namespace {
 
-Host& host() {
-  static Host shared;
-  return shared;
-}
-
 // A scene with this camera and these options.
 std::string scene_with(const std::string& camera, const std::string& options = "{}") {
   return R"({"camera":)" + camera + R"(,"options":)" + options + R"(,"objects":[

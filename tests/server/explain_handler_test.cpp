@@ -45,19 +45,18 @@ TEST(Explain, SeesTheSceneAfterItsKeyAndThroughTheRequestsCamera) {
 
 TEST(Explain, GetAndPostSayTheSame) {
   const std::string by_get =
-      explain_host().get("/explain?ray.origin=0,0,0&ray.direction=0,0.1,-1&key=a").body;
-  EXPECT_EQ(explain_host()
+      host().get("/explain?ray.origin=0,0,0&ray.direction=0,0.1,-1&key=a").body;
+  EXPECT_EQ(host()
                 .post("/explain", R"({"key":"a","ray":{"origin":[0,0,0],"direction":[0,0.1,-1]}})")
                 .body,
             by_get);
   EXPECT_EQ(
-      explain_host()
+      host()
           .get("/explain?key=a&ray=" + url_encode(R"({"origin":[0,0,0],"direction":[0,0.1,-1]})"))
           .body,
       by_get);
-  EXPECT_EQ(explain_host().get("/explain?x=7&y=9").body,
-            explain_host().post("/explain", R"({"x":7,"y":9})").body);
-  EXPECT_EQ(explain_host().head("/explain?x=7&y=9").status, 200);
+  EXPECT_EQ(host().get("/explain?x=7&y=9").body, host().post("/explain", R"({"x":7,"y":9})").body);
+  EXPECT_EQ(host().head("/explain?x=7&y=9").status, 200);
 }
 
 // ---- faults ------------------------------------------------------------------------------------
@@ -103,7 +102,7 @@ TEST(Explain, FaultsAreNamedAlikeWhereverTheyAre) {
   };
   for (const Fault& fault : faults) {
     SCOPED_TRACE(fault.query);
-    const Response response = explain_host().get(std::string("/explain?").append(fault.query));
+    const Response response = host().get(std::string("/explain?").append(fault.query));
     EXPECT_EQ(problem_of(response).type, std::string("/problems/").append(fault.type));
     const ProblemError error = only_error(response);
     EXPECT_EQ(error.pointer, fault.pointer);
@@ -112,7 +111,7 @@ TEST(Explain, FaultsAreNamedAlikeWhereverTheyAre) {
 }
 
 TEST(Explain, WithoutPixelAndRayBothCoordinatesAreMissing) {
-  const Problem problem = problem_of(explain_host().get("/explain"));
+  const Problem problem = problem_of(host().get("/explain"));
   EXPECT_EQ(problem.type, "/problems/missing");
   ASSERT_EQ(problem.errors.size(), 2U);
   EXPECT_EQ(problem.errors[0].pointer, "/x");

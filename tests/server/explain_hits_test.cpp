@@ -142,8 +142,8 @@ TEST(Explain, ARayThatCrossesTooMuchIsRefused) {
                              {"type":"sphere","center":[0,0,0],"radius":1}]}]})")},
         {"ray", Value::Object{{"origin", array({-10, 0, 0})}, {"direction", array({1, 0, 0})}}}});
   };
-  EXPECT_EQ(explain_host().post("/explain", row("3000")).status, 200);
-  const Response response = explain_host().post("/explain", row("6000"));
+  EXPECT_EQ(host().post("/explain", row("3000")).status, 200);
+  const Response response = host().post("/explain", row("6000"));
   EXPECT_EQ(response.status, 422);
   EXPECT_EQ(problem_of(response).type, "/problems/limit");
   EXPECT_THAT(only_error(response).allowed, testing::HasSubstr("10000"));
@@ -159,11 +159,9 @@ TEST(Explain, ARayThatIsTriedOnTooMuchIsRefused) {
     const Value::Object repeat{{"count", Value::Array{copies, 1, 1}},
                                {"step", array({0.001, 0, 0})}};
     const Value::Object group{{"type", "group"}, {"repeat", repeat}, {"children", balls}};
-    return explain_host().post(
-        "/explain",
-        to_json(Value::Object{{"scene", Value::Object{{"objects", Value::Array{group}}}},
-                              {"ray", Value::Object{{"origin", array({-50, 0, 0})},
-                                                    {"direction", array({1, 0, 0})}}}}));
+    const Value::Object scene{{"objects", Value::Array{group}}};
+    const Value::Object ray{{"origin", array({-50, 0, 0})}, {"direction", array({1, 0, 0})}};
+    return host().post("/explain", to_json(Value::Object{{"scene", scene}, {"ray", ray}}));
   };
   EXPECT_EQ(answer(100).status, 200);
   const Response response = answer(10'000);

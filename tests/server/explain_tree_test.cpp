@@ -2,6 +2,8 @@
 // the colour of the picture's pixel, for every scene of the gallery.
 #include <nlohmann/json.hpp>
 
+#include <stdexcept>
+
 #include "tests/core/support.h"
 #include "tests/server/explain_support.h"
 #include "tests/server/picture_support.h"
@@ -40,12 +42,12 @@ std::string view_query(const std::string& scene, int width, int height) {
 }
 std::string pixel(int x, int y) { return "&x=" + std::to_string(x) + "&y=" + std::to_string(y); }
 Json explained(const std::string& query) {
-  const Response response = explain_host().get("/explain?" + query);
+  const Response response = host().get("/explain?" + query);
   EXPECT_EQ(response.status, 200) << query << response.body;
   return Json::parse(response.body);
 }
 Pixels<float> drawn(const std::string& query) {
-  return decode_pfm(explain_host().get("/render?format=pfm&" + query).body);
+  return decode_pfm(host().get("/render?format=pfm&" + query).body);
 }
 Vec3f color(const Pixels<float>& image, int x, int y) {
   return {image.at(x, y, 0), image.at(x, y, 1), image.at(x, y, 2)};
@@ -54,7 +56,7 @@ Vec3f color(const Pixels<float>& image, int x, int y) {
 TEST(ExplainTree, AddsUpToThePixelInEverySceneOfTheGallery) {
   constexpr int width = 160, height = 120, pixels = 100;
   Random random(440);
-  for (const auto& [name, scene] : explain_host().gallery().scenes()) {
+  for (const auto& [name, scene] : host().gallery().scenes()) {
     SCOPED_TRACE(name);
     const std::string view = view_query(name, width, height) + "&samples=1&threshold=0";
     const Pixels<float> image = drawn(view);

@@ -1,4 +1,5 @@
 // Feature images over HTTP: PFM holds the numbers, PNG shows them by the rule of each.
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <set>
@@ -15,10 +16,6 @@ const std::string scene = R"({"objects":[
     {"type":"plane","point":[0,-2,0],"normal":[0,1,0],"material":{"color":[0.1,0.6,0.2]}}],
     "lights":[{"type":"point","position":[4,6,-3]},{"type":"point","position":[-4,6,-3]}]})";
 
-Host& host() {
-  static Host shared;
-  return shared;
-}
 std::string body(const std::string& integrator, const std::string& more) {
   const Response response =
       host().post("/render", R"({"width":61,"height":43,"integrator":")" + integrator + "\"" +

@@ -1,6 +1,9 @@
 // After start the server opens no file and keeps no descriptor.
 #include <sys/resource.h>
 
+#include <iterator>
+#include <optional>
+
 #include "tests/server/process_support.h"
 
 namespace tia::test {

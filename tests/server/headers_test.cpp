@@ -8,11 +8,6 @@ namespace {
 
 using testing::HasSubstr;
 
-Host& host() {
-  static Host shared;
-  return shared;
-}
-
 constexpr const char* targets[] = {"/",        "/style.css",   "/main.js",
                                    "/scenes",  "/favicon.svg", "/render?width=8&height=8",
                                    "/healthz", "/nowhere",     "/render?width=0"};

@@ -1,4 +1,7 @@
 // POST /scenes: an id that works wherever a name does, and what is said of a scene that is wrong.
+#include <httplib.h>
+
+#include <algorithm>
 #include <thread>
 
 #include "core/core.h"
@@ -10,11 +13,6 @@ namespace tia::test {
 namespace {
 
 using testing::HasSubstr;
-
-Host& host() {
-  static Host shared;
-  return shared;
-}
 
 const std::string lit_ball = R"({"title":"A ball","objects":[
     {"type":"sphere","name":"ball","center":[0,0,-9],"radius":1.5,

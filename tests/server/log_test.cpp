@@ -1,4 +1,9 @@
 // What the server tells its log and not its clients.
+#include <httplib.h>
+
+#include <fstream>
+#include <sstream>
+
 #include "tests/server/process_support.h"
 
 namespace tia::test {

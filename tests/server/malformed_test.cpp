@@ -6,11 +6,6 @@ namespace {
 
 using testing::StartsWith;
 
-Host& host() {
-  static Host shared;
-  return shared;
-}
-
 struct Text {
   const char* law;
   std::string text;

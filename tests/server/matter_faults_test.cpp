@@ -19,10 +19,6 @@ void PrintTo(const Row& row, std::ostream* out) { *out << row.scene; }
 
 class MatterFault : public testing::TestWithParam<Row> {
  protected:
-  static Host& host() {
-    static Host shared;
-    return shared;
-  }
   static void expect(const Response& response, const Row& row, const std::string& above) {
     EXPECT_EQ(response.status, 422);
     EXPECT_EQ(problem_of(response).type, std::string("/problems/") + row.type);

@@ -1,23 +1,12 @@
 // What operators ask: /readyz and /metrics.
 #include <map>
+#include <sstream>
 
 #include "server/http/http_server.h"
 #include "tests/server/support.h"
 
 namespace tia::test {
 namespace {
-
-/// Prometheus' text as the value of each series.
-std::map<std::string, double> series_of(const std::string& text) {
-  std::map<std::string, double> series;
-  std::istringstream lines(text);
-  for (std::string line; std::getline(lines, line);) {
-    if (line.empty() || line[0] == '#') continue;
-    const std::size_t space = line.rfind(' ');
-    EXPECT_TRUE(series.emplace(line.substr(0, space), std::stod(line.substr(space + 1))).second);
-  }
-  return series;
-}
 
 std::map<std::string, double> metrics_of(Host& host) {
   const Response response = host.get("/metrics");

@@ -14,11 +14,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-Host& host() {
-  static Host shared;
-  return shared;
-}
-
 const std::string& web() {
   static const std::string folder = std::string(TIA_SOURCE_DIR) + "/web";
   return folder;

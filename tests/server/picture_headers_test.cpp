@@ -1,4 +1,5 @@
 // What stands beside a picture: exact ray counts, times, ids; and HEAD, which draws nothing.
+#include <cstdio>
 #include <regex>
 
 #include "tests/server/picture_support.h"
@@ -7,14 +8,8 @@
 namespace tia::test {
 namespace {
 
-Host& host() {
-  static Host shared;
-  return shared;
-}
-
 RayCounts rays_of(const Response& response) {
   const std::string text = header(response, "Tia-Rays").value_or("");
-  RayCounts rays;
   long long n[4] = {};
   const int read =
       std::sscanf(text.c_str(), "primary=%lld, shadow=%lld, reflection=%lld, refraction=%lld",

@@ -1,4 +1,6 @@
 // `tia render`: the server's own bytes, in a file or on standard output.
+#include <fstream>
+
 #include "tests/server/process_support.h"
 
 namespace tia::test {

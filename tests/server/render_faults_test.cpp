@@ -17,13 +17,7 @@ struct Row {
 };
 void PrintTo(const Row& row, std::ostream* out) { *out << row.json; }
 
-class RenderFault : public testing::TestWithParam<Row> {
- protected:
-  static Host& host() {
-    static Host shared;
-    return shared;
-  }
-};
+class RenderFault : public testing::TestWithParam<Row> {};
 
 TEST_P(RenderFault, IsNamedAlikeByGetAndPost) {
   const Row& row = GetParam();

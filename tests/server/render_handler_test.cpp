@@ -5,11 +5,6 @@
 namespace tia::test {
 namespace {
 
-Host& host() {
-  static Host shared;
-  return shared;
-}
-
 std::string thesis_text() {
   return file_bytes(std::string(TIA_SOURCE_DIR) + "/web/scenes/thesis.json");
 }

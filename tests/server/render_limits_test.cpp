@@ -1,15 +1,12 @@
 // What a picture may ask for at most, and how many faults an answer names.
+#include <cstdio>
+
 #include "tests/server/support.h"
 
 namespace tia::test {
 namespace {
 
 using testing::HasSubstr;
-
-Host& host() {
-  static Host shared;
-  return shared;
-}
 
 TEST(RenderLimits, APictureOf16777216PixelsIsDrawn) {
   for (const char* size :

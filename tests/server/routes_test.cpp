@@ -6,11 +6,6 @@ namespace {
 
 using testing::HasSubstr;
 
-Host& host() {
-  static Host shared;
-  return shared;
-}
-
 constexpr const char* methods[] = {"GET",   "HEAD",   "POST",    "PUT",
                                    "PATCH", "DELETE", "OPTIONS", "TRACE"};
 

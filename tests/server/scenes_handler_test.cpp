@@ -5,11 +5,6 @@
 namespace tia::test {
 namespace {
 
-Host& host() {
-  static Host shared;
-  return shared;
-}
-
 Value json_of(const Response& response) {
   EXPECT_EQ(response.status, 200);
   return parse_json(response.body);

@@ -1,5 +1,10 @@
 // `tia serve` as a process: its first line, its port, its exit on a signal.
 #include <netinet/in.h>
+#include <signal.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <algorithm>
 
 #include "core/version.h"
 #include "tests/server/process_support.h"

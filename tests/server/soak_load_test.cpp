@@ -1,6 +1,8 @@
 // The whole program beside crowds of bad clients and under more work than it can do. The tests take
 // seconds; TIA_SOAK=10 makes them ten times as long.
 #include <algorithm>
+#include <atomic>
+#include <memory>
 #include <mutex>
 
 #include "tests/server/http/request_forms.h"

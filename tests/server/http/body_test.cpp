@@ -1,4 +1,9 @@
 // Request bodies over a real socket: how long they may be and how they may come.
+#include <httplib.h>
+
+#include <algorithm>
+#include <cstdio>
+
 #include "tests/server/socket_support.h"
 
 namespace tia::test {

@@ -1,5 +1,9 @@
 // Connections under hard use: too many, in a queue, left by their clients.
+#include <sys/socket.h>
+
 #include <algorithm>
+#include <atomic>
+#include <memory>
 #include <mutex>
 
 #include "tests/server/http/wire.h"

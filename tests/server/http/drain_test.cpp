@@ -1,4 +1,6 @@
 // How a server ends: what has come is answered, what is too slow is given up.
+#include <atomic>
+
 #include "tests/server/http/wire.h"
 
 namespace tia::test {

@@ -3,6 +3,7 @@
 
 #include "server/problem.h"
 #include "tests/server/http/request_corpus.h"
+#include "tests/server/http/request_forms.h"
 #include "tests/server/support.h"
 
 namespace tia::test {

@@ -1,6 +1,9 @@
 // The service over a real socket: many requests a connection, many connections, ids, times.
 #include "server/http/http_server.h"
 
+#include <httplib.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <atomic>
 

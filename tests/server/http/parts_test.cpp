@@ -1,5 +1,8 @@
 // Answers that are made in parts: sent while they are made, and only as fast as they are read.
 #include "server/http/request_reader.h"
+
+#include <atomic>
+
 #include "tests/server/http/wire.h"
 
 namespace tia::test {

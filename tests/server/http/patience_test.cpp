@@ -1,6 +1,8 @@
 // How long a connection may take for what: slow clients are cut, steady ones are not.
 #include "server/http/patience.h"
 
+#include <map>
+
 #include "tests/server/http/wire.h"
 
 namespace tia::test {

@@ -3,6 +3,7 @@
 
 #include "tests/server/http/reader_support.h"
 #include "tests/server/http/request_corpus.h"
+#include "tests/server/http/request_forms.h"
 #include "tests/server/support.h"
 
 namespace tia::test {

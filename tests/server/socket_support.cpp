@@ -1,0 +1,127 @@
+#include "tests/server/socket_support.h"
+
+#include <httplib.h>
+#include <netinet/in.h>
+#include <poll.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <cstdint>
+#include <utility>
+
+namespace tia::test {
+
+bool eventually(const std::function<bool()>& ask, Clock::duration patience) {
+  const auto deadline = Clock::now() + patience;
+  while (!ask()) {
+    if (Clock::now() > deadline) return false;
+    std::this_thread::sleep_for(milliseconds(1));
+  }
+  return true;
+}
+
+Server::Server() : Server(HttpOptions{.host = "127.0.0.1", .port = 0}) {}
+Server::Server(HttpOptions options)
+    : http_(std::move(options),
+            {.answer = [this](const Request& request) { return host_.ask(request); },
+             .at_once = is_answered_at_once}),
+      running_([this] { http_.run(); }) {}
+Server::~Server() {
+  http_.stop();
+  running_.join();
+}
+httplib::Client Server::client() const {
+  httplib::Client client("127.0.0.1", port());
+  client.set_keep_alive(true);
+  client.set_tcp_nodelay(true);
+  client.set_read_timeout(20);
+  return client;
+}
+
+Response plain(const httplib::Result& result) {
+  if (!result) throw std::runtime_error("no answer: " + httplib::to_string(result.error()));
+  Response response{.status = result->status,
+                    .content_type = result->get_header_value("Content-Type"),
+                    .body = result->body};
+  response.headers.assign(result->headers.begin(), result->headers.end());
+  return response;
+}
+
+// ---- Connection -----------------------------------------------------------------------------
+
+namespace {
+
+Response head_of(const std::string& head) {
+  Response response;
+  response.status = std::stoi(head.substr(head.find(' ')));
+  for (std::size_t line = head.find("\r\n") + 2; line + 2 < head.size();) {
+    const std::size_t end = head.find("\r\n", line), colon = head.find(": ", line);
+    response.headers.emplace_back(head.substr(line, colon - line),
+                                  head.substr(colon + 2, end - colon - 2));
+    line = end + 2;
+  }
+  response.content_type = header(response, "Content-Type").value_or("");
+  return response;
+}
+
+}  // namespace
+
+Connection::Connection(int port) : socket_(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
+  sockaddr_in to{};
+  to.sin_family = AF_INET;
+  to.sin_port = htons(static_cast<std::uint16_t>(port));
+  to.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  if (::connect(socket_, reinterpret_cast<const sockaddr*>(&to), sizeof to) != 0) {
+    ::close(socket_);
+    throw std::runtime_error("cannot connect to port " + std::to_string(port));
+  }
+}
+Connection::~Connection() { ::close(socket_); }
+
+void Connection::send(std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t sent = ::send(socket_, bytes.data(), bytes.size(), MSG_NOSIGNAL);
+    if (sent <= 0) return;
+    bytes.remove_prefix(static_cast<std::size_t>(sent));
+  }
+}
+void Connection::finish() { ::shutdown(socket_, SHUT_WR); }
+
+bool Connection::readable(milliseconds wait) const {
+  pollfd poll{socket_, POLLIN, 0};
+  return ::poll(&poll, 1, static_cast<int>(wait.count())) > 0;
+}
+Response Connection::receive() {
+  while (bytes_.find("\r\n\r\n") == bytes_.npos)
+    if (!more()) {
+      if (!bytes_.empty()) throw std::runtime_error("cut in the head: " + bytes_);
+      return {.status = 0, .content_type = "", .body = ""};
+    }
+  const std::size_t head = bytes_.find("\r\n\r\n") + 4;
+  Response response = head_of(bytes_.substr(0, head));
+  const std::size_t length = std::stoul(header(response, "Content-Length").value_or("0"));
+  while (bytes_.size() < head + length)
+    if (!more()) throw std::runtime_error("cut in the body");
+  response.body = bytes_.substr(head, length);
+  bytes_.erase(0, head + length);
+  return response;
+}
+bool Connection::closed() { return bytes_.empty() && !more(); }
+
+// Reads on. Returns: false at the end.
+bool Connection::more() {
+  if (!readable(seconds(20))) throw std::runtime_error("neither an answer nor a close");
+  char buffer[1 << 16];
+  const ssize_t n = ::recv(socket_, buffer, sizeof buffer, 0);
+  if (n <= 0) return false;
+  bytes_.append(buffer, static_cast<std::size_t>(n));
+  return true;
+}
+
+Response exchange(int port, std::string_view request) {
+  Connection connection(port);
+  connection.send(request);
+  return connection.receive();
+}
+
+}  // namespace tia::test
