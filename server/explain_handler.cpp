@@ -86,8 +86,13 @@ Explanation explanation_of(const ExplainRequest& asked, const Service& service,
   return explain(*scene, view, *asked.x, *asked.y, asked.sample, options, stop);
 }
 
-Response explained(const Value& parameters, const Request& request, Service& service) {
-  const auto asked = read_described<ExplainRequest>(parameters);
+ExplainRequest asked_in_body(const Request& request, Service& service) {
+  const auto ticket = service.admission.read(request.body.size(), request.stop);
+  const char* const what = "the parameters as a JSON object, such as {\"x\":320,\"y\":240}";
+  return read_described<ExplainRequest>(body_json(request, what, service.config.json_limits()));
+}
+
+Response explained(const ExplainRequest& asked, const Request& request, Service& service) {
   check_size(asked.width, asked.height, service.studio.limits);
   const auto ticket = service.admission.enter(1, request.stop);
   return {.content_type = "application/json",
@@ -98,12 +103,12 @@ Response explained(const Value& parameters, const Request& request, Service& ser
 }  // namespace
 
 Response get_explain(const Request& request, const std::string&, Service& service) {
-  return explained(query_object<ExplainRequest>(request.query()), request, service);
+  return explained(read_described<ExplainRequest>(query_object<ExplainRequest>(request.query())),
+                   request, service);
 }
 
 Response post_explain(const Request& request, const std::string&, Service& service) {
-  const char* const what = "the parameters as a JSON object, such as {\"x\":320,\"y\":240}";
-  return explained(body_json(request, what, service.config.json_limits()), request, service);
+  return explained(asked_in_body(request, service), request, service);
 }
 
 }  // namespace tia::server

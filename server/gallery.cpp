@@ -1,5 +1,6 @@
 #include "server/gallery.h"
 
+#include "core/input/json.h"
 #include "core/scene/read_scene.h"
 #include "server/assets.h"
 
@@ -13,6 +14,11 @@ Gallery::Gallery() {
     name.remove_suffix(ending.size());
     scenes_.emplace(name, read_scene(asset.bytes));
   }
+  Value::Array list;
+  for (const auto& [name, scene] : scenes_)
+    list.push_back(
+        Value::Object{{"name", name}, {"title", scene.title}, {"description", scene.description}});
+  listing_ = to_json(Value::Object{{"scenes", list}});
 }
 
 const Scene* Gallery::find(std::string_view name) const {

@@ -18,9 +18,12 @@ class Gallery {
   /// The scene of that name, or null.
   const Scene* find(std::string_view name) const;
   std::vector<std::string_view> names() const;
+  /// Names, titles and descriptions as JSON.
+  const std::string& listing() const { return listing_; }
 
  private:
   std::map<std::string, Scene, std::less<>> scenes_;
+  std::string listing_;
 };
 
 }  // namespace tia::server

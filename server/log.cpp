@@ -1,9 +1,14 @@
 #include "server/log.h"
 
+#include <poll.h>
+#include <unistd.h>
+
 #include <atomic>
+#include <cerrno>
 #include <chrono>
-#include <cstdio>
+#include <climits>
 #include <ctime>
+#include <thread>
 #include <utility>
 
 #include "core/input/json.h"
@@ -13,6 +18,8 @@ namespace tia::server {
 namespace {
 
 constexpr std::chrono::milliseconds moment{20};  // for which lines are gathered
+constexpr std::chrono::milliseconds glance{50};  // after which an unread pipe is looked at again
+constexpr std::chrono::seconds last_wait{1};     // for who does not read, once we end
 constexpr std::size_t most_target = 200;         // of whose bytes a line tells
 
 // RFC 3339, to the millisecond; all but that is made once a second.
@@ -34,7 +41,38 @@ std::string utc_now() {
 
 std::atomic<Log*> current = nullptr;
 
-void write_out(std::string_view text) { std::fwrite(text.data(), 1, text.size(), stderr); }
+// Whole lines as far as a pipe takes them in one piece (PIPE_BUF): nobody's bytes come between, and
+// one that can be written to takes them without a wait.
+std::string_view next_piece(std::string_view text) {
+  const std::string_view piece = text.substr(0, PIPE_BUF);
+  const auto end = piece.rfind('\n');
+  return end == piece.npos ? piece : piece.substr(0, end + 1);
+}
+
+// Returns: how many bytes standard error took; 0 where it takes none now, -1 where it never will.
+ssize_t write_some(std::string_view text) {
+  pollfd error{STDERR_FILENO, POLLOUT, 0};
+  if (::poll(&error, 1, static_cast<int>(glance.count())) <= 0) return 0;
+  const std::string_view piece = next_piece(text);
+  const ssize_t written = ::write(STDERR_FILENO, piece.data(), piece.size());
+  if (written >= 0 || (errno != EAGAIN && errno != EINTR)) return written;
+  std::this_thread::sleep_for(std::chrono::milliseconds(1));  // one that others have made so
+  return 0;
+}
+
+// Waits for whoever reads, but once we end only while they do. Returns: whether all was written.
+bool write_out(std::string_view text, const std::stop_token& ending = {}) {
+  using Clock = std::chrono::steady_clock;
+  auto last = Clock::now();
+  while (!text.empty()) {
+    const ssize_t written = write_some(text);
+    if (written < 0) return false;  // nobody can read it
+    if (written > 0 || !ending.stop_requested()) last = Clock::now();
+    else if (Clock::now() - last > last_wait) return false;
+    text.remove_prefix(static_cast<std::size_t>(written));
+  }
+  return true;
+}
 
 void write(const std::string& line) {
   if (Log* log = current) log->add(line);
@@ -86,10 +124,9 @@ void Log::write(const std::stop_token& ending) {
     const long lost = std::exchange(lost_, 0);
     lock.unlock();
     if (lost > 0) lines += Line().add("lost_lines", static_cast<std::size_t>(lost)).finish();
-    write_out(lines);
+    if (!write_out(lines, ending) && ending.stop_requested()) return;
     lock.lock();
   }
-  write_out(lines_);
 }
 
 void log_exchange(const Exchange& exchange) {
@@ -103,6 +140,8 @@ void log_exchange(const Exchange& exchange) {
       .add("request_bytes", request.body.size())
       .add("answer_bytes", exchange.body_bytes)
       .add("us", static_cast<std::size_t>(1000 * exchange.ms));
+  const std::string_view problem = exchange.response.problem;
+  if (!problem.empty()) line.add("problem", Value(problem));
   for (const auto& [name, value] : exchange.response.log) line.add(name.c_str(), value);
   write(line.finish());
 }

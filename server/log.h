@@ -20,7 +20,7 @@ class Log {
   static constexpr std::size_t most_bytes = 1 << 20;  ///< that wait
 
   Log();
-  ~Log();  ///< writes what waits
+  ~Log();  ///< writes what waits, but gives up on a reader that takes nothing for a second
   Log(const Log&) = delete;
   Log& operator=(const Log&) = delete;
 

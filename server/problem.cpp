@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <new>
 
 #include "core/input/json.h"
 #include "core/render/pool.h"
@@ -37,6 +38,7 @@ constexpr std::array rows{
     Row{"internal", 500, "The server made a mistake"},
     Row{"not-implemented", 501, "The server does not know this part of HTTP"},
     Row{"timeout", 503, "The answer took too long"},
+    Row{"memory", 503, "The server is short of memory"},
     Row{"draining", 503, "The server is going down"},
     Row{"version", 505, "The server does not speak this version of HTTP"},
 };
@@ -78,7 +80,8 @@ Response document(const Row& row, const std::string& detail, const Request& requ
   return {.status = row.status,
           .content_type = "application/problem+json",
           .body = to_json(problem),
-          .headers = {{"Cache-Control", "no-store"}, {"X-Request-Id", request.id}}};
+          .headers = {{"Cache-Control", "no-store"}, {"X-Request-Id", request.id}},
+          .problem = row.type};
 }
 
 // The first malformed fault speaks for the whole, else the first.
@@ -98,7 +101,19 @@ Response input_problem(const InputError& error, const Request& request) {
   return document(row_of(type_of(first.kind)), detail, request, std::move(errors));
 }
 
+Response memory_problem(const Request& request) {
+  log_failure(request.id, "out of memory");
+  Response response = document(
+      row_of("memory"), "there is no memory for the answer now; ask again or for less", request);
+  response.headers.emplace_back("Retry-After", "1");
+  return response;
+}
+
 }  // namespace
+
+std::exception_ptr failure(std::string_view type, std::string detail, Headers headers) {
+  return std::make_exception_ptr(HttpError(type, std::move(detail), std::move(headers)));
+}
 
 Response problem_response(const std::exception_ptr& failure, const Request& request) {
   try {
@@ -112,6 +127,8 @@ Response problem_response(const std::exception_ptr& failure, const Request& requ
     return response;
   } catch (const Stopped&) {
     return document(row_of("draining"), "the render was stopped", request);
+  } catch (const std::bad_alloc&) {
+    return memory_problem(request);
   } catch (const std::exception& error) {
     log_failure(request.id, error.what());
   } catch (...) {

@@ -27,6 +27,9 @@ class HttpError : public std::exception {
   Headers headers_;
 };
 
+/// An HttpError for somebody else to answer with.
+std::exception_ptr failure(std::string_view type, std::string detail, Headers headers = {});
+
 /// The answer to a request that failed with this exception. Anything unforeseen is a 500 whose
 /// text stays here; it is logged.
 Response problem_response(const std::exception_ptr& failure, const Request& request);

@@ -38,14 +38,32 @@ Response picture_response(Picture&& picture) {
   return response;
 }
 
+/// What is asked for, and whether Accept has chosen the format.
+struct Asked {
+  PictureRequest picture;
+  bool accepted = false;
+};
+
+// Where no format is asked for, Accept chooses it. The JSON tree ends here, not with the picture.
+Asked asked_in(Value parameters, const Request& request) {
+  const bool accepted = choose_format(parameters, request);
+  return {read_described<PictureRequest>(parameters), accepted};
+}
+Asked asked_in_body(const Request& request, Service& service) {
+  const auto ticket = service.admission.read(request.body.size(), request.stop);
+  return asked_in(body_json(request, "the parameters as a JSON object, such as {\"key\":\"a\"}",
+                            service.config.json_limits()),
+                  request);
+}
+
 // The whole service in one function: parameters -> plan -> ticket -> picture -> answer.
-Response render_picture(const Value& parameters, Stopwatch watch, const Request& request,
+Response render_picture(const PictureRequest& asked, Stopwatch watch, const Request& request,
                         Service& service) {
-  const auto asked = read_described<PictureRequest>(parameters);
-  const Plan plan = plan_of(asked, service.studio);
+  Plan plan = plan_of(asked, service.studio);
   const double parse_ms = watch.lap_ms();
-  const auto ticket = service.admission.enter(plan.rays(), request.stop);
+  auto ticket = service.admission.enter(plan.rays(), request.stop);
   const double queue_ms = watch.lap_ms();
+  plan.options.spent = [&](std::int64_t rays, std::int64_t tests) { ticket.has_done(rays, tests); };
   Picture picture = draw(plan, service.studio.pool, request.stop);
   picture.timing.parse = parse_ms;
   picture.timing.queue = queue_ms;
@@ -59,14 +77,10 @@ Response head_of_picture(const PictureRequest& asked, const Service& service) {
   return {.content_type = std::string(media_type_of(asked.format)), .body = "", .unsized = true};
 }
 
-// Where no format is asked for, Accept chooses it.
-Response render_accepted(Value parameters, Stopwatch watch, const Request& request,
-                         Service& service) {
-  const bool chosen = choose_format(parameters, request);
-  Response response = request.is_head()
-                          ? head_of_picture(read_described<PictureRequest>(parameters), service)
-                          : render_picture(parameters, watch, request, service);
-  if (chosen) add_vary(response.headers, "Accept");
+Response rendered(const Asked& asked, Stopwatch watch, const Request& request, Service& service) {
+  Response response = request.is_head() ? head_of_picture(asked.picture, service)
+                                        : render_picture(asked.picture, watch, request, service);
+  if (asked.accepted) add_vary(response.headers, "Accept");
   return response;
 }
 
@@ -74,15 +88,13 @@ Response render_accepted(Value parameters, Stopwatch watch, const Request& reque
 
 Response get_render(const Request& request, const std::string&, Service& service) {
   const Stopwatch watch;
-  return render_accepted(query_object<PictureRequest>(request.query()), watch, request, service);
+  return rendered(asked_in(query_object<PictureRequest>(request.query()), request), watch, request,
+                  service);
 }
 
 Response post_render(const Request& request, const std::string&, Service& service) {
   const Stopwatch watch;
-  return render_accepted(
-      body_json(request, "the parameters as a JSON object, such as {\"key\":\"a\"}",
-                service.config.json_limits()),
-      watch, request, service);
+  return rendered(asked_in_body(request, service), watch, request, service);
 }
 
 }  // namespace tia::server

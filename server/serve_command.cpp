@@ -95,7 +95,7 @@ void serve(const Config& config) {
   const Gallery gallery;
   SceneStore kept(config.max_scenes_bytes);
   Pool pool(config.threads);
-  Admission admission(config.renders);
+  Admission admission(config.renders, config.queue);
   Metrics metrics;
   Service service{config, {gallery, kept, pool, config.limits()}, admission, metrics};
   HttpServer server(http_options(config), application(service));

@@ -14,7 +14,7 @@ void RayMeter::add(RayTally& rays) {
   reflection_ += more.reflection;
   refraction_ += more.refraction;
   const std::int64_t spent = more.all();
-  if (all_.fetch_add(spent) + spent <= max_rays_) return;
+  if (all_.fetch_add(spent) + spent <= max_rays_) return tell();
   const bool deep = reflection_ + refraction_ > all_ / 2;
   throw deep ? too_many_children(max_rays_) : too_many_rays("a picture of more", max_rays_);
 }
@@ -22,6 +22,7 @@ void RayMeter::add(RayTally& rays) {
 void RayMeter::add_work(std::int64_t work) {
   if (stop_.stop_requested()) throw Stopped();
   if (work_.fetch_add(work) + work > max_work_) throw too_much_work(max_work_);
+  tell();
 }
 
 void RayMeter::add_many(RayTally& rays) {

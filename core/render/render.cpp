@@ -11,7 +11,7 @@ RayCounts render(const World& world, const View& view, const Window& window,
   const int columns = (window.width() + tile - 1) / tile;
   const int rows = (window.height() + tile - 1) / tile;
   const Sampler sampler(options.samples, options.threshold, options.seed);
-  RayMeter meter(options.max_rays, options.max_work, stop);
+  RayMeter meter(options.max_rays, options.max_work, stop, options.spent);
   const Shot shot{world, view, options.integrator, options.max_depth, sampler, meter};
 
   pool.for_each(columns * rows, options.threads, stop, [&](int i) {

@@ -33,13 +33,14 @@ struct RenderOptions {
   std::int64_t seed = 0;
   std::int64_t max_rays = Limits{}.max_rays;  ///< of all kinds, of the whole window
   std::int64_t max_work = Limits{}.max_work;  ///< of the whole window
+  Spent spent = {};
 };
 
 /// Traces the window and hands each finished block, in window coordinates, to `develop`, from
 /// several threads at once, each pixel in exactly one block.
 /// Errors: Stopped when `stop` is requested; InputError of one `limit` fault, at /samples when more
 /// than max_rays are traced, at /scene when more than max_work is done. They come between tiles, or
-/// within one that takes long.
+/// within one that takes long. What options.spent throws.
 RayCounts render(const World& world, const View& view, const Window& window,
                  const RenderOptions& options, Pool& pool, const std::stop_token& stop,
                  const std::function<void(const Block&)>& develop);

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 #include <asio/post.hpp>
+#include <new>
 
-#include "server/http/answer_writer.h"
 #include "server/http/patience.h"
 #include "server/problem.h"
 
@@ -27,20 +27,6 @@ std::string address_of(const tcp::socket& socket) {
 bool would_block(const asio::error_code& error) {
   return error == asio::error::would_block || error == asio::error::try_again ||
          error == asio::error::interrupted;
-}
-
-double ms_since(Clock::time_point start) {
-  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
-
-std::exception_ptr failure(std::string_view type, std::string detail, Headers headers = {}) {
-  return std::make_exception_ptr(HttpError(type, std::move(detail), std::move(headers)));
-}
-
-Request without_body(const Request& from) {
-  Request to{from.method, from.target, from.headers, "", from.id, from.peer};
-  to.arrived = from.arrived;
-  return to;
 }
 
 }  // namespace
@@ -83,13 +69,12 @@ void Connection::read() {
   const std::size_t size = socket_.read_some(asio::buffer(house_.scratch), error);
   if (error && !would_block(error)) return leave();
   if (phase_ != Phase::lingering) reader_.feed({house_.scratch.data(), size});
-  if (phase_ == Phase::reading) return proceed();
+  if (phase_ == Phase::reading && !queued_) return proceed();
   if (phase_ == Phase::lingering || reader_.unread() < patience::most_ahead) wait_readable();
 }
 
 void Connection::wait_readable() {
   if (read_armed_ || phase_ == Phase::closed) return;
-  read_armed_ = true;
   socket_.async_wait(tcp::socket::wait_read, [self = shared_from_this()](asio::error_code error) {
     self->read_armed_ = false;
     // While an answer goes out, only whether it does tells that the client is there.
@@ -97,6 +82,7 @@ void Connection::wait_readable() {
     if (error) return self->close();
     self->read();
   });
+  read_armed_ = true;
 }
 
 // Bytes of the answer that the system holds for the client.
@@ -106,8 +92,17 @@ std::size_t Connection::waiting_bytes() {
   return std::min(static_cast<std::size_t>(waiting), outbox_.sent());
 }
 
-// Goes on until something must be waited for.
+// Goes on, unless there is no memory for that: to close gives some back.
 void Connection::proceed() {
+  try {
+    go_on();
+  } catch (const std::bad_alloc&) {
+    close();
+  }
+}
+
+// Goes on until something must be waited for, or it is others' turn.
+void Connection::go_on() {
   for (;;) {
     if (!flush()) return;
     switch (phase_) {
@@ -118,11 +113,23 @@ void Connection::proceed() {
       case Phase::writing:
         if (!keep_alive_) return linger();
         enter(Phase::reading, patience::idle);
+        if (reader_.unread() > 0) return queue_up();
         break;
       case Phase::lingering:
       case Phase::closed: return;
     }
   }
+}
+
+// Lets all others have their turn first: who sends many requests ahead would else keep them waiting
+// for all the answers.
+void Connection::queue_up() {
+  if (queued_) return;
+  asio::post(house_.io, [self = shared_from_this()] {
+    self->queued_ = false;
+    if (self->phase_ == Phase::reading) self->proceed();
+  });
+  queued_ = true;
 }
 
 // Returns: false where more bytes must come first.
@@ -165,89 +172,15 @@ void Connection::account() {
   held_ = held;
 }
 
-// ---- answering ------------------------------------------------------------------------------
-
-void Connection::begin(Request request) {
-  request.peer = client_address(peer_, request.headers, house_.options.trusts_proxy);
-  turn_ = std::make_shared<Turn>(std::move(request));
-  turn_->keep_alive = keep_alive_;
-  account();
-  const Application& application = house_.application;
-  if (application.at_once(turn_->request)) {
-    turn_->make(application.answer, house_.closing, [] {});
-    deliver(*turn_);
-  } else if (house_.free_workers == 0) {
-    fail_turn(failure("busy", "all that may wait here does (option TIA_QUEUE)",
-                      {{"Retry-After", std::to_string(application.retry_after())}}));
-  } else {
-    work();
-  }
-}
-
-void Connection::work() {
-  enter(Phase::answering, house_.options.deadline);
-  --house_.free_workers;
-  asio::post(house_.workers, [self = shared_from_this(), turn = turn_]() mutable {
-    House& house = self->house_;
-    turn->make(house.application.answer, house.closing,
-               [&] { asio::post(house.io, [self] { self->pump(); }); });
-    asio::post(house.io, [self = std::move(self), turn = std::move(turn)] { self->finish(turn); });
-  });
-}
-
-// Sends the parts that have been made, while the client takes them.
-void Connection::pump() {
-  if (phase_ == Phase::answering && outbox_.empty()) proceed();
-}
-
-void Connection::finish(const std::shared_ptr<Turn>& turn) {
-  ++house_.free_workers;
-  house_.last_work = Clock::now();
-  if (turn != turn_ || phase_ != Phase::answering) return;  // nobody waits for it any more
-  if (turn->is_cut) return leave();
-  outbox_.put(turn->take_parts());
-  deliver(*turn);
-  proceed();
-}
-
-void Connection::deliver(Turn& turn) {
-  keep_alive_ = turn.keep_alive;
-  outbox_.put(std::move(turn.bytes));
-  house_.application.answered(
-      {turn.request, turn.response, turn.body_bytes, ms_since(turn.request.arrived)});
-  turn_.reset();
-  account();
-  outbox_.begin();
-  enter(Phase::writing, patience::answer);
-}
-
-// Answers the request in work with a problem, whatever its worker does, which may still read it.
-void Connection::fail_turn(const std::exception_ptr& failure) {
-  const std::shared_ptr<Turn> turn = turn_;
-  turn->abandon();
-  if (turn->has_parts()) return leave();  // its head has gone out: all that is left is to break off
-  Turn instead(without_body(turn->request));
-  instead.keep_alive = keep_alive_ && !house_.closing;
-  instead.make([&](const Request& request) { return house_.application.refuse(failure, request); },
-               house_.closing, [] {});
-  deliver(instead);
-}
-
-// Answers bytes that are no request. Where the next one begins is unknown: so the connection ends.
-void Connection::refuse(const std::exception_ptr& failure) {
-  turn_ = std::make_shared<Turn>(without_body(reader_.request()));
-  if (turn_->request.id.empty()) turn_->request.id = request_id("");
-  turn_->request.peer = client_address(peer_, turn_->request.headers, house_.options.trusts_proxy);
-  keep_alive_ = false;
-  fail_turn(failure);
-}
-
 // ---- writing --------------------------------------------------------------------------------
 
 // Sends what there is to send. Returns: false where the rest must wait, or the client is gone.
 bool Connection::flush() {
   do {
-    if (const asio::error_code error = outbox_.send(socket_)) {
+    const std::size_t before = outbox_.sent();
+    const asio::error_code error = outbox_.send(socket_);
+    if (outbox_.sent() != before) taken_ = Clock::now();
+    if (error) {
       account();
       if (would_block(error)) wait_writable();
       else leave();
@@ -261,19 +194,31 @@ bool Connection::flush() {
 
 void Connection::wait_writable() {
   if (write_armed_) return;
-  write_armed_ = true;
   socket_.async_wait(tcp::socket::wait_write, [self = shared_from_this()](asio::error_code error) {
     self->write_armed_ = false;
     if (self->phase_ == Phase::closed) return;
     if (error) return self->close();
     self->proceed();
   });
+  write_armed_ = true;
 }
 
 // ---- ending ---------------------------------------------------------------------------------
 
+bool Connection::is_stuck(Clock::time_point now) const {
+  return phase_ == Phase::writing && now - std::max(since_, taken_) > patience::stuck;
+}
+
 void Connection::tick(Clock::time_point now) {
-  if (now < due_ || phase_ == Phase::closed) return;
+  if (now < due_) return;
+  try {
+    cut_off(now);
+  } catch (const std::bad_alloc&) {  // not even words for it
+    close();
+  }
+}
+
+void Connection::cut_off(Clock::time_point now) {
   switch (phase_) {
     case Phase::reading:
       if (reader_.state() == State::idle) return linger();
@@ -296,7 +241,7 @@ void Connection::tick(Clock::time_point now) {
 }
 
 void Connection::retire() {
-  if (phase_ != Phase::reading || reader_.state() != State::idle) return;
+  if (phase_ != Phase::reading || reader_.state() != State::idle || queued_) return;
   if (requests_ > 0) linger();
   else due_ = Clock::now() + patience::drained;
 }
@@ -310,17 +255,6 @@ void Connection::give_up() {
   } else {
     close();
   }
-}
-
-// The client has closed or is gone.
-void Connection::leave() {
-  if (turn_) {
-    turn_->abandon();
-    Response none;
-    none.status = Application::client_left;
-    house_.application.answered({turn_->request, none, 0, ms_since(turn_->request.arrived)});
-  }
-  close();
 }
 
 // Lets the client read what was sent: to close on one that still writes would reset the connection
@@ -337,6 +271,7 @@ void Connection::close() {
   phase_ = Phase::closed;
   house_.held_bytes -= held_;
   held_ = 0;
+  if (turn_) turn_->abandon();
   turn_.reset();
   asio::error_code error;
   socket_.close(error);

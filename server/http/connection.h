@@ -31,8 +31,14 @@ class Connection : public std::enable_shared_from_this<Connection> {
 
   /// Whether it holds an answer that its client does not take.
   bool is_stalled() const { return phase_ == Phase::writing; }
+  /// The same, and for so long that it hardly will.
+  bool is_stuck(Clock::time_point now) const;
   /// Whether no whole request is lost by closing.
-  bool waits_for_client() const { return phase_ == Phase::reading || phase_ == Phase::lingering; }
+  bool waits_for_client() const {
+    return (phase_ == Phase::reading && !queued_) || phase_ == Phase::lingering;
+  }
+  /// Whether its client has sent further requests before the last one's answer.
+  bool is_queued() const { return phase_ == Phase::reading && queued_; }
   /// Since when it waits, reads, works or writes.
   Clock::time_point since() const { return since_; }
 
@@ -41,15 +47,19 @@ class Connection : public std::enable_shared_from_this<Connection> {
 
   void enter(Phase phase, Clock::duration patience);
   void proceed();
+  void go_on();
+  void queue_up();
   bool take_request();
   void set_patience(RequestReader::State before);
   void begin(Request request);
   void work();
   void pump();
   void finish(const std::shared_ptr<Turn>& turn);
+  void hand_over(Turn& turn);
   void deliver(Turn& turn);
   void refuse(const std::exception_ptr& failure);
   void fail_turn(const std::exception_ptr& failure);
+  void cut_off(Clock::time_point now);
   void leave();
   bool flush();
   void linger();
@@ -65,12 +75,14 @@ class Connection : public std::enable_shared_from_this<Connection> {
   RequestReader reader_;
   Phase phase_ = Phase::reading;
   Clock::time_point since_, due_;
+  Clock::time_point taken_;     // when the client last took bytes
   std::shared_ptr<Turn> turn_;  // the request in work
   Outbox outbox_;
   std::size_t held_ = 0;  // what we have told the house that we hold
   std::size_t requests_ = 0;
   bool keep_alive_ = true;
   bool read_armed_ = false, write_armed_ = false;
+  bool queued_ = false;  // its turn comes after all others'
 };
 
 }  // namespace tia::server

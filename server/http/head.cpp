@@ -139,11 +139,17 @@ bool is_bodiless(std::string_view method) {
          method == "CONNECT" || method == "DELETE";
 }
 
+// Whether the method means to bring a body, however the client tells its length. A method that is
+// not known brings none unless it says so (RFC 9112, 6.3).
+bool brings_body(std::string_view method) {
+  return method == "POST" || method == "PUT" || method == "PATCH";
+}
+
 void check_body(const Head& head) {
   const bool announced = head.body == Head::Body::chunked || head.length > 0;
   if (is_bodiless(head.method) && announced)
     malformed(head.method + " takes no body; send one with POST");
-  if (!is_bodiless(head.method) && head.body == Head::Body::none)
+  if (brings_body(head.method) && head.body == Head::Body::none)
     throw HttpError("length-required",
                     "a body needs Content-Length, or to be chunked; of no body "
                     "say Content-Length: 0");

@@ -9,7 +9,10 @@
 #include <asio/post.hpp>
 #include <asio/steady_timer.hpp>
 #include <list>
+#include <new>
+#include <optional>
 #include <stdexcept>
+#include <thread>
 #include <vector>
 
 #include "server/http/connection.h"
@@ -53,16 +56,15 @@ class HttpServer::Listener {
   int connections() const { return house_.open; }
 
   void run() {
-    for (Door& door : doors_) accept(door);
-    house_.io.run();
+    while (!has_run()) std::this_thread::sleep_for(patience::memory);
     house_.workers.join();
   }
 
   void stop(milliseconds delay, milliseconds limit) {
     asio::post(house_.io, [this, delay, limit] {
       if (stopping_) return;
-      stopping_ = true;
-      after(closing_, delay, [this, limit] { close_doors(limit); });
+      stopping_ = Stopping{Clock::now() + delay, limit};
+      wait_to_close();
     });
   }
 
@@ -72,8 +74,15 @@ class HttpServer::Listener {
     explicit Door(asio::io_context& io) : acceptor(io), resting(io) {}
     tcp::acceptor acceptor;
     asio::steady_timer resting;
+    int calls = 0;  // of accept(): only the last goes on
+  };
+  struct Stopping {
+    Clock::time_point at;
+    milliseconds limit;
   };
 
+  bool has_run();
+  void resume();
   void listen();
   void open(const tcp::endpoint& endpoint);
   void accept(Door& door);
@@ -82,10 +91,11 @@ class HttpServer::Listener {
   template <class Which>
   bool close_longest(Which which);
   void give_back(Clock::time_point now);
-  void close_doors(milliseconds limit);
+  void wait_to_close();
+  void close_doors();
   void keep_time();
   template <class Then>
-  void after(asio::steady_timer& timer, milliseconds time, Then then) {
+  void after(asio::steady_timer& timer, Clock::duration time, Then then) {
     timer.expires_after(time);
     timer.async_wait([then](asio::error_code error) {
       if (!error) then();
@@ -100,24 +110,51 @@ class HttpServer::Listener {
   House house_;
   std::list<Door> doors_;
   asio::steady_timer ticking_{house_.io}, closing_{house_.io};
-  bool keeps_time_ = false, stopping_ = false;
+  std::optional<Stopping> stopping_;
+  bool keeps_time_ = false, is_shut_ = false;
   int port_ = 0;
 };
+
+// Returns: false where memory ran out before all was done.
+bool HttpServer::Listener::has_run() {
+  try {
+    resume();
+    house_.io.run();
+    return true;
+  } catch (const std::bad_alloc&) {
+    return false;
+  }
+}
+
+// Sets going what all else hangs on, wherever it was interrupted. The connections' patience does
+// the same for them.
+void HttpServer::Listener::resume() {
+  house_.io.restart();
+  for (Door& door : doors_) {
+    if (!door.acceptor.is_open()) continue;
+    asio::error_code error;
+    door.acceptor.cancel(error);
+    accept(door);
+  }
+  if (stopping_ && !is_shut_) wait_to_close();
+  keep_time();
+}
 
 // Every address that the host's name stands for, all on one port.
 void HttpServer::Listener::listen() {
   const HttpOptions& options = house_.options;
   port_ = options.port;
+  const char* hint = "";
   try {
     tcp::resolver resolver(house_.io);
     const auto found = resolver.resolve(options.host, std::to_string(options.port),
                                         tcp::resolver::passive | tcp::resolver::numeric_service);
+    hint = " (the address is in use or not this machine's)";
     for (const auto& entry : found)
       open({entry.endpoint().address(), static_cast<unsigned short>(port_)});
   } catch (const std::system_error& error) {
     throw std::runtime_error("cannot listen on " + options.host + " port " + std::to_string(port_) +
-                             ": " + error.code().message() +
-                             " (the address is in use or not this machine's)");
+                             ": " + error.code().message() + hint);
   }
 }
 
@@ -135,12 +172,12 @@ void HttpServer::Listener::open(const tcp::endpoint& endpoint) {
 }
 
 void HttpServer::Listener::accept(Door& door) {
-  door.acceptor.async_accept([this, &door](asio::error_code error, tcp::socket socket) {
+  const int call = ++door.calls;
+  door.acceptor.async_accept([this, &door, call](asio::error_code error, tcp::socket socket) {
     if (error == asio::error::operation_aborted || !door.acceptor.is_open()) return;
-    if (!error) {
-      welcome(std::move(socket));
-      return accept(door);
-    }
+    if (!error) welcome(std::move(socket));
+    if (call != door.calls) return;  // a later one waits
+    if (!error) return accept(door);
     // Most likely there are no descriptors left, which the system says even if nobody has come.
     door.acceptor.wait(tcp::acceptor::wait_read, error);
     if (!error) make_room();
@@ -149,8 +186,12 @@ void HttpServer::Listener::accept(Door& door) {
 }
 
 void HttpServer::Listener::welcome(tcp::socket socket) {
-  const bool full = static_cast<int>(house_.connections.size()) >= house_.options.connections;
-  const bool has_room = !full || make_room();
+  const auto is_full = [this] {
+    return static_cast<int>(house_.connections.size()) >= house_.options.connections;
+  };
+  while (is_full() && make_room()) {  // those who were turned away take places, too, for a while
+  }
+  const bool has_room = !is_full();
   const auto connection = std::make_shared<Connection>(std::move(socket), house_);
   house_.connections.insert(connection);
   house_.open = static_cast<int>(house_.connections.size());
@@ -159,10 +200,14 @@ void HttpServer::Listener::welcome(tcp::socket socket) {
   keep_time();
 }
 
-// Closes the connection that has waited longest for its client: one in earnest asks at once.
+// Closes the connection that has waited longest for its client: one in earnest asks at once, and
+// takes its answer. At last it may be one that asks without end, whose last answer it has.
 // Returns: false where a request is under way on all of them.
 bool HttpServer::Listener::make_room() {
-  return close_longest([](const Connection& each) { return each.waits_for_client(); });
+  const auto now = Clock::now();
+  return close_longest([](const Connection& each) { return each.waits_for_client(); }) ||
+         close_longest([now](const Connection& each) { return each.is_stuck(now); }) ||
+         close_longest([](const Connection& each) { return each.is_queued(); });
 }
 
 // Closes that one of those connections that has been so for longest. Returns: false without any.
@@ -188,7 +233,6 @@ void HttpServer::Listener::keep_time() {
   if (house_.closing && house_.connections.empty()) closing_.cancel();  // all is done: run() ends
   const bool idle = house_.connections.empty() && !house_.last_work;
   if (keeps_time_ || idle || (house_.closing && house_.connections.empty())) return;
-  keeps_time_ = true;
   after(ticking_, tick, [this] {
     keeps_time_ = false;
     const auto now = Clock::now();
@@ -198,9 +242,15 @@ void HttpServer::Listener::keep_time() {
     give_back(now);
     keep_time();
   });
+  keeps_time_ = true;
 }
 
-void HttpServer::Listener::close_doors(milliseconds limit) {
+void HttpServer::Listener::wait_to_close() {
+  after(closing_, std::max(stopping_->at - Clock::now(), Clock::duration(0)),
+        [this] { close_doors(); });
+}
+
+void HttpServer::Listener::close_doors() {
   house_.closing = true;
   std::vector<tcp::socket> last;  // those who have come before the door closes
   for (Door& door : doors_) {
@@ -213,8 +263,9 @@ void HttpServer::Listener::close_doors(milliseconds limit) {
   }
   for (tcp::socket& socket : last) welcome(std::move(socket));
   for_each_connection([](Connection& connection) { connection.retire(); });
-  after(closing_, limit,
+  after(closing_, stopping_->limit,
         [this] { for_each_connection([](Connection& connection) { connection.give_up(); }); });
+  is_shut_ = true;
   keep_time();
 }
 

@@ -36,9 +36,10 @@ struct Exchange {
 struct Application {
   static constexpr int client_left = 499;  ///< the status of an exchange that got no answer
 
-  /// Never throws. Called on a worker, or on the connections' thread where at_once says so.
+  /// Called on a worker, or on the connections' thread where at_once says so. What it throws is
+  /// answered with `refuse`.
   std::function<Response(const Request&)> answer;
-  /// The answer to what is no request, or has no time or place here. Any thread may call.
+  /// The answer to what is no request, failed, or has no time or place here. Any thread may call.
   std::function<Response(const std::exception_ptr&, const Request&)> refuse = problem_response;
   /// Whether the answer costs so little that it need not wait for a worker.
   std::function<bool(const Request&)> at_once = [](const Request&) { return false; };

@@ -57,7 +57,8 @@ struct Response {
   bool unsized = false;  ///< HEAD of something that would have to be made to be measured
   /// Makes the body in parts while they are sent, in the body's place.
   std::function<void(const SendPart&)> parts = nullptr;
-  Value::Object log = {};  ///< what the log says of it besides
+  std::string_view problem = {};  ///< the type of the problem that it tells, for the log; "" = none
+  Value::Object log = {};         ///< what the log says of it besides
 };
 
 /// Strict percent-decoding, '+' as it stands. Errors: InputError of kind malformed at `pointer`.

@@ -13,8 +13,10 @@ constexpr seconds body{5};    ///< for a body, besides what it may take at slowe
 constexpr seconds answer{8};  ///< for taking an answer, besides what it may take at slowest_rate
 constexpr seconds idle{30};   ///< between two requests
 constexpr seconds linger{2};  ///< for reading an answer after which we close
+constexpr seconds stuck{1};   ///< without taking a byte of an answer, where others need the place
 constexpr seconds rest{1};    ///< without work, before memory is given back
 constexpr std::chrono::milliseconds drained{250};  ///< for a first request once we go down
+constexpr std::chrono::milliseconds memory{1};     ///< before it is asked for again
 
 constexpr std::size_t slowest_rate = 64 << 10;   ///< bytes a second that a client must keep up
 constexpr std::size_t most_requests = 100'000;   ///< of one connection

@@ -12,7 +12,8 @@ namespace tia::server {
 using TrustsProxy = std::function<bool(const std::string&)>;
 
 /// The client's address: the socket's; where that is a trusted proxy's, the last address in
-/// X-Forwarded-For that is not. What is no address there is made up, and so is all before it.
+/// X-Forwarded-For that is not, without a port. What is no address there is made up, and so is all
+/// before it.
 std::string client_address(const std::string& peer, const Headers& headers,
                            const TrustsProxy& trusts);
 

@@ -9,7 +9,16 @@
 namespace tia::server {
 
 void Turn::make(const Answer& answer, const std::atomic<bool>& closing,
-                const std::function<void()>& more) {
+                const std::function<void()>& more) noexcept {
+  try {
+    make_answer(answer, closing, more);
+  } catch (...) {
+    failure = std::current_exception();
+  }
+}
+
+void Turn::make_answer(const Answer& answer, const std::atomic<bool>& closing,
+                       const std::function<void()>& more) {
   response = answer(request);
   if (closing) keep_alive = false;
   if (response.parts && request.is_http_1_0) gather_parts();

@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <condition_variable>
+#include <exception>
 #include <functional>
 #include <mutex>
 #include <stop_token>
@@ -23,13 +24,15 @@ class Turn {
   bool keep_alive = true;
   Response response;
   std::size_t body_bytes = 0;
-  std::string bytes;    ///< the whole answer, or the rest of one that goes in parts
-  bool is_cut = false;  ///< the parts broke off: the client must see that
+  std::string bytes;           ///< the whole answer, or the rest of one that goes in parts
+  bool is_cut = false;         ///< the parts broke off: the client must see that
+  std::exception_ptr failure;  ///< what was thrown in the answer's place
 
   using Answer = std::function<Response(const Request&)>;
-  /// Worker: makes the answer. `more` is called whenever a part waits to be sent.
+  /// Worker: makes the answer, or says what failed. `more` is called whenever a part waits to be
+  /// sent.
   void make(const Answer& answer, const std::atomic<bool>& closing,
-            const std::function<void()>& more);
+            const std::function<void()>& more) noexcept;
   /// Connection: the parts that wait, so that the worker may go on.
   std::string take_parts();
   /// Connection: nobody waits for the answer any more.
@@ -38,6 +41,8 @@ class Turn {
   bool has_parts();
 
  private:
+  void make_answer(const Answer& answer, const std::atomic<bool>& closing,
+                   const std::function<void()>& more);
   void gather_parts();
   bool put(std::string_view part, const std::function<void()>& more);
 

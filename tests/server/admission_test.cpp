@@ -10,7 +10,8 @@
 namespace tia::test {
 namespace {
 
-constexpr double light = 1, heavy = 2 * Admission::most_light_rays;
+constexpr double light = 1, heavy = 2.0 * Admission::most_light_rays;
+constexpr std::int64_t many = Admission::most_light_rays + 1;
 using Ticket = Admission::Ticket;
 
 /// Someone who enters on a thread of their own.
@@ -19,6 +20,11 @@ class Guest {
   Guest(Admission& admission, double rays)
       : ticket_(std::async(std::launch::async, [this, &admission, rays] {
           return admission.enter(rays, stop_.get_token());
+        })) {}
+  /// One who reads a text.
+  Guest(Admission& admission, std::size_t bytes)
+      : ticket_(std::async(std::launch::async, [this, &admission, bytes] {
+          return admission.read(bytes, stop_.get_token());
         })) {}
   bool is_in(milliseconds patience = milliseconds(0)) const {
     return ticket_.wait_for(patience) == std::future_status::ready;
@@ -130,6 +136,65 @@ TEST(Admission, WithOneTicketHeavyWorkGetsItToo) {
   EXPECT_TRUE(poster.gets_in());
 }
 
+TEST(Admission, PostersWaitInAQuarterOfTheQueue) {
+  Admission admission(4, 8);
+  Guest a(admission, heavy), b(admission, heavy);
+  ASSERT_TRUE(a.gets_in() && b.gets_in());
+  Guest c(admission, heavy), d(admission, heavy);
+  wait_until_waiting(admission, 2);
+  Guest one_too_many(admission, heavy);
+  ASSERT_TRUE(one_too_many.gets_in());
+  EXPECT_THROW(one_too_many.leave(), HttpError);
+  Guest small(admission, light);
+  EXPECT_TRUE(small.gets_in());
+  c.give_up();
+  d.give_up();
+}
+
+TEST(Admission, WhatTurnsOutHeavyMakesRoomForLight) {
+  Admission admission(2, 8);
+  Ticket a = admission.enter(light, {}), b = admission.enter(light, {});
+  Guest small(admission, light);
+  wait_until_waiting(admission, 1);
+  a.has_done(many - 1, Admission::most_light_tests);
+  EXPECT_FALSE(small.is_in(milliseconds(20)));
+  a.has_done(many, 0);  // is counted among the posters, which have room
+  EXPECT_FALSE(small.is_in(milliseconds(20)));
+  b.has_done(0, Admission::most_light_tests + 1);  // is beyond their share
+  EXPECT_TRUE(small.gets_in());
+  EXPECT_EQ(admission.at_work(), 3);
+}
+
+TEST(Admission, WhatTurnsOutHeavyIsSentAwayWhereMuchIsAndLightWorkWaits) {
+  Admission admission(2, 8);
+  Ticket a = admission.enter(light, {}), b = admission.enter(light, {});
+  a.has_done(many, 0);
+  b.has_done(many, 0);
+  Ticket c = admission.enter(light, {});
+  c.has_done(many, 0);  // nobody waits
+  Guest small(admission, light);
+  wait_until_waiting(admission, 1);
+  EXPECT_THROW(c.has_done(many, 0), HttpError);
+  EXPECT_NO_THROW(b.has_done(2 * many, 0));
+  small.give_up();
+}
+
+TEST(Admission, LongTextsAreReadAFewAtATime) {
+  constexpr std::size_t size = Admission::longest_short_text;
+  Admission admission(8, 4);
+  Guest a(admission, size + 1), b(admission, size + 1);
+  ASSERT_TRUE(a.gets_in() && b.gets_in());
+  Guest c(admission, size + 1);
+  wait_until_waiting(admission, 1);
+  Guest one_too_many(admission, size + 1);
+  ASSERT_TRUE(one_too_many.gets_in());
+  EXPECT_THROW(one_too_many.leave(), HttpError);
+  Guest brief(admission, size), picture(admission, light);
+  EXPECT_TRUE(brief.gets_in() && picture.gets_in());
+  a.leave();
+  EXPECT_TRUE(c.gets_in());
+}
+
 TEST(Admission, RetryAfterGrowsWithTheQueueAndWithHowLongWorkTakes) {
   Admission admission(1);
   EXPECT_EQ(admission.retry_after(), 1);
@@ -151,7 +216,7 @@ TEST(Admission, RetryAfterGrowsWithTheQueueAndWithHowLongWorkTakes) {
 }
 
 TEST(Admission, SixtyFourAtOnceAllGetIn) {
-  Admission admission(3);
+  Admission admission(3, 256);
   std::atomic<int> inside = 0, most = 0, done = 0;
   std::vector<std::jthread> threads;
   for (int i = 0; i < 64; ++i)

@@ -75,6 +75,23 @@ TEST(Log, HasOneJsonLineARequest) {
   EXPECT_EQ(text_at(lines[1], "method"), "POST");
 }
 
+TEST(Log, NamesTheProblemThatWasToldOfUnreadableRequestsToo) {
+  Tia tia;
+  exchange(tia.port(), "hello there\r\n\r\n");
+  exchange(tia.port(), "GET /" + std::string(5000, 'a') + " HTTP/1.1\r\nHost: x\r\n\r\n");
+  exchange(tia.port(), "GET / HTTP/1.1\r\nHost: x\r\nX: " + std::string(20'000, 'a') + "\r\n\r\n");
+  exchange(tia.port(), "POST / HTTP/1.1\r\nHost: x\r\n\r\n");
+  tia.get("/nowhere");
+  tia.get("/render?width=x");
+  tia.get("/healthz");
+  const std::vector<Value> lines = lines_of(tia, 7);
+  ASSERT_EQ(lines.size(), 7U);
+  const char* const problems[] = {"malformed",       "uri-too-long", "header-too-large",
+                                  "length-required", "not-found",    "wrong-type"};
+  for (std::size_t i = 0; i < 6; ++i) EXPECT_EQ(text_at(lines[i], "problem"), problems[i]);
+  EXPECT_EQ(lines[6].as<Value::Object>()->size(), 9U);  // no problem
+}
+
 TEST(Log, ARequestCannotForgeALine) {
   Tia tia;
   exchange(tia.port(), "GET /a%0d%0a\"}{\"id\":\"forged\"} HTTP/1.1\r\nHost: x\r\n\r\n");

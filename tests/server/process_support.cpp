@@ -24,7 +24,7 @@ std::string Folder::file(const std::string& name) const { return (path_ / name).
 
 // ---- Process --------------------------------------------------------------------------------
 
-Process::Process(const Words& arguments, const Words& environment) {
+Process::Process(const Words& arguments, const Words& environment, int error_output) {
   Words all{TIA_BINARY};
   all.insert(all.end(), arguments.begin(), arguments.end());
   Words variables = environment;
@@ -42,6 +42,7 @@ Process::Process(const Words& arguments, const Words& environment) {
   posix_spawn_file_actions_addopen(&files, 0, "/dev/null", O_RDONLY, 0);
   posix_spawn_file_actions_addopen(&files, 1, folder_.file("out").c_str(), flags, 0600);
   posix_spawn_file_actions_addopen(&files, 2, folder_.file("err").c_str(), flags, 0600);
+  if (error_output >= 0) posix_spawn_file_actions_adddup2(&files, error_output, 2);
   posix_spawn_file_actions_addclosefrom_np(&files, 3);
   const int error = posix_spawn(&pid_, TIA_BINARY, &files, nullptr, pointers(all).data(),
                                 pointers(variables).data());
@@ -86,7 +87,8 @@ Finished run(const Process::Words& arguments, const Process::Words& environment)
 // ---- Tia ------------------------------------------------------------------------------------
 
 Tia::Tia() : Tia({"--port", "0"}) {}
-Tia::Tia(const Words& arguments, const Words& environment) : Process(arguments, environment) {
+Tia::Tia(const Words& arguments, const Words& environment, int error_output)
+    : Process(arguments, environment, error_output) {
   if (!eventually([&] { return out().find('\n') != std::string::npos || !running(); }) ||
       !running())
     throw std::runtime_error("tia does not start: " + err());

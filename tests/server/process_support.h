@@ -32,12 +32,13 @@ class Folder {
 };
 
 /// Process: `tia` with these arguments and these additions to an environment without TIA_*.
-/// Its outputs go to files, so that it never waits for a reader.
+/// Its outputs go to files, so that it never waits for a reader; the error output elsewhere where a
+/// descriptor is given.
 class Process {
  public:
   using Words = std::vector<std::string>;
 
-  explicit Process(const Words& arguments, const Words& environment = {});
+  explicit Process(const Words& arguments, const Words& environment = {}, int error_output = -1);
   ~Process();
   Process(const Process&) = delete;
   Process& operator=(const Process&) = delete;
@@ -69,7 +70,7 @@ Finished run(const Process::Words& arguments, const Process::Words& environment 
 class Tia : public Process {
  public:
   Tia();
-  explicit Tia(const Words& arguments, const Words& environment = {});
+  explicit Tia(const Words& arguments, const Words& environment = {}, int error_output = -1);
   const std::string& first_line() const { return first_line_; }
   int port() const { return port_; }
   httplib::Client client() const;

@@ -1,10 +1,12 @@
 // `tia serve` as a process: its first line, its port, its exit on a signal.
+#include <fcntl.h>
 #include <netinet/in.h>
 #include <signal.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <sstream>
 
 #include "core/version.h"
 #include "tests/server/process_support.h"
@@ -102,6 +104,54 @@ TEST(Serve, FinishesARenderThatRunsWhenTheSignalComes) {
   }
 }
 
+// A pipe for the log, which holds some twenty lines, and 500 requests.
+struct Piped {
+  int read = -1, write = -1;
+  Piped() {
+    int ends[2];
+    if (::pipe2(ends, O_CLOEXEC) != 0) throw std::runtime_error("no pipe");
+    read = ends[0], write = ends[1];
+    ::fcntl(write, F_SETPIPE_SZ, 4096);
+  }
+  ~Piped() { ::close(read); }
+  static void ask(const Tia& tia) {
+    Connection connection(tia.port());
+    for (int i = 0; i < 500; ++i) {
+      connection.send("GET /healthz HTTP/1.1\r\nHost: x\r\n\r\n");
+      ASSERT_EQ(connection.receive().status, 200);
+    }
+  }
+};
+
+TEST(Serve, EndsThoughNobodyReadsItsLog) {
+  Piped log;
+  Tia tia({"--port", "0"}, {}, log.write);
+  Piped::ask(tia);
+  tia.signal(SIGTERM);
+  const auto started = Clock::now();
+  EXPECT_EQ(tia.wait(seconds(10)).status, 0);
+  EXPECT_LT(Clock::now() - started, seconds(5));
+  ::close(log.write);
+}
+
+TEST(Serve, LosesNoLineOfALogThatIsReadLateAndInPieces) {
+  Piped log;
+  Tia tia({"--port", "0"}, {}, log.write);
+  ::close(log.write);
+  Piped::ask(tia);
+  tia.signal(SIGTERM);
+  std::this_thread::sleep_for(milliseconds(200));
+  std::string all(1 << 20, '\0');
+  std::size_t size = 0;
+  for (ssize_t n = 1; n > 0; size += static_cast<std::size_t>(n))
+    n = ::read(log.read, all.data() + size, 1000);
+  all.resize(size);
+  EXPECT_EQ(tia.wait(seconds(10)).status, 0);
+  EXPECT_EQ(std::count(all.begin(), all.end(), '\n'), 500);
+  std::istringstream lines(all);
+  for (std::string line; std::getline(lines, line);) EXPECT_NO_THROW(parse_json(line)) << line;
+}
+
 TEST(Serve, TakesNoNewConnectionOnceItHasEnded) {
   Tia tia;
   tia.signal(SIGTERM);
@@ -157,6 +207,13 @@ TEST(Serve, AnAddressOfAnotherMachineExits2) {
   const Finished end = run({"--host", "192.0.2.1", "--port", "0"});  // RFC 5737: nobody's
   EXPECT_EQ(end.status, 2);
   EXPECT_THAT(end.err, HasSubstr("192.0.2.1"));
+}
+
+TEST(Serve, ANameOfNoMachineIsNotTakenForAnAddressInUse) {
+  const Finished end = run({"--host", "a..invalid", "--port", "0"});
+  EXPECT_EQ(end.status, 2);
+  EXPECT_THAT(end.err, HasSubstr("a..invalid"));
+  EXPECT_THAT(end.err, testing::Not(HasSubstr("in use")));
 }
 
 TEST(Serve, TheSamePortCanBeHadAgainAtOnce) {

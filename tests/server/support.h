@@ -69,7 +69,7 @@ class Host {
   Gallery gallery_;
   SceneStore kept_;
   Pool pool_{threads};
-  Admission admission_{config_.renders};
+  Admission admission_{config_.renders, config_.queue};
   Metrics metrics_;
   Service service_{config_, {gallery_, kept_, pool_, config_.limits()}, admission_, metrics_};
 };

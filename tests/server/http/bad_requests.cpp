@@ -165,6 +165,7 @@ Bad framings() {
       {"SpacedLength", post("Content-Length : 2\r\n", "{}"), 400},
       {"NoLength", post("", "{}"), 411},
       {"NoLengthOfAPut", line("PUT /render HTTP/1.1"), 411},
+      {"NoLengthOfAPatch", line("PATCH /render HTTP/1.1"), 411},
       {"NoLengthOfHttp10", line("POST /render HTTP/1.0"), 411},
       {"BodyOfAGet", get(cl) + "{}", 400},
       {"BodyOfAHead", line("HEAD / HTTP/1.1", "Host: x\r\n" + cl) + "{}", 400},

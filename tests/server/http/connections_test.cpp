@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cstdlib>
 #include <memory>
 #include <mutex>
 
@@ -56,6 +57,61 @@ TEST(Pipelining, NothingIsAnsweredAfterARequestThatSaysClose) {
   connection.send("GET /a HTTP/1.1\r\nHost: x\r\nConnection: close\r\n\r\n" + asked);
   EXPECT_EQ(connection.receive().body, "/a");
   EXPECT_TRUE(connection.closed());
+}
+
+// Whose requests were answered, in order. One to /hold keeps the connections' thread until all that
+// is to come has come.
+struct Order {
+  Latch all_have_come;
+  std::atomic<bool> holds = false;
+  std::string order;  // the connections' thread's, until the last answer has been read
+  Application application() {
+    Application application = answering([this](const Request& request) {
+      if (request.target == "/hold") {
+        holds = true;
+        all_have_come.wait();
+      } else {
+        order += request.target[1];
+      }
+      return text(request.target);
+    });
+    application.at_once = [](const Request&) { return true; };
+    return application;
+  }
+};
+
+std::string many(const std::string& target, int count, const std::string& fields = "") {
+  std::string all;
+  for (int i = 0; i < count; ++i) all += "GET " + target + " HTTP/1.1\r\nHost: x\r\n\r\n";
+  return all + "GET " + target + " HTTP/1.1\r\nHost: x\r\n" + fields + "\r\n";
+}
+
+TEST(Pipelining, ClientsThatSendManyRequestsAheadAreServedInTurn) {
+  Order asked_in;
+  Serving serving(asked_in.application());
+  Wire holder(serving.port()), a(serving.port()), b(serving.port()), lone(serving.port());
+  for (Wire* wire : {&a, &b, &lone}) {  // so that it has been let in
+    wire->get("/x");
+    wire->until("\r\n\r\n/x");
+  }
+  holder.get("/hold");
+  ASSERT_TRUE(eventually([&] { return asked_in.holds.load(); }));
+  a.send(many("/a", 99, "Connection: close\r\n"));
+  b.send(many("/b", 99, "Connection: close\r\n"));
+  lone.get("/1");
+  asked_in.all_have_come.open();
+  a.rest();
+  b.rest();
+  serving.stop(milliseconds(0), milliseconds(0));
+  ASSERT_TRUE(serving.ends());
+  const std::string order = asked_in.order.substr(3);
+  ASSERT_EQ(order.size(), 201U);
+  EXPECT_LT(order.find('1'), 8U) << order;
+  int ahead = 0;
+  for (const char who : order) {
+    ahead += who == 'a' ? 1 : who == 'b' ? -1 : 0;
+    ASSERT_LE(std::abs(ahead), 4) << order;
+  }
 }
 
 // Held: an application whose requests to /held wait, and all others are answered.
@@ -131,6 +187,58 @@ TEST(Connections, WhereAllAreAtWorkANewOneIsTurnedAwayWith429) {
   EXPECT_TRUE(ninth.closed());
   held.let_go.open();
   for (auto& each : busy) EXPECT_EQ(each->receive().status, 200);
+}
+
+TEST(Connections, ThoseThatAreTurnedAwayMakeNoRoomForMoreThanTheLimit) {
+  Held held;
+  Serving serving(held.application(), few(2));
+  std::vector<std::unique_ptr<Connection>> all;
+  for (int i = 0; i < 10; ++i) {
+    all.push_back(std::make_unique<Connection>(serving.port()));
+    all.back()->send("GET /held HTTP/1.1\r\nHost: x\r\n\r\n");
+    if (i < 2) ASSERT_TRUE(eventually([&] { return held.at_work == i + 1; }));
+    else if (all.back()->readable(seconds(5))) EXPECT_EQ(all.back()->receive().status, 429);
+    else break;
+  }
+  held.let_go.open();
+  EXPECT_EQ(held.at_work, 2);
+}
+
+Application large_unless_small() {
+  return answering([](const Request& request) {
+    return text(request.target == "/small" ? "small" : std::string(16 << 20, 'x'));
+  });
+}
+
+TEST(Connections, OneWhoseClientTakesNothingMakesRoom) {
+  Serving serving(large_unless_small(), few(4));
+  std::vector<std::unique_ptr<Wire>> deaf;
+  for (int i = 0; i < 4; ++i) {
+    deaf.push_back(std::make_unique<Wire>(serving.port(), 4096));
+    deaf.back()->get("/");
+    ASSERT_TRUE(deaf.back()->readable(seconds(20)));
+  }
+  std::this_thread::sleep_for(milliseconds(1500));  // by their patience they have 8 s
+  EXPECT_EQ(exchange(serving.port(), "GET /small HTTP/1.1\r\nHost: x\r\n\r\n").status, 200);
+}
+
+TEST(Connections, OneWhoseClientTakesItsAnswerSlowlyKeepsItsPlace) {
+  Serving serving(large_unless_small(), few(2));
+  Wire slow(serving.port(), 64 << 10), deaf(serving.port(), 4096);
+  slow.get("/");
+  slow.until("\r\n\r\n");
+  deaf.get("/");
+  ASSERT_TRUE(deaf.readable(seconds(20)));
+  std::size_t got = 0;
+  for (const auto started = Clock::now(); ms_since(started) < 2500;
+       std::this_thread::sleep_for(milliseconds(20)))
+    got += slow.read(64 << 10).size();
+  EXPECT_EQ(exchange(serving.port(), "GET /small HTTP/1.1\r\nHost: x\r\n\r\n").status, 200);
+  while (got < (16U << 20U)) {
+    const std::string more = slow.read(1 << 20);
+    ASSERT_NE(more, "");
+    got += more.size();
+  }
 }
 
 // Else as many bodies as there are connections would lie in memory until their last bytes come.

@@ -47,6 +47,29 @@ TEST(Drain, ARequestAtWorkIsAnsweredAndItsConnectionClosed) {
   EXPECT_TRUE(serving.ends());
 }
 
+TEST(Drain, WhoHasSentRequestsAheadIsToldWhichIsTheLast) {
+  Latch stopped;
+  std::atomic<int> answered = 0;
+  Application application = answering([&](const Request&) {
+    if (++answered == 1) stopped.wait();
+    return text("here");
+  });
+  application.at_once = [](const Request&) { return true; };
+  Serving serving(application);
+  Wire wire(serving.port());
+  std::string ahead;
+  for (int i = 0; i < 2000; ++i) ahead += asked;  // in one reading
+  wire.send(ahead);
+  ASSERT_TRUE(eventually([&] { return answered == 1; }));
+  serving.stop(no_delay, patient);
+  stopped.open();
+  const std::string answers = wire.rest();
+  const std::string last = answers.substr(answers.rfind("HTTP/1.1 "));
+  EXPECT_THAT(last, testing::HasSubstr("Connection: close"));
+  EXPECT_LT(answered, 2000);
+  EXPECT_TRUE(serving.ends());
+}
+
 TEST(Drain, DuringItsDelayNewRequestsAreTaken) {
   Serving serving(answering([](const Request&) { return text("here"); }));
   const auto started = Clock::now();

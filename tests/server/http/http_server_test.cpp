@@ -6,8 +6,10 @@
 
 #include <algorithm>
 #include <atomic>
+#include <memory>
+#include <new>
 
-#include "tests/server/socket_support.h"
+#include "tests/server/http/wire.h"
 
 namespace tia::test {
 namespace {
@@ -180,6 +182,85 @@ TEST(HttpServer, AFreePortIsFoundAndATakenOneRefused) {
   } catch (const std::runtime_error& error) {
     EXPECT_THAT(error.what(), testing::HasSubstr(std::to_string(first.port())));
   }
+}
+
+// ---- want of memory -------------------------------------------------------------------------
+
+Application without_memory(bool at_once) {
+  Application application = answering([](const Request& request) -> Response {
+    if (request.target == "/large") throw std::bad_alloc();
+    return text("small");
+  });
+  application.at_once = [at_once](const Request&) { return at_once; };
+  return application;
+}
+
+TEST(Memory, ThatAnAnswerLacksIs503AndTheConnectionGoesOn) {
+  for (const bool at_once : {true, false}) {
+    Serving serving(without_memory(at_once));
+    Connection connection(serving.port());
+    for (int i = 0; i < 3; ++i) {
+      connection.send("GET /large HTTP/1.1\r\nHost: x\r\n\r\n");
+      const Response response = connection.receive();
+      EXPECT_EQ(response.status, 503);
+      EXPECT_EQ(problem_of(response).type, "/problems/memory");
+      EXPECT_TRUE(header(response, "Retry-After").has_value());
+    }
+    connection.send("GET /small HTTP/1.1\r\nHost: x\r\n\r\n");
+    EXPECT_EQ(connection.receive().body, "small");
+  }
+}
+
+// What is told of an exchange is told on the connections' own thread, in all of its states.
+TEST(Memory, ThatTheConnectionsLackEndsNoMoreThanTheirOwnRequest) {
+  for (const bool at_once : {true, false}) {
+    Application application = without_memory(at_once);
+    application.answered = [](const Exchange& done) {
+      if (done.request.target == "/untold") throw std::bad_alloc();
+    };
+    HttpOptions options = any_port();
+    options.deadline = milliseconds(200);
+    Serving serving(application, options);
+    Connection other(serving.port());
+    std::vector<std::unique_ptr<Wire>> untold;
+    for (int i = 0; i < 20; ++i) {  // some of them while they are let in
+      untold.push_back(std::make_unique<Wire>(serving.port()));
+      untold.back()->get("/untold");
+      other.send("GET /small HTTP/1.1\r\nHost: x\r\n\r\n");
+      ASSERT_EQ(other.receive().body, "small");
+      ASSERT_EQ(exchange(serving.port(), "GET /small HTTP/1.1\r\nHost: x\r\n\r\n").status, 200);
+    }
+    for (const auto& wire : untold) EXPECT_NO_THROW(wire->rest(seconds(10)));
+    serving.stop(milliseconds(0), milliseconds(100));
+    EXPECT_TRUE(serving.ends());
+  }
+}
+
+TEST(Memory, ThatANewConnectionLacksDoesNotShutTheDoor) {
+  Latch let_go;
+  std::atomic<int> at_work = 0, calls = 0;
+  Application application = answering([&](const Request&) {
+    ++at_work;
+    let_go.wait();
+    return text("done");
+  });
+  application.retry_after = [&] {  // asked while one is let in that has no place
+    if (++calls <= 3) throw std::bad_alloc();
+    return 7;
+  };
+  HttpOptions options = any_port();
+  options.connections = 1;
+  Serving serving(application, options);
+  Connection busy(serving.port());
+  busy.send("GET / HTTP/1.1\r\nHost: x\r\n\r\n");
+  ASSERT_TRUE(eventually([&] { return at_work == 1; }));
+  for (int i = 1; i <= 3; ++i) {
+    Connection(serving.port()).send("GET / HTTP/1.1\r\nHost: x\r\n\r\n");
+    ASSERT_TRUE(eventually([&] { return calls == i && serving.connections() == 1; }));
+  }
+  EXPECT_EQ(exchange(serving.port(), "GET / HTTP/1.1\r\nHost: x\r\n\r\n").status, 429);
+  let_go.open();
+  EXPECT_EQ(busy.receive().body, "done");
 }
 
 TEST(Answers, TellsALivingServerFromNone) {

@@ -88,6 +88,18 @@ TEST(RawBytes, AMethodThatNoPathTakesIs405) {
   }
 }
 
+TEST(RawBytes, AMethodThatNobodyKnowsIs405AndLeavesTheConnectionToTheNext) {
+  Connection connection(server().port());
+  for (const char* method : {"FOO", "get", "post", "PROPFIND"}) {
+    connection.send(std::string(method) + " /render HTTP/1.1\r\n" + host);
+    const Response response = connection.receive();
+    EXPECT_EQ(response.status, 405) << method;
+    EXPECT_EQ(header(response, "Allow"), "GET, HEAD, POST, OPTIONS") << method;
+  }
+  connection.send("GET /healthz HTTP/1.1\r\n" + host);
+  EXPECT_EQ(connection.receive().status, 200);
+}
+
 TEST(RawBytes, ABadRequestLeavesTheConnectionToTheNext) {
   const std::string good = "GET /healthz HTTP/1.1\r\n" + host;
   for (const std::string& bad :
