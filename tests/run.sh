@@ -143,13 +143,13 @@ old_processor() {
   if cmp "$scratch/old.png" "$scratch/new.png"; then pass; else fail "old processor: same bytes"; fi
 }
 
-# fuzz: each fuzzer for FUZZ_SECONDS, from the seeds on. What breaks it stays in build/asan.
+# fuzz: each fuzzer for FUZZ_SECONDS, from the seeds on. What breaks it stays in build/fuzz.
 fuzz() {
   local name
   for name in request scene query; do
     mkdir -p "$scratch/$name"
-    run "fuzz $name" "build/asan/tests/${name}_fuzz" -max_total_time="${FUZZ_SECONDS:-10}" \
-      -max_len=4096 -timeout=5 -rss_limit_mb=2048 -verbosity=0 -artifact_prefix=build/asan/ \
+    run "fuzz $name" "build/fuzz/tests/${name}_fuzz" -max_total_time="${FUZZ_SECONDS:-10}" \
+      -max_len=4096 -timeout=5 -rss_limit_mb=2048 -verbosity=0 -artifact_prefix=build/fuzz/ \
       "$scratch/$name" "tests/fuzz/corpus/$name"
     if [ "$status" = 0 ]; then pass; else fail "fuzz $name"; fi
   done
@@ -186,14 +186,16 @@ if build portable -DTIA_WERROR=ON -- tia && [ $release = yes ]; then
     old_processor
   fi
 fi
-if build asan -- core_tests server_tests request_fuzz scene_fuzz query_fuzz; then
+if build asan -- core_tests server_tests; then
   googletest asan core_tests
   googletest asan server_tests
-  fuzz
 fi
 if build tsan -- server_tests; then
   # Without the gallery's pictures, which are many minutes of one picture like another.
   googletest tsan server_tests '-*Golden*'
+fi
+if build fuzz -- request_fuzz scene_fuzz query_fuzz; then
+  fuzz
 fi
 
 title "done"
