@@ -31,7 +31,8 @@ class Admission {
   /// Ticket: the right to work, until it ends.
   class Ticket {
    public:
-    Ticket(Ticket&& from) noexcept : from_(std::exchange(from.from_, nullptr)), kind_(from.kind_) {}
+    Ticket(Ticket&& from) noexcept
+        : from_(std::exchange(from.from_, nullptr)), kind_(from.kind_), since_(from.since_) {}
     ~Ticket() {
       if (from_ != nullptr) from_->leave(*this);
     }

@@ -66,13 +66,13 @@ build() {
 fixed_addresses=()
 if setarch -R true 2>/dev/null; then fixed_addresses=(setarch -R); fi
 
-# googletest PRESET PROGRAM [FILTER]: as many shares of the tests at once as there are processors.
+# googletest PRESET PROGRAM: as many shares of the tests at once as there are processors.
 googletest() {
   local shards shard total good skipped
   shards=$(nproc)
   title "$1 $2"
   for ((shard = 0; shard < shards; ++shard)); do
-    GTEST_FILTER=${3:-*} GTEST_TOTAL_SHARDS=$shards GTEST_SHARD_INDEX=$shard timeout 600 \
+    GTEST_TOTAL_SHARDS=$shards GTEST_SHARD_INDEX=$shard timeout 600 \
       "${fixed_addresses[@]}" "build/$1/tests/$2" > "$scratch/shard$shard" 2>&1 &
     running[shard]=$!
   done
@@ -191,8 +191,7 @@ if build asan -- core_tests server_tests; then
   googletest asan server_tests
 fi
 if build tsan -- server_tests; then
-  # Without the gallery's pictures, which are many minutes of one picture like another.
-  googletest tsan server_tests '-*Golden*'
+  googletest tsan server_tests
 fi
 if build fuzz -- request_fuzz scene_fuzz query_fuzz; then
   fuzz

@@ -5,10 +5,8 @@
 #include <time.h>
 
 #include <algorithm>
-#include <asio/ip/v6_only.hpp>
 #include <asio/post.hpp>
 #include <asio/steady_timer.hpp>
-#include <list>
 #include <new>
 #include <optional>
 #include <stdexcept>
@@ -16,6 +14,7 @@
 #include <vector>
 
 #include "server/http/connection.h"
+#include "server/http/doors.h"
 
 namespace tia::server {
 namespace {
@@ -23,8 +22,7 @@ namespace {
 using asio::ip::tcp;
 using std::chrono::milliseconds;
 
-constexpr int backlog = 4096;  // connections that wait to be accepted
-constexpr milliseconds tick{20}, breath{50};
+constexpr milliseconds tick{20};
 
 // Every connection is a descriptor, and a few are ours: as many as the system lets us have.
 void allow_descriptors(int connections) {
@@ -45,14 +43,16 @@ void allow_descriptors(int connections) {
 class HttpServer::Listener {
  public:
   Listener(HttpOptions options, Application application)
-      : house_(std::move(options), std::move(application)) {
+      : house_(std::move(options), std::move(application)),
+        doors_(
+            house_.io, house_.options.host, house_.options.port,
+            [this](tcp::socket socket) { welcome(std::move(socket)); }, [this] { make_room(); }) {
     allow_descriptors(house_.options.connections);
     tzset();  // reads the zone's file, which strftime would do at the first answer
-    listen();
   }
   ~Listener() { house_.workers.join(); }
 
-  int port() const { return port_; }
+  int port() const { return doors_.port(); }
   int connections() const { return house_.open; }
 
   void run() {
@@ -69,13 +69,6 @@ class HttpServer::Listener {
   }
 
  private:
-  // One of the addresses that clients come to, and its rests when it cannot let them in.
-  struct Door {
-    explicit Door(asio::io_context& io) : acceptor(io), resting(io) {}
-    tcp::acceptor acceptor;
-    asio::steady_timer resting;
-    int calls = 0;  // of accept(): only the last goes on
-  };
   struct Stopping {
     Clock::time_point at;
     milliseconds limit;
@@ -83,9 +76,6 @@ class HttpServer::Listener {
 
   bool has_run();
   void resume();
-  void listen();
-  void open(const tcp::endpoint& endpoint);
-  void accept(Door& door);
   void welcome(tcp::socket socket);
   bool make_room();
   template <class Which>
@@ -108,11 +98,10 @@ class HttpServer::Listener {
   }
 
   House house_;
-  std::list<Door> doors_;
+  Doors doors_;
   asio::steady_timer ticking_{house_.io}, closing_{house_.io};
   std::optional<Stopping> stopping_;
   bool keeps_time_ = false, is_shut_ = false;
-  int port_ = 0;
 };
 
 // Returns: false where memory ran out before all was done.
@@ -130,59 +119,9 @@ bool HttpServer::Listener::has_run() {
 // the same for them.
 void HttpServer::Listener::resume() {
   house_.io.restart();
-  for (Door& door : doors_) {
-    if (!door.acceptor.is_open()) continue;
-    asio::error_code error;
-    door.acceptor.cancel(error);
-    accept(door);
-  }
+  doors_.let_in();
   if (stopping_ && !is_shut_) wait_to_close();
   keep_time();
-}
-
-// Every address that the host's name stands for, all on one port.
-void HttpServer::Listener::listen() {
-  const HttpOptions& options = house_.options;
-  port_ = options.port;
-  const char* hint = "";
-  try {
-    tcp::resolver resolver(house_.io);
-    const auto found = resolver.resolve(options.host, std::to_string(options.port),
-                                        tcp::resolver::passive | tcp::resolver::numeric_service);
-    hint = " (the address is in use or not this machine's)";
-    for (const auto& entry : found)
-      open({entry.endpoint().address(), static_cast<unsigned short>(port_)});
-  } catch (const std::system_error& error) {
-    throw std::runtime_error("cannot listen on " + options.host + " port " + std::to_string(port_) +
-                             ": " + error.code().message() + hint);
-  }
-}
-
-void HttpServer::Listener::open(const tcp::endpoint& endpoint) {
-  tcp::acceptor& acceptor = doors_.emplace_back(house_.io).acceptor;
-  acceptor.open(endpoint.protocol());
-  // Not SO_REUSEPORT, with which two servers share one port unawares.
-  acceptor.set_option(tcp::acceptor::reuse_address(true));
-  if (endpoint.address().is_v6())  // of :: alone, IPv4 is a part
-    acceptor.set_option(asio::ip::v6_only(!endpoint.address().is_unspecified()));
-  acceptor.bind(endpoint);
-  acceptor.listen(backlog);
-  acceptor.non_blocking(true);
-  port_ = acceptor.local_endpoint().port();
-}
-
-void HttpServer::Listener::accept(Door& door) {
-  const int call = ++door.calls;
-  door.acceptor.async_accept([this, &door, call](asio::error_code error, tcp::socket socket) {
-    if (error == asio::error::operation_aborted || !door.acceptor.is_open()) return;
-    if (!error) welcome(std::move(socket));
-    if (call != door.calls) return;  // a later one waits
-    if (!error) return accept(door);
-    // Most likely there are no descriptors left, which the system says even if nobody has come.
-    door.acceptor.wait(tcp::acceptor::wait_read, error);
-    if (!error) make_room();
-    after(door.resting, breath, [this, &door] { accept(door); });
-  });
 }
 
 void HttpServer::Listener::welcome(tcp::socket socket) {
@@ -252,16 +191,7 @@ void HttpServer::Listener::wait_to_close() {
 
 void HttpServer::Listener::close_doors() {
   house_.closing = true;
-  std::vector<tcp::socket> last;  // those who have come before the door closes
-  for (Door& door : doors_) {
-    asio::error_code error;
-    while (!error && last.size() < std::size_t{backlog})
-      last.push_back(door.acceptor.accept(error));
-    if (error && !last.empty()) last.pop_back();
-    door.acceptor.close(error);
-    door.resting.cancel();
-  }
-  for (tcp::socket& socket : last) welcome(std::move(socket));
+  for (tcp::socket& socket : doors_.close()) welcome(std::move(socket));
   for_each_connection([](Connection& connection) { connection.retire(); });
   after(closing_, stopping_->limit,
         [this] { for_each_connection([](Connection& connection) { connection.give_up(); }); });

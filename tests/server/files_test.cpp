@@ -1,7 +1,6 @@
 // After start the server opens no file and keeps no descriptor.
 #include <sys/resource.h>
 
-#include <iterator>
 #include <optional>
 
 #include "tests/server/process_support.h"
@@ -25,11 +24,6 @@ constexpr const char* targets[] = {"/",
                                    "/nowhere",
                                    "/scenes/..%2f..%2fetc%2fpasswd"};
 
-std::size_t descriptors(const Tia& tia) {
-  const fs::directory_iterator each(tia.proc("fd"));
-  return static_cast<std::size_t>(std::distance(begin(each), end(each)));
-}
-
 // With no descriptor left to give, whatever opens a file fails.
 TEST(Files, EveryAnswerIsGivenWithoutOpeningOne) {
   Tia tia;
@@ -38,7 +32,7 @@ TEST(Files, EveryAnswerIsGivenWithoutOpeningOne) {
   connection.send("GET /healthz HTTP/1.1\r\nHost: x\r\n\r\n");
   ASSERT_EQ(connection.receive().status, 200);
   // A sanitizer's check of virtual calls needs some now and then.
-  const rlim_t left = descriptors(tia) + (sanitized ? 8 : 0);
+  const rlim_t left = entries(tia, "fd") + (sanitized ? 8 : 0);
   const rlimit none{left, left};
   ASSERT_EQ(prlimit(tia.pid(), RLIMIT_NOFILE, &none, nullptr), 0);
   for (const char* target : targets) {
@@ -66,10 +60,10 @@ TEST(Files, NoneIsOpenButTheStandardStreams) {
 
 TEST(Files, DescriptorsGoBackToTheStartAfterManyConnections) {
   Tia tia;
-  const std::size_t before = descriptors(tia);
+  const std::size_t before = entries(tia, "fd");
   for (int i = 0; i < 200; ++i) tia.get(targets[static_cast<std::size_t>(i) % std::size(targets)]);
   for (int i = 0; i < 20; ++i) Connection(tia.port()).send("GET /");
-  EXPECT_TRUE(eventually([&] { return descriptors(tia) <= before; })) << descriptors(tia);
+  EXPECT_TRUE(eventually([&] { return entries(tia, "fd") <= before; })) << entries(tia, "fd");
 }
 
 TEST(Files, AServerWhoseFolderIsGoneServesAllTheSame) {

@@ -8,6 +8,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <iterator>
 #include <sstream>
 #include <stdexcept>
 #include <string_view>
@@ -102,5 +103,16 @@ httplib::Client Tia::client() const {
   return client;
 }
 Response Tia::get(const std::string& target) const { return plain(client().Get(target.c_str())); }
+
+long kilobytes(const Process& process, const std::string& name) {
+  std::istringstream lines(file_bytes(process.proc("status")));
+  for (std::string line; std::getline(lines, line);)
+    if (line.starts_with(name + ':')) return std::stol(line.substr(name.size() + 1));
+  throw std::runtime_error("no " + name);
+}
+std::size_t entries(const Process& process, const char* folder) {
+  const std::filesystem::directory_iterator all(process.proc(folder));
+  return static_cast<std::size_t>(std::distance(begin(all), end(all)));
+}
 
 }  // namespace tia::test

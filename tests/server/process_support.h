@@ -4,6 +4,7 @@
 
 #include <sys/types.h>
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -80,5 +81,12 @@ class Tia : public Process {
   std::string first_line_;
   int port_ = 0;
 };
+
+// ---- what a process holds -------------------------------------------------------------------
+
+/// KiB by that name in /proc/PID/status, such as "VmRSS" now and "VmHWM" at most so far.
+long kilobytes(const Process& process, const std::string& name = "VmRSS");
+/// How many entries a folder of /proc/PID has: of "fd" the open descriptors, of "task" the threads.
+std::size_t entries(const Process& process, const char* folder);
 
 }  // namespace tia::test

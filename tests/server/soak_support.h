@@ -1,7 +1,6 @@
-// What the soak tests share: how long they are, and what a process holds and counts.
+// What the soak tests share: how long they are, and what a server counts.
 #pragma once
 
-#include <cstddef>
 #include <map>
 #include <string>
 
@@ -13,11 +12,6 @@ namespace tia::test {
 /// How many times longer than usual the tests are: the environment's TIA_SOAK.
 double scale();
 int scaled(int count);
-
-// ---- what the process holds -----------------------------------------------------------------
-
-long kilobytes(const Process& tia);
-std::ptrdiff_t entries(const Process& tia, const char* folder);
 
 /// What /metrics says.
 std::map<std::string, double> counters(const Tia& tia);

@@ -155,7 +155,7 @@ TEST(SoakFiles, NoneIsOpenedAfterTheStart) {
   };
   std::map<std::string, std::pair<int, std::size_t>> before;
   for (const std::string& target : targets) before[target] = ask(target);
-  const auto held = static_cast<rlim_t>(entries(tia, "fd")) + (sanitized ? 8 : 0);
+  const rlim_t held = entries(tia, "fd") + (sanitized ? 8 : 0);
   const rlimit none{held, held};
   ASSERT_EQ(::prlimit(tia.pid(), RLIMIT_NOFILE, &none, nullptr), 0);
   for (const std::string& target : targets) {

@@ -1,0 +1,85 @@
+#include "server/http/doors.h"
+
+#include <asio/ip/v6_only.hpp>
+#include <stdexcept>
+#include <utility>
+
+namespace tia::server {
+namespace {
+
+using asio::ip::tcp;
+
+constexpr std::size_t backlog = 4096;  // connections that wait to be accepted
+constexpr std::chrono::milliseconds breath{50};
+
+}  // namespace
+
+Doors::Doors(asio::io_context& io, const std::string& host, int port, Welcome welcome,
+             std::function<void()> make_room)
+    : io_(io), welcome_(std::move(welcome)), make_room_(std::move(make_room)), port_(port) {
+  const char* hint = "";
+  try {
+    tcp::resolver resolver(io);
+    const auto found = resolver.resolve(host, std::to_string(port),
+                                        tcp::resolver::passive | tcp::resolver::numeric_service);
+    hint = " (the address is in use or not this machine's)";
+    for (const auto& entry : found)
+      open({entry.endpoint().address(), static_cast<unsigned short>(port_)});
+  } catch (const std::system_error& error) {
+    throw std::runtime_error("cannot listen on " + host + " port " + std::to_string(port_) + ": " +
+                             error.code().message() + hint);
+  }
+}
+
+void Doors::open(const tcp::endpoint& endpoint) {
+  tcp::acceptor& acceptor = doors_.emplace_back(io_).acceptor;
+  acceptor.open(endpoint.protocol());
+  // Not SO_REUSEPORT, with which two servers share one port unawares.
+  acceptor.set_option(tcp::acceptor::reuse_address(true));
+  if (endpoint.address().is_v6())  // of :: alone, IPv4 is a part
+    acceptor.set_option(asio::ip::v6_only(!endpoint.address().is_unspecified()));
+  acceptor.bind(endpoint);
+  acceptor.listen(static_cast<int>(backlog));
+  acceptor.non_blocking(true);
+  port_ = acceptor.local_endpoint().port();
+}
+
+void Doors::let_in() {
+  for (Door& door : doors_) {
+    if (!door.acceptor.is_open()) continue;
+    asio::error_code error;
+    door.acceptor.cancel(error);
+    accept(door);
+  }
+}
+
+void Doors::accept(Door& door) {
+  const int call = ++door.calls;
+  door.acceptor.async_accept([this, &door, call](asio::error_code error, tcp::socket socket) {
+    if (error == asio::error::operation_aborted || !door.acceptor.is_open()) return;
+    if (!error) welcome_(std::move(socket));
+    if (call != door.calls) return;  // a later one waits
+    if (!error) return accept(door);
+    // Most likely there are no descriptors left, which the system says even if nobody has come.
+    door.acceptor.wait(tcp::acceptor::wait_read, error);
+    if (!error) make_room_();
+    door.resting.expires_after(breath);
+    door.resting.async_wait([this, &door](asio::error_code interrupted) {
+      if (!interrupted) accept(door);
+    });
+  });
+}
+
+std::vector<tcp::socket> Doors::close() {
+  std::vector<tcp::socket> last;
+  for (Door& door : doors_) {
+    asio::error_code error;
+    while (!error && last.size() < backlog) last.push_back(door.acceptor.accept(error));
+    if (error && !last.empty()) last.pop_back();
+    door.acceptor.close(error);
+    door.resting.cancel();
+  }
+  return last;
+}
+
+}  // namespace tia::server
