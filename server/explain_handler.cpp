@@ -80,10 +80,12 @@ Explanation explanation_of(const ExplainRequest& asked, const Service& service,
                            const std::stop_token& stop) {
   const SharedScene scene = scene_of(asked, service.studio);
   const RenderOptions options = options_of(asked, *scene, service);
+  World world = compile(*scene, stop);
   if (asked.ray)
-    return explain(*scene, {asked.ray->origin, normalize(asked.ray->direction)}, options, stop);
+    return explain(*scene, std::move(world), {asked.ray->origin, normalize(asked.ray->direction)},
+                   options, stop);
   const View view = view_of(scene->camera, asked.width, asked.height);
-  return explain(*scene, view, *asked.x, *asked.y, asked.sample, options, stop);
+  return explain(*scene, std::move(world), view, *asked.x, *asked.y, asked.sample, options, stop);
 }
 
 ExplainRequest asked_in_body(const Request& request, Service& service) {

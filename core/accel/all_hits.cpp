@@ -6,9 +6,16 @@
 namespace tia {
 namespace {
 
+constexpr std::int64_t most_work = 4'000'000;
+
+[[noreturn]] void fail(const std::string& allowed) {
+  throw InputError({FaultKind::limit, "", std::nullopt, allowed});
+}
+
 class Collector {
  public:
-  Collector(const World& world, std::vector<Meeting>& found) : world_(world), found_(found) {}
+  Collector(const Geometry& geometry, std::vector<Meeting>& found, Effort& effort)
+      : geometry_(geometry), found_(found), effort_(effort) {}
 
   void through(const Space& space, Packet<double>& packet) {
     for (const std::uint32_t i : space.rest) meet(space.items[i], packet);
@@ -17,20 +24,15 @@ class Collector {
   }
 
  private:
-  static constexpr std::int64_t most_work = 4'000'000;
-
-  [[noreturn]] static void fail(const std::string& allowed) {
-    throw InputError({FaultKind::limit, "", std::nullopt, allowed});
-  }
   void meet(const Item& item, Packet<double>& packet) {
     const auto at = static_cast<std::size_t>(item.index);
     switch (item.kind) {
-      case Item::ball: return meet(world_.balls[at], packet);
-      case Item::flat: return meet_part(world_.flats[at].part, packet);
+      case Item::ball: return meet(geometry_.balls[at], packet);
+      case Item::flat: return meet_part(geometry_.flats[at].part, packet);
       case Item::part: return meet_part(item.index, packet);
       case Item::mesh: return meet_mesh(item.index, packet);
-      case Item::solid: return meet(world_.solids[at], packet);
-      case Item::copies: return meet(world_.copies[at], packet);
+      case Item::solid: return meet(geometry_.solids[at], packet);
+      case Item::copies: return meet(geometry_.copies[at], packet);
     }
   }
   void add(double t, int part, int element, const Packet<double>& packet) {
@@ -41,24 +43,24 @@ class Collector {
   }
   void meet(const Solid& solid, Packet<double>& packet) {
     effort_.test(solid.work);
-    for (const Boundary& each : spans(solid, world_.parts, Lines<double>(packet.root)[0]))
+    for (const Boundary& each : spans(solid, geometry_.parts, Lines<double>(packet.root)[0]))
       add(each.t, each.part, each.element, packet);
   }
   void meet(const Ball& ball, Packet<double>& packet) {
     if (ball.grid < 0) return meet_part(ball.part, packet);
-    const Copies& grid = world_.copies[static_cast<std::size_t>(ball.grid)];
+    const Copies& grid = geometry_.copies[static_cast<std::size_t>(ball.grid)];
     Packet<double> inside =
         packet.seen_through(grid.to_group).inside_copy(grid.offset(ball.copy), ball.copy);
     meet_part(ball.part, inside);
   }
   void meet_part(int part, Packet<double>& packet) {
-    effort_.test(world_.part(part).work);
-    crossings(world_.part(part), Lines<double>(packet.root)[0],
+    effort_.test(geometry_.part(part).work);
+    crossings(geometry_.part(part), Lines<double>(packet.root)[0],
               [&](double t, int element) { add(t, part, element, packet); });
   }
   void meet_mesh(int part, Packet<double>& packet) {
-    const Part& own = world_.part(part);
-    const MeshIndex& mesh = world_.meshes[static_cast<std::size_t>(own.mesh)];
+    const Part& own = geometry_.part(part);
+    const MeshIndex& mesh = *geometry_.meshes[static_cast<std::size_t>(own.mesh)];
     Packet<double> inside = packet.seen_through(own.to_object);
     const RayFrame<double> frame = frame_of(inside);
     traverse(mesh.bvh, inside.box, true, endless_, effort_, [&](std::uint32_t i, bool, bool) {
@@ -71,21 +73,17 @@ class Collector {
   void meet(const Copies& grid, Packet<double>& packet) {
     const Packet<double> outside = packet.seen_through(grid.to_group);
     const int before = packet.copy * static_cast<int>(grid.repeat.copies());
-    const Space& space = world_.spaces[static_cast<std::size_t>(grid.inside)];
+    const Space& space = geometry_.spaces[static_cast<std::size_t>(grid.inside)];
     traverse(grid, outside.box, true, endless_, effort_, [&](int copy, bool) {
       Packet<double> inside = outside.inside_copy(grid.offset(copy), before + copy);
       through(space, inside);
     });
   }
 
-  const World& world_;
+  const Geometry& geometry_;
   std::vector<Meeting>& found_;
+  Effort& effort_;
   double endless_ = Aabb::far;
-  std::int64_t work_ = 0;
-  Effort effort_{[this](std::int64_t portion) {
-    work_ += portion;
-    if (work_ > most_work) fail("a ray that is tried on less: too much overlaps");
-  }};
 };
 
 // Two triangles of one mesh met at one place: their shared edge or corner.
@@ -99,8 +97,14 @@ bool same_place(const World& world, const Meeting& a, const Meeting& b) {
 
 std::vector<Meeting> all_hits(const World& world, const Ray<double>& ray) {
   std::vector<Meeting> found;
+  std::int64_t work = 0;
+  Effort effort([&](std::int64_t portion) {
+    work += portion;
+    if (work > most_work) fail("a ray that is tried on less: too much overlaps");
+  });
   Packet<double> packet(ray);
-  Collector(world, found).through(world.spaces.front(), packet);
+  for (const Geometry* each : world.geometries())
+    Collector(*each, found, effort).through(each->spaces.front(), packet);
   std::sort(found.begin(), found.end(), [](const Meeting& a, const Meeting& b) {
     return std::tie(a.t, a.part, a.copy, a.element) < std::tie(b.t, b.part, b.copy, b.element);
   });

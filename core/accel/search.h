@@ -1,5 +1,5 @@
-// The search of rays through the world: spaces, their indices, and all kinds of things in them.
-// What is searched for is the query's business.
+// The search of rays through the world: its geometries, their spaces with their indices, and all
+// kinds of things in them. What is searched for is the query's business.
 #pragma once
 
 #include <array>
@@ -53,8 +53,8 @@ struct AnyHit {
 template <class Real, class Query>
 class Search {
  public:
-  Search(const World& world, Query& query, Effort& effort)
-      : world_(world), query_(query), effort_(effort) {}
+  Search(const Geometry& geometry, Query& query, Effort& effort)
+      : geometry_(geometry), query_(query), effort_(effort) {}
 
   void through(const Space& space, Packet<Real>& packet, Mask<Real> active) {
     for (const std::uint32_t i : space.rest) meet(space.items[i], packet, active);
@@ -74,12 +74,12 @@ class Search {
 
   void meet(const Item& item, Packet<Real>& packet, Mask<Real> here) {
     switch (item.kind) {
-      case Item::ball: return meet(world_.balls[at(item)], packet, here);
-      case Item::flat: return meet(world_.flats[at(item)], packet, here);
+      case Item::ball: return meet(geometry_.balls[at(item)], packet, here);
+      case Item::flat: return meet(geometry_.flats[at(item)], packet, here);
       case Item::part: return meet_part(item.index, packet, here);
       case Item::mesh: return meet_mesh(item.index, packet, here);
-      case Item::solid: return meet(world_.solids[at(item)], packet, here);
-      case Item::copies: return meet(world_.copies[at(item)], packet, here);
+      case Item::solid: return meet(geometry_.solids[at(item)], packet, here);
+      case Item::copies: return meet(geometry_.copies[at(item)], packet, here);
     }
   }
   static std::size_t at(const Item& item) { return static_cast<std::size_t>(item.index); }
@@ -120,7 +120,7 @@ class Search {
   }
   void meet_part(int part, Packet<Real>& packet, Mask<Real> here) {
     if (query_.skips(part, packet.copy)) return;
-    const Part& own = world_.part(part);
+    const Part& own = geometry_.part(part);
     meet_lanes(packet, here, own.work, [&](const Line& line) -> Boundary {
       const Crossing hit = nearest_crossing(own, line);
       return {hit.t, part, hit.element};
@@ -128,7 +128,7 @@ class Search {
   }
   void meet(const Solid& solid, Packet<Real>& packet, Mask<Real> here) {
     meet_lanes(packet, here, solid.work, [&](const Line& line) -> Boundary {
-      for (const Boundary& each : spans(solid, world_.parts, line))
+      for (const Boundary& each : spans(solid, geometry_.parts, line))
         if (each.t > 0) return each;
       return {Aabb::far, 0, 0};
     });
@@ -136,8 +136,8 @@ class Search {
 
   void meet_mesh(int part, Packet<Real>& packet, Mask<Real> here) {
     if (query_.skips(part, packet.copy)) return;
-    const Part& own = world_.part(part);
-    const MeshIndex& mesh = world_.meshes[static_cast<std::size_t>(own.mesh)];
+    const Part& own = geometry_.part(part);
+    const MeshIndex& mesh = *geometry_.meshes[static_cast<std::size_t>(own.mesh)];
     Packet<Real> inside = packet.seen_through(own.to_object);
     const RayFrame<Precise<Real>> frame = frame_of(inside);
     traverse(mesh.bvh, inside.box, here, query_.limit(), effort_,
@@ -153,7 +153,7 @@ class Search {
   void meet(const Copies& grid, Packet<Real>& packet, Mask<Real> here) {
     const Packet<Real> outside = packet.seen_through(grid.to_group);
     const int before = packet.copy * static_cast<int>(grid.repeat.copies());
-    const Space& space = world_.spaces[static_cast<std::size_t>(grid.inside)];
+    const Space& space = geometry_.spaces[static_cast<std::size_t>(grid.inside)];
     traverse(grid, outside.box, here, query_.limit(), effort_, [&](int copy, Mask<Real> entered) {
       Packet<Real> inside = outside.inside_copy(grid.offset(copy), before + copy);
       // The box of a copy of one thing is that thing's.
@@ -162,9 +162,18 @@ class Search {
     });
   }
 
-  const World& world_;
+  const Geometry& geometry_;
   Query& query_;
   Effort& effort_;
 };
+
+/// Tries the rays on everything of the world that may answer the query.
+template <class Real, class Query>
+void search(const World& world, const Ray<Real>& ray, Mask<Real> active, Query& query,
+            Effort& effort) {
+  Packet<Real> packet(ray);
+  for (const Geometry* each : world.geometries())
+    Search<Real, Query>(*each, query, effort).through(each->spaces.front(), packet, active);
+}
 
 }  // namespace tia

@@ -11,8 +11,7 @@ namespace tia {
 template <class Real>
 Hit<Real> closest_hit(const World& world, const Ray<Real>& ray, Mask<Real> active, Effort& effort) {
   Nearest<Real> query;
-  Packet<Real> packet(ray);
-  Search<Real, Nearest<Real>>(world, query, effort).through(world.spaces.front(), packet, active);
+  search(world, ray, active, query, effort);
   return query.hit;
 }
 
@@ -20,8 +19,7 @@ template <class Real>
 Mask<Real> occluded(const World& world, const Ray<Real>& ray, const Real& t_max, const Lamp& lamp,
                     Mask<Real> active, Effort& effort) {
   AnyHit<Real> query{t_max, lamp.part, lamp.copy};
-  Packet<Real> packet(ray);
-  Search<Real, AnyHit<Real>>(world, query, effort).through(world.spaces.front(), packet, active);
+  search(world, ray, active, query, effort);
   return query.blocked();
 }
 
@@ -39,8 +37,7 @@ void walk(const World& world, const Ray<Real>& ray, const Real& t_max, const Lam
     Nearest<Real> query;
     query.own = lamp.part;
     query.own_copy = lamp.copy;
-    Packet<Real> packet(Ray<Real>{from, ray.direction});
-    Search<Real, Nearest<Real>>(world, query, effort).through(world.spaces.front(), packet, going);
+    search(world, Ray<Real>{from, ray.direction}, going, query, effort);
     const Real t = done + query.hit.t;
     going = visit(query.hit, going && t < t_max);
     done = select(going, t + offset_of(t, ray.at(t)), done);
@@ -86,25 +83,26 @@ int blocking_part(const World& world, const Ray<float>& ray, float t_max, const 
 
 namespace {
 
-Affine to_object(const World& world, const Part& part, std::int64_t copy) {
-  return part.space == 0 ? part.to_object : part.to_object * world.to_space(part.space, copy);
+Affine to_object(const Geometry& geometry, const Part& part, std::int64_t copy) {
+  return part.space == 0 ? part.to_object : part.to_object * geometry.to_space(part.space, copy);
 }
 
-MeshPoint mesh_point(const World& world, const Part& part, const Vec3d& local, int element) {
-  return point_of(world.meshes[static_cast<std::size_t>(part.mesh)],
+MeshPoint mesh_point(const Geometry& geometry, const Part& part, const Vec3d& local, int element) {
+  return point_of(*geometry.meshes[static_cast<std::size_t>(part.mesh)],
                   static_cast<std::size_t>(element), local);
 }
 
 }  // namespace
 
 Normals normals_at(const World& world, const Vec3d& p, int part, int element, std::int64_t copy) {
-  const Part& own = world.part(part);
-  const Affine map = to_object(world, own, copy);
+  const Geometry& geometry = world.geometry_of(part);
+  const Part& own = geometry.part(part);
+  const Affine map = to_object(geometry, own, copy);
   const Vec3d local = map.point(p);
   // Normals are carried out by the inverse transpose.
   const auto outwards = [&](const Vec3d& n) { return normalize(map.row(own.inverted ? -n : n)); };
   if (own.mesh >= 0) {
-    const MeshPoint at = mesh_point(world, own, local, element);
+    const MeshPoint at = mesh_point(geometry, own, local, element);
     return {outwards(at.n), outwards(at.ng)};
   }
   const Vec3d n = outwards(
@@ -113,9 +111,10 @@ Normals normals_at(const World& world, const Vec3d& p, int part, int element, st
 }
 
 Vec2d uv_at(const World& world, const Vec3d& p, int part, int element, std::int64_t copy) {
-  const Part& own = world.part(part);
-  const Vec3d local = to_object(world, own, copy).point(p);
-  if (own.mesh >= 0) return mesh_point(world, own, local, element).uv;
+  const Geometry& geometry = world.geometry_of(part);
+  const Part& own = geometry.part(part);
+  const Vec3d local = to_object(geometry, own, copy).point(p);
+  if (own.mesh >= 0) return mesh_point(geometry, own, local, element).uv;
   return std::visit([&](const auto& form) { return uv(form, local, element); }, own.form);
 }
 
@@ -169,8 +168,9 @@ template <class Real>
 Vec3<Real> texture_colors(const World& world, const Ray<Real>& ray, const Hit<Real>& hit, int part,
                           Mask<Real> here) {
   constexpr auto n = static_cast<std::size_t>(lanes<Real>);
+  const Geometry& geometry = world.geometry_of(part);
   const TextureForm& texture =
-      world.textures[static_cast<std::size_t>(world.matter_of(part).texture)];
+      geometry.textures[static_cast<std::size_t>(geometry.matter_of(part).texture)];
   const bool wants_uv = std::holds_alternative<ImageForm>(texture.kind);
   std::array<std::array<LaneOf<Real>, n>, 3> rgb{};
   const Lines<Real> lines{RootRay<Real>(ray)};
@@ -180,7 +180,7 @@ Vec3<Real> texture_colors(const World& world, const Ray<Real>& ray, const Hit<Re
     const auto copy = static_cast<std::int64_t>(lane(hit.copy, i));
     const Line line = lines[at];
     const Vec3d p = line.at(lane(hit.t, i));
-    const Affine map = to_object(world, world.part(part), copy);
+    const Affine map = to_object(geometry, geometry.part(part), copy);
     const Vec2d uv =
         wants_uv ? uv_at(world, p, part, static_cast<int>(lane(hit.element, i)), copy) : Vec2d{};
     // The point is off its surface along the ray, by the rounding of t and of what t is made of.

@@ -147,13 +147,14 @@ SurfacePoint<Real> copied_ball_surface(const Ball& ball, const Copies& grid, con
 template <class Real>
 SurfacePoint<Real> outward_surface(const World& world, const Ray<Real>& ray, const Hit<Real>& hit,
                                    int part, Mask<Real> here) {
-  const Part& own = world.part(part);
+  const Geometry& geometry = world.geometry_of(part);
+  const Part& own = geometry.part(part);
   if (own.space == 0 && own.flat >= 0)
-    return flat_surface(world.flats[static_cast<std::size_t>(own.flat)], ray, hit.t);
+    return flat_surface(geometry.flats[static_cast<std::size_t>(own.flat)], ray, hit.t);
   if (own.space != 0 && own.ball >= 0) {
-    const int number = world.spaces[static_cast<std::size_t>(own.space)].copies;
-    const Copies& grid = world.copies[static_cast<std::size_t>(number)];
-    const Ball& ball = world.balls[static_cast<std::size_t>(own.ball)];
+    const int number = geometry.space(own.space).copies;
+    const Copies& grid = geometry.copies[static_cast<std::size_t>(number)];
+    const Ball& ball = geometry.balls[static_cast<std::size_t>(own.ball)];
     if (grid.outside == 0) return copied_ball_surface(ball, grid, ray, hit);
   }
   return surface_by_lanes(world, ray, hit, part, here);
@@ -163,9 +164,10 @@ SurfacePoint<Real> outward_surface(const World& world, const Ray<Real>& ray, con
 template <class Real>
 SurfacePoint<Real> surface(const World& world, const Ray<Real>& ray, const Hit<Real>& hit, int part,
                            Mask<Real> here) {
-  const Part& own = world.part(part);
+  const Geometry& geometry = world.geometry_of(part);
+  const Part& own = geometry.part(part);
   if (own.space == 0 && own.ball >= 0) {
-    const Ball& ball = world.balls[static_cast<std::size_t>(own.ball)];
+    const Ball& ball = geometry.balls[static_cast<std::size_t>(own.ball)];
     const BallPoint<Real> at = ball_surface(ball, ray, hit.t);
     return {at.p, at.n, at.n, at.front};
   }

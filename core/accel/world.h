@@ -1,114 +1,45 @@
-// World: the compiled, immutable scene that every thread shares. It is a tree of spaces: the world
-// itself, and the inside of each repeated group, which is there once however often it is repeated.
+// World: the compiled, immutable scene that every thread shares: geometry, and what lights it.
 #pragma once
 
 #include <array>
-#include <cstdint>
-#include <memory>
 #include <stop_token>
-#include <string>
 #include <vector>
 
-#include "core/accel/bvh.h"
-#include "core/accel/copies.h"
-#include "core/accel/mesh_index.h"
-#include "core/accel/part.h"
-#include "core/accel/solid.h"
-#include "core/lights/light.h"
-#include "core/math/strata.h"
+#include "core/accel/geometry.h"
 #include "core/scene/beam.h"
-#include "core/scene/scene.h"
 
 namespace tia {
 
-inline bool emits(const Vec3d& light) { return light.x > 0 || light.y > 0 || light.z > 0; }
-
-/// Matter: what shading needs of a material. Linear RGB.
-struct Matter {
-  Constant albedo;    ///< diffuse * color, the colour of a texture left out
-  Constant ambient;   ///< what it sends back of the light from everywhere, that colour left out
-  Constant emission;  ///< light of its own
-  Constant absorption;
-  double brilliance = 1;
-  double specular = 0, exponent = 20;
-  double reflection = 0, transmission = 0, ior = 1;
-  bool fresnel = false;
-  int texture = -1;  ///< which of the world's gives its points their colours; -1: none
-
-  bool operator==(const Matter&) const = default;
-};
-
-/// Lamp: a light that shines on points.
-struct Lamp {
-  LightForm form;
-  Constant middle;           ///< of what has one
-  Constant color;            ///< color * intensity
-  double fade_distance = 0;  ///< 0: it does not fade
-  double fade_power = 0;
-  /// Of its area, that shine; null: its middle alone. Lamps of as many places share them.
-  std::shared_ptr<const Strata> places{};
-  int part = -1;       ///< its own surface, which never blocks it; -1: none
-  int copy = 0;        ///< which copy of it
-  std::string name{};  ///< the JSON Pointer of one of the scene's lights; "": a luminous object
-};
-
-/// Ball: a sphere as whole packets are tried on it, in its space; one of a small grid's in that
-/// where the grid stands.
-struct Ball {
-  Sphere sphere;
-  int part = 0;
-  int grid = -1;  ///< the world's grid of which it is a copy, -1 inside of one and where none is
-  int copy = 0;   ///< which one
-};
-
-/// Flat: a plane as whole packets are tried on it, in its space.
-struct Flat {
-  PlaneForm plane;
-  int part = 0;
-};
-
-/// Item: one thing that a ray is tried on.
-struct Item {
-  enum Kind { ball, flat, part, mesh, solid, copies };
-  Kind kind = ball;
-  int index = 0;  ///< into the world's list of that kind; of a mesh: its part
-};
-
-struct Space {
-  std::vector<Item> items;
-  std::vector<Box32> boxes;         ///< one an item
-  Bvh bvh;                          ///< over the items that have bounds
-  std::vector<std::uint32_t> rest;  ///< the items that have none
-  int copies = -1;                  ///< what repeats it; -1: the world itself
-};
-
+/// World. Moving a light or the camera leaves the objects' geometry as it is, so that worlds share
+/// it; what luminous lights add is little, and has an index of its own.
 struct World {
-  std::vector<Space> spaces;  ///< the first is the world itself
-  std::vector<Part> parts;    ///< in the scene's order, then luminous lights
-  std::vector<Ball> balls;
-  std::vector<Flat> flats;
-  std::vector<MeshIndex> meshes;
-  std::vector<Solid> solids;
-  std::vector<Copies> copies;
-  std::vector<Matter> matters;
-  std::vector<TextureForm> textures;
+  SharedGeometry of_objects;
+  Geometry of_lights;  ///< the surfaces of luminous lights; their parts follow the objects'
   std::vector<Lamp> lamps;
+  /// Where few_balls: all of them, a part each, in order.
+  std::vector<Ball> balls;
   Constant background;
   int objects = 0;                   ///< how many; the luminous lights are the last
   bool transparent_shadows = false;  ///< whether light goes straight through what transmits
   bool few_balls = false;      ///< so few, plain and lit from points, that they are tried in turn
   std::size_t degenerate = 0;  ///< triangles without area, which nothing meets
 
-  const Part& part(int i) const { return parts[static_cast<std::size_t>(i)]; }
-  const Matter& matter_of(int i) const { return matters[static_cast<std::size_t>(part(i).matter)]; }
-  Space& space(int i) { return spaces[static_cast<std::size_t>(i)]; }
-  const Space& space(int i) const { return spaces[static_cast<std::size_t>(i)]; }
-  /// From the world to that copy of a space.
-  Affine to_space(int space, std::int64_t copy) const;
+  /// All that rays can meet, in the order of the parts.
+  std::array<const Geometry*, 2> geometries() const { return {of_objects.get(), &of_lights}; }
+  /// The one that a part is of.
+  const Geometry& geometry_of(int part) const {
+    return part < of_lights.first_part ? *of_objects : of_lights;
+  }
+  const Part& part(int i) const { return geometry_of(i).part(i); }
+  const Matter& matter_of(int i) const { return geometry_of(i).matter_of(i); }
 };
 
 /// Domain: a scene that read_scene has passed. Errors: Stopped once that is asked for.
 World compile(const Scene& scene, const std::stop_token& stop = {});
+/// The same of objects that are compiled already. Domain: geometry_of(scene), or that of a scene
+/// with the same objects, materials and ambient light.
+/// Cost: O(lights + luminous balls).
+World compile(const Scene& scene, SharedGeometry objects, const std::stop_token& stop = {});
 
 /// The balls that rays of a beam may meet, in the scene's order. Domain: world.few_balls.
 std::vector<int> candidates(const World& world, const Beam& beam);

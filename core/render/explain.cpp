@@ -19,16 +19,16 @@ std::unique_ptr<RayNode> tree_of(const World& world, const Ray<float>& ray,
 
 }  // namespace
 
-Explanation explain(const Scene& scene, const Ray<double>& ray, const RenderOptions& options,
-                    const std::stop_token& stop) {
-  Explanation all{compile(scene, stop), object_labels(scene), {}, ray, {}, {}};
+Explanation explain(const Scene& scene, World world, const Ray<double>& ray,
+                    const RenderOptions& options, const std::stop_token& stop) {
+  Explanation all{std::move(world), object_labels(scene), {}, ray, {}, {}};
   all.hits = all_hits(all.world, ray);
   const Ray<float> rounded{lift<float>(ray.origin), normalize(lift<float>(ray.direction))};
   all.tree = tree_of(all.world, rounded, Draws<float>{}, options, stop);
   return all;
 }
 
-Explanation explain(const Scene& scene, const View& view, int x, int y, int sample,
+Explanation explain(const Scene& scene, World world, const View& view, int x, int y, int sample,
                     const RenderOptions& options, const std::stop_token& stop) {
   const Sampler sampler(options.samples, options.threshold, options.seed);
   const bool centered = sampler.centered();
@@ -37,7 +37,7 @@ Explanation explain(const Scene& scene, const View& view, int x, int y, int samp
     const Vec3<Real> center = view.column(static_cast<Real>(x)) + view.row(static_cast<Real>(y));
     return Eye<Real>(view).ray(center, at);
   };
-  Explanation all{compile(scene, stop),
+  Explanation all{std::move(world),
                   object_labels(scene),
                   {},
                   ray(Aim<double>{aim.dx, aim.dy, aim.lens_x, aim.lens_y}),

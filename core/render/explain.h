@@ -31,13 +31,14 @@ struct Explanation {
   std::unique_ptr<RayNode> tree;
 };
 
-/// A ray that belongs to no picture. Domain: a unit direction; an integrator of light.
+/// A ray that belongs to no picture. Domain: the scene's world; a unit direction; an integrator of
+/// light.
 /// Errors: InputError (limit) where it crosses too much or its tree grows too large; Stopped.
-Explanation explain(const Scene& scene, const Ray<double>& ray, const RenderOptions& options,
-                    const std::stop_token& stop = {});
+Explanation explain(const Scene& scene, World world, const Ray<double>& ray,
+                    const RenderOptions& options, const std::stop_token& stop = {});
 /// The ray of the sample of pixel (x, y); its tree's colour is that sample's, bit for bit.
 /// Domain: a pixel of the view, one of the options' samples. Errors: as above.
-Explanation explain(const Scene& scene, const View& view, int x, int y, int sample,
+Explanation explain(const Scene& scene, World world, const View& view, int x, int y, int sample,
                     const RenderOptions& options, const std::stop_token& stop = {});
 
 /// {"pixel", "sample", "hits": [{"t", "object", "type", "point", "normal", "uv", "front"}],

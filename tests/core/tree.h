@@ -15,7 +15,7 @@ inline RenderOptions at_depth(int max_depth) {
 /// What a free ray finds.
 inline std::unique_ptr<RayNode> tree(const Scene& scene, const Vec3d& origin, const Vec3d& way,
                                      const RenderOptions& options = at_depth(5)) {
-  return explain(scene, Ray<double>{origin, normalize(way)}, options).tree;
+  return explain(scene, compile(scene), Ray<double>{origin, normalize(way)}, options).tree;
 }
 
 /// The term of that name, or null.

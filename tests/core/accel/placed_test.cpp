@@ -170,7 +170,7 @@ TEST(Repeat, IsItsCopiesWrittenOut) {
         Repeat{{1, 1, 1}, {0, 0, 0}}, Repeat{{1, 9, 1}, {0, 0.25, 0}}}) {
     const World copies = world_of({repeated(motif(), repeat, place)});
     expect_same(copies, world_of({written_out(motif(), repeat, place)}), 4);
-    EXPECT_EQ(copies.parts.size(), 5U) << "one copy in memory";
+    EXPECT_EQ(copies.of_objects->parts.size(), 5U) << "one copy in memory";
   }
 }
 
@@ -180,7 +180,7 @@ TEST(Repeat, OfRepeatsIsItsCopiesWrittenOut) {
   const World copies = world_of({repeated({repeated(motif(), inner, place)}, outer, above)});
   const World all = world_of({written_out({written_out(motif(), inner, place)}, outer, above)});
   expect_same(copies, all, 3);
-  EXPECT_EQ(copies.parts.size(), 5U);
+  EXPECT_EQ(copies.of_objects->parts.size(), 5U);
 }
 
 TEST(Repeat, CopiesOfOneAreNumberedInTheOrderOfXThenYThenZ) {

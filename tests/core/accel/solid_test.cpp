@@ -41,11 +41,12 @@ double volume(const Object& solid, double reach, int n = 200) {
   Group all;
   all.children = {solid};
   const World world = world_of(any({object_of(all, turned({31, 17, 58}))}));
+  const Geometry& geometry = *world.of_objects;
   const double side = 2 * reach / n;
   double sum = 0;
   for (int i = 0; i < n * n; ++i) {
     const double x = (i % n + 0.5) * side - reach, y = (i / n + 0.5) * side - reach;
-    const Spans& held = spans(world.solids[0], world.parts, {{x, y, 10 * reach}, {0, 0, -1}});
+    const Spans& held = spans(geometry.solids[0], geometry.parts, {{x, y, 10 * reach}, {0, 0, -1}});
     for (std::size_t k = 0; k + 1 < held.size(); k += 2) sum += held[k + 1].t - held[k].t;
   }
   return sum * side * side;
@@ -129,6 +130,7 @@ TEST(Solid, NestedTwentyDeepHoldsJustWhatTheOperationsKeep) {
       solid = csg(operations.back(), {solid, object_of(balls.back())});
     }
     const World world = world_of(solid);
+    const Geometry& geometry = *world.of_objects;
     const auto kept = [&](const Vec3d& p) {
       const auto in = [&](const Sphere& s) { return length(p - s.center) < s.radius; };
       bool inside = in(balls[0]);
@@ -141,7 +143,7 @@ TEST(Solid, NestedTwentyDeepHoldsJustWhatTheOperationsKeep) {
     };
     for (int k = 0; k < 20; ++k) {
       const Ray<double> ray{random.point(3), random.direction()};
-      const Spans& held = spans(world.solids[0], world.parts, ray);
+      const Spans& held = spans(geometry.solids[0], geometry.parts, ray);
       for (double t = -9.987; t < 10; t += 0.0371) {
         bool inside = false, near = false;
         for (const Boundary& each : held) {
@@ -191,7 +193,7 @@ TEST(Solid, GroupAsOperandIsTheUnionOfItsChildrenInItsPlace) {
 
 TEST(Solid, OfNothingIsNeverHitAndIsInNoIndex) {
   const World apart = world_of(both({ball({-3, 0, 0}, 1), ball({3, 0, 0}, 1)}));
-  EXPECT_TRUE(apart.spaces[0].items.empty());
+  EXPECT_TRUE(apart.of_objects->spaces[0].items.empty());
   const World gone = world_of(cut({ball({}, 1), ball({}, 2)}));
   const World same = world_of(cut({ball({}, 1), ball({}, 1)}));
   const Object box = object_of(Box{{-1, -1, -1}, {1, 1, 1}}, turned({30, 20, 10}));

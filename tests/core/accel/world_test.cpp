@@ -81,7 +81,7 @@ TEST(World, ClosestHitIsTheNearestOfAllObjects) {
   Random random(90);
   int hits = 0;
   for (int i = 0; i < 500; ++i) {
-    const World world = compile(test::random_scene(static_cast<std::uint64_t>(i), 20));
+    const World world = compile(test::random_scene(static_cast<std::uint64_t>(i), 12));
     for (int k = 0; k < 20; ++k) {
       const Ray<double> ray{random.point(3), random.direction()};
       double nearest = infinity;
@@ -185,7 +185,7 @@ TEST(World, SurfaceFacesTheViewer) {
 // ---- candidates -------------------------------------------------------------------------------
 
 TEST(World, CandidatesKeepTheScenesOrder) {
-  const World world = compile(test::random_scene(91, 40));
+  const World world = compile(test::random_scene(91, 12));
   const View view = view_of({}, 640, 480);
   const auto found = candidates(world, Beam(view, 0, 0, 640, 480));
   EXPECT_TRUE(std::is_sorted(found.begin(), found.end()));

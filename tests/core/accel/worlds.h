@@ -104,7 +104,7 @@ inline Scene mixed_scene(Random& random, int objects, double scale) {
 
 /// The world with nothing left out of any search: all that has bounds moved to the list of what
 /// has none, and each mesh one leaf.
-inline World without_index(World world) {
+inline Geometry without_index(Geometry geometry) {
   const auto as_leaf = [](std::vector<std::uint32_t> all) {
     Bvh leaf;
     if (!all.empty()) {
@@ -115,13 +115,22 @@ inline World without_index(World world) {
     leaf.order = std::move(all);
     return leaf;
   };
-  for (Space& space : world.spaces) {
+  for (Space& space : geometry.spaces) {
     space.rest.resize(space.items.size());
     std::iota(space.rest.begin(), space.rest.end(), 0U);
     space.bvh = {};
   }
-  for (MeshIndex& mesh : world.meshes) mesh.bvh = as_leaf(mesh.bvh.order);
-  for (Copies& copies : world.copies) copies.box = {{-1e30, -1e30, -1e30}, {1e30, 1e30, 1e30}};
+  for (SharedMesh& mesh : geometry.meshes) {
+    MeshIndex plain = *mesh;
+    plain.bvh = as_leaf(mesh->bvh.order);
+    mesh = std::make_shared<const MeshIndex>(std::move(plain));
+  }
+  for (Copies& copies : geometry.copies) copies.box = {{-1e30, -1e30, -1e30}, {1e30, 1e30, 1e30}};
+  return geometry;
+}
+inline World without_index(World world) {
+  world.of_objects = std::make_shared<const Geometry>(without_index(*world.of_objects));
+  world.of_lights = without_index(std::move(world.of_lights));
   world.few_balls = false;
   return world;
 }
@@ -130,7 +139,7 @@ inline World without_index(World world) {
 /// axes, or through places that boxes begin at.
 inline Ray<double> random_ray(Random& random, double scale, const World& world) {
   Ray<double> ray{random.point(15) * scale, random.direction()};
-  const auto& boxes = world.spaces.front().boxes;
+  const auto& boxes = world.of_objects->spaces.front().boxes;
   const Box32& box = boxes[static_cast<std::size_t>(random.below(static_cast<int>(boxes.size())))];
   switch (random.below(8)) {
     case 0: ray.direction.x = 0; break;

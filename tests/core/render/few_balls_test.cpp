@@ -158,7 +158,7 @@ TEST(FewBalls, ExplainedPixelsHaveThePicturesColour) {
     for (int i = 0; i < 100; ++i) {
       const int x = random.below(image.width), y = random.below(image.height);
       const float* pixel = image.at(x, y);
-      EXPECT_EQ(explain(scene, view, x, y, 0, as_thesis()).tree->color,
+      EXPECT_EQ(explain(scene, compile(scene), view, x, y, 0, as_thesis()).tree->color,
                 (Vec3f{pixel[0], pixel[1], pixel[2]}))
           << seed << ": " << x << " " << y;
     }

@@ -54,7 +54,7 @@ TEST(Tree, AddsUpToThePictureBitForBit) {
     Random random(430);
     for (int i = 0; i < 300; ++i) {
       const int x = random.below(width), y = random.below(height);
-      const Explanation why = explain(scene, view, x, y, 0, options);
+      const Explanation why = explain(scene, compile(scene), view, x, y, 0, options);
       EXPECT_TRUE(adds_up(*why.tree)) << x << " " << y;
       const float* pixel = image.at(x, y);
       EXPECT_EQ(why.tree->color, (Vec3f{pixel[0], pixel[1], pixel[2]})) << x << " " << y;
@@ -72,7 +72,8 @@ TEST(Tree, SamplesOfAPixelHaveItsMean) {
   for (const auto& [x, y] : {std::pair{20, 20}, std::pair{40, 30}, std::pair{25, 40}}) {
     Vec3d sum{};
     for (int sample = 0; sample < 5; ++sample)
-      sum = sum + static_cast<Vec3d>(explain(scene, view, x, y, sample, options).tree->color);
+      sum = sum + static_cast<Vec3d>(
+                      explain(scene, compile(scene), view, x, y, sample, options).tree->color);
     const float* pixel = image.at(x, y);
     expect_near({pixel[0], pixel[1], pixel[2]}, sum * 0.2, 1e-6);
   }

@@ -62,11 +62,11 @@ TEST(Work, OfTheSearchForABlockerIsBoundedToo) {
   options.max_work = 200'000;
   EXPECT_NO_THROW(test::picture(scene, 1, 1, options));
   const Ray<double> ray{{0, 0, -1}, {0, 0, 1}};
-  const auto faults = faults_of([&] { explain(scene, ray, options); });
+  const auto faults = faults_of([&] { explain(scene, compile(scene), ray, options); });
   ASSERT_EQ(faults.size(), 1U);
   EXPECT_EQ(faults.front().kind, FaultKind::limit);
   options.max_work = 20'000'000;
-  EXPECT_EQ(explain(scene, ray, options).tree->terms.back().light.blocker, 0);
+  EXPECT_EQ(explain(scene, compile(scene), ray, options).tree->terms.back().light.blocker, 0);
 }
 
 TEST(Work, StopsWithinARayWhenItIsToldTo) {
@@ -86,8 +86,9 @@ TEST(Work, StopsWithinARayWhenItIsToldTo) {
 TEST(Work, OfCostlySurfacesCountsMore) {
   // A term of a polynomial costs a line as much as a ball does; so does an operand of a solid.
   const auto work_of_first = [](const char* object) {
-    const World world = compile(read_scene(std::string(R"({"objects":[)") + object + "]}"));
-    return world.solids.empty() ? world.parts.front().work : world.solids.front().work;
+    const Geometry geometry =
+        geometry_of(read_scene(std::string(R"({"objects":[)") + object + "]}"));
+    return geometry.solids.empty() ? geometry.parts.front().work : geometry.solids.front().work;
   };
   const int box = work_of_first(R"({"type":"box","min":[0,0,0],"max":[1,1,1]})");
   EXPECT_EQ(box, 1);

@@ -1,4 +1,5 @@
-// WorldBuilder: puts surfaces, solids and grids into the spaces of a world, and indexes them there.
+// GeometryBuilder: puts surfaces, solids and grids into the spaces of a geometry, and indexes them
+// there.
 // Of scenes it knows nothing (compile.cpp).
 #pragma once
 
@@ -7,13 +8,13 @@
 #include <utility>
 #include <vector>
 
-#include "core/accel/world.h"
+#include "core/accel/geometry.h"
 
 namespace tia {
 
-/// Setting: how a surface stands in a world.
+/// Setting: how a surface stands in a geometry.
 struct Setting {
-  Affine place{};  ///< from its own space to the world's space where it stands
+  Affine place{};  ///< from its own space to the geometry's space where it stands
   int matter = 0;
   int space = 0;
   bool inverted = false;  ///< whether it is cut out of a solid
@@ -26,26 +27,27 @@ int pushed(List& list, T&& value) {
   return static_cast<int>(list.size()) - 1;
 }
 
-class WorldBuilder {
+class GeometryBuilder {
  public:
-  /// Domain: a world without spaces; it and the token outlive the builder. Stopped is what all
+  /// Domain: a geometry without spaces; it and the token outlive the builder. Stopped is what all
   /// functions throw once that is requested.
-  WorldBuilder(World& world, const std::stop_token& stop) : world_(world), stop_(stop) {
-    world_.spaces.emplace_back();
+  GeometryBuilder(Geometry& geometry, const std::stop_token& stop)
+      : geometry_(geometry), stop_(stop) {
+    geometry_.spaces.emplace_back();
   }
 
   /// An object that is one surface. Returns: its part.
   int add(Form form, const Setting& at);
-  int add(const Mesh& mesh, const Setting& at);
+  int add(SharedMesh mesh, const Setting& at);
   /// A surface that belongs to an object, and that nothing meets but the object's solid.
   int add_part(Form form, const Setting& at, int object);
-  /// Its parts are in the world. Space/units: the box is in that space.
+  /// Its parts are there already. Space/units: the box is in that space.
   void add(Solid solid, const Aabb& box, int space);
   /// A grid, whose inside takes what comes until it ends. Space/units: the box of one copy is in
-  /// the grid's own space. Returns: which of the world's copies it is.
+  /// the grid's own space. Returns: which of the geometry's copies it is.
   int begin_grid(const Repeat& repeat, const Aabb& box, const Setting& at);
   void end_grid(int grid, const Setting& at);
-  /// Indexes all that is there. Domain: a world that has its matters and lamps, too.
+  /// Indexes all that is there.
   void finish();
 
  private:
@@ -56,7 +58,7 @@ class WorldBuilder {
   bool is_small(const Copies& grid) const;
   void index(Space& space, const std::vector<Aabb>& boxes);
 
-  World& world_;
+  Geometry& geometry_;
   const std::stop_token& stop_;
   std::map<int, std::vector<Aabb>> boxes_;  // one an item, space by space
 };

@@ -1,0 +1,81 @@
+#include "core/accel/geometry.h"
+
+#include <type_traits>
+
+namespace tia {
+
+Affine Geometry::to_space(int space, std::int64_t copy) const {
+  const int repeated_by = spaces[static_cast<std::size_t>(space)].copies;
+  if (repeated_by < 0) return {};
+  const Copies& grid = copies[static_cast<std::size_t>(repeated_by)];
+  const std::int64_t all = grid.repeat.copies();
+  const Affine to_copy = Affine::translation(-grid.offset(copy % all));
+  return to_copy * grid.to_group * to_space(grid.outside, copy / all);
+}
+
+SharedMesh indexed(const Mesh& mesh, const std::stop_token& stop) {
+  return std::make_shared<const MeshIndex>(mesh, stop);
+}
+
+// ---- how much memory it holds ---------------------------------------------------------------
+
+namespace {
+
+constexpr std::size_t block = 16;  // what the allocator adds to each piece
+
+template <class T>
+concept Plain = std::is_trivially_copyable_v<T>;
+template <class T>
+concept Ramped = requires(const T& form) {
+  form.ramp;
+};
+
+template <class T>
+std::size_t heap_of(const std::vector<T>& list) {
+  return list.capacity() > 0 ? block + list.capacity() * sizeof(T) : 0;
+}
+std::size_t heap_of(const AlgebraicForm& form) { return heap_of(form.terms); }
+std::size_t heap_of(const ImageForm& form) {
+  return form.pixels ? 2 * block + sizeof(Image8) + heap_of(form.pixels->rgb) : 0;
+}
+template <Ramped T>
+std::size_t heap_of(const T& form) {
+  return heap_of(form.ramp.stops);
+}
+template <Plain T>
+std::size_t heap_of(const T&) {
+  return 0;
+}
+template <class... T>
+std::size_t heap_of(const std::variant<T...>& value) {
+  return std::visit([](const auto& is) { return heap_of(is); }, value);
+}
+std::size_t heap_of(const Bvh& bvh) { return heap_of(bvh.nodes) + heap_of(bvh.order); }
+std::size_t heap_of(const Part& part) { return heap_of(part.form); }
+std::size_t heap_of(const TextureForm& texture) { return heap_of(texture.kind); }
+std::size_t heap_of(const Solid& solid) { return heap_of(solid.steps); }
+std::size_t heap_of(const Space& space) {
+  return heap_of(space.items) + heap_of(space.boxes) + heap_of(space.bvh) + heap_of(space.rest);
+}
+// Of a list with what its elements own.
+template <class T>
+std::size_t deep_heap_of(const std::vector<T>& list) {
+  std::size_t bytes = heap_of(list);
+  for (const T& each : list) bytes += heap_of(each);
+  return bytes;
+}
+
+}  // namespace
+
+std::size_t bytes_of(const Geometry& g) {
+  return sizeof(Geometry) + deep_heap_of(g.spaces) + deep_heap_of(g.parts) + heap_of(g.balls) +
+         heap_of(g.flats) + heap_of(g.meshes) + deep_heap_of(g.solids) + heap_of(g.copies) +
+         heap_of(g.matters) + deep_heap_of(g.textures) + heap_of(g.lamps);
+}
+
+std::size_t bytes_of(const MeshIndex& mesh) {
+  return sizeof(MeshIndex) + heap_of(mesh.positions) + heap_of(mesh.normals) + heap_of(mesh.uvs) +
+         heap_of(mesh.triangles) + heap_of(mesh.bvh);
+}
+
+}  // namespace tia
