@@ -28,6 +28,7 @@ struct Config {
   std::int64_t max_body_bytes = 4 << 20;
   int max_nodes = 100'000;
   std::int64_t max_scenes_bytes = 64 << 20;
+  std::int64_t max_geometry_bytes = 256 << 20;
   std::int64_t max_pixels = Limits{}.max_pixels;
   std::int64_t max_rays = Limits{}.max_rays;
   std::int64_t max_work = Limits{}.max_work;
@@ -72,6 +73,12 @@ struct Config {
                .max = 1e9});
     visit("max_scenes_bytes", &Config::max_scenes_bytes,
           Spec{.about = "memory for the scenes that POST /scenes keeps",
+               .unit = "bytes",
+               .min = 0,
+               .max = 1LL << 40U});
+    visit("max_geometry_bytes", &Config::max_geometry_bytes,
+          Spec{.about = "memory for compiled scenes, which pictures of the same objects share; 0 = "
+                        "each compiles its own",
                .unit = "bytes",
                .min = 0,
                .max = 1LL << 40U});

@@ -80,7 +80,7 @@ Explanation explanation_of(const ExplainRequest& asked, const Service& service,
                            const std::stop_token& stop) {
   const SharedScene scene = scene_of(asked, service.studio);
   const RenderOptions options = options_of(asked, *scene, service);
-  World world = compile(*scene, stop);
+  World world = service.studio.geometries.compile(*scene, stop);
   if (asked.ray)
     return explain(*scene, std::move(world), {asked.ray->origin, normalize(asked.ray->direction)},
                    options, stop);

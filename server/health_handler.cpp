@@ -38,7 +38,8 @@ Response get_metrics(const Request&, const std::string&, Service& service) {
                       .at_work = admission.at_work(),
                       .waiting = admission.waiting(),
                       .kept_scenes = kept.count(),
-                      .kept_scenes_bytes = kept.bytes()};
+                      .kept_scenes_bytes = kept.bytes(),
+                      .geometry = service.studio.geometries.counts()};
   return {.content_type = std::string(Metrics::media_type),
           .body = service.metrics.text(gauges),
           .headers = {{"Cache-Control", "no-store"}}};

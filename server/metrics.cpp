@@ -6,6 +6,8 @@
 #include <prometheus/registry.h>
 #include <prometheus/text_serializer.h>
 
+#include <mutex>
+
 #include "core/version.h"
 #include "server/http/http_server.h"
 
@@ -46,11 +48,32 @@ struct Metrics::Families {
   prometheus::Family<Gauge>& kept_bytes =
       family(prometheus::BuildGauge(), "tia_kept_scenes_bytes",
              "Memory of the scenes that POST /scenes keeps.", registry);
+  prometheus::Family<Counter>& lookups =
+      family(prometheus::BuildCounter(), "tia_geometry_lookups_total",
+             "Compiled scenes and meshes that were looked for, by result; a miss compiles its own.",
+             registry);
+  prometheus::Family<Gauge>& geometry_bytes =
+      family(prometheus::BuildGauge(), "tia_geometry_bytes",
+             "Memory of the compiled scenes that pictures share.", registry);
   prometheus::Family<Gauge>& build =
       family(prometheus::BuildGauge(), "tia_build_info", "Always 1; what this build is.", registry);
 
   Counter& received = bytes.Add({{"direction", "received"}});
   Counter& sent = bytes.Add({{"direction", "sent"}});
+
+  std::mutex raising;  // between a counter's value and its increment
+  /// Raises a counter to what was counted elsewhere.
+  void raise(const char* of, const char* result, std::int64_t count) {
+    Counter& counter = lookups.Add({{"of", of}, {"result", result}});
+    counter.Increment(static_cast<double>(count) - counter.Value());
+  }
+  void raise(const StoreCounts& found) {
+    const std::lock_guard lock(raising);
+    raise("scene", "hit", found.geometry_hits);
+    raise("scene", "miss", found.geometry_misses);
+    raise("mesh", "hit", found.mesh_hits);
+    raise("mesh", "miss", found.mesh_misses);
+  }
 
   Histogram& phase(const char* name) {
     return seconds.Add({{"phase", name}},
@@ -97,6 +120,8 @@ std::string Metrics::text(const Gauges& gauges) {
   set(families_->waiting, gauges.waiting);
   set(families_->kept, gauges.kept_scenes);
   set(families_->kept_bytes, gauges.kept_scenes_bytes);
+  set(families_->geometry_bytes, gauges.geometry.bytes);
+  families_->raise(gauges.geometry);
   return prometheus::TextSerializer().Serialize(families_->registry.Collect());
 }
 

@@ -16,6 +16,7 @@ struct Exchange;
 struct Gauges {
   int connections = 0, at_work = 0, waiting = 0;  ///< the latter two of requests
   std::size_t kept_scenes = 0, kept_scenes_bytes = 0;
+  StoreCounts geometry{};  ///< also what was found there since the start
 };
 
 /// Metrics: counters since the start. Any thread may call.

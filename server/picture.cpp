@@ -46,15 +46,15 @@ double Plan::rays() const {
          least_samples(options.samples, options.threshold);
 }
 
-Picture draw(const Plan& plan, Pool& pool, const std::stop_token& stop) {
+Picture draw(const Plan& plan, const Studio& studio, const std::stop_token& stop) {
   Picture picture;
   Stopwatch watch;
-  const World world = compile(*plan.scene, stop);
+  const World world = studio.geometries.compile(*plan.scene, stop);
   picture.degenerate = world.degenerate;
   picture.timing.build = watch.lap_ms();
 
   const auto trace_onto = [&](auto& film) {
-    picture.rays = render(world, plan.view, plan.window, plan.options, pool, stop,
+    picture.rays = render(world, plan.view, plan.window, plan.options, studio.pool, stop,
                           [&](const Block& block) { film.put(block); });
     picture.timing.trace = watch.lap_ms();
   };

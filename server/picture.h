@@ -85,6 +85,6 @@ struct Plan {
 Plan plan_of(const PictureRequest& asked, const Studio& studio);
 
 /// Makes the picture. Errors: InputError; Stopped.
-Picture draw(const Plan& plan, Pool& pool, const std::stop_token& stop);
+Picture draw(const Plan& plan, const Studio& studio, const std::stop_token& stop);
 
 }  // namespace tia::server

@@ -61,13 +61,14 @@ void render_to_file(const std::string& scene, const std::string& file,
   const Gallery gallery;
   Pool pool(config.threads);
   SceneStore none_kept(0);
-  const Studio studio{gallery, none_kept, pool, config.limits()};
+  GeometryStore none_shared(0);  // there is one picture to draw
+  const Studio studio{gallery, none_kept, none_shared, pool, config.limits()};
   const auto request = read_described<PictureRequest>(asked);
   const std::string_view other = request.format == Format::pfm ? ".png" : ".pfm";
   if (file.ends_with(other))
     throw std::invalid_argument("--format " + std::string(name_of(request.format)) +
                                 " does not go with the file's name " + file);
-  const Picture picture = draw(plan_of(request, studio), pool, {});
+  const Picture picture = draw(plan_of(request, studio), studio, {});
   if (picture.degenerate > 0)
     std::cerr << "tia: " << picture.degenerate << " triangles without area are ignored\n";
   write_file(file, picture.bytes);

@@ -64,7 +64,7 @@ Response render_picture(const PictureRequest& asked, Stopwatch watch, const Requ
   auto ticket = service.admission.enter(plan.rays(), request.stop);
   const double queue_ms = watch.lap_ms();
   plan.options.spent = [&](std::int64_t rays, std::int64_t tests) { ticket.has_done(rays, tests); };
-  Picture picture = draw(plan, service.studio.pool, request.stop);
+  Picture picture = draw(plan, service.studio, request.stop);
   picture.timing.parse = parse_ms;
   picture.timing.queue = queue_ms;
   service.metrics.count(picture);

@@ -94,10 +94,11 @@ void serve(const Config& config) {
 
   const Gallery gallery;
   SceneStore kept(config.max_scenes_bytes);
+  GeometryStore geometries(config.max_geometry_bytes);
   Pool pool(config.threads);
   Admission admission(config.renders, config.queue);
   Metrics metrics;
-  Service service{config, {gallery, kept, pool, config.limits()}, admission, metrics};
+  Service service{config, {gallery, kept, geometries, pool, config.limits()}, admission, metrics};
   HttpServer server(http_options(config), application(service));
   service.connections = [&] { return server.connections(); };
   std::printf("Tia %s listening on http://%s:%d\n", version().c_str(), in_url(config.host).c_str(),

@@ -7,6 +7,7 @@
 
 #include "core/core.h"
 #include "server/gallery.h"
+#include "server/geometry_store.h"
 #include "server/scene_store.h"
 #include "server/text_form.h"
 
@@ -76,6 +77,7 @@ struct TraceRequest : ViewRequest {
 struct Studio {
   const Gallery& gallery;
   SceneStore& kept;
+  GeometryStore& geometries;
   Pool& pool;
   Limits limits;
 };

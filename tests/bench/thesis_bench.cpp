@@ -109,7 +109,8 @@ void key_to_png(State& state) {
   const server::Config config;
   const server::Gallery gallery;
   server::SceneStore kept(config.max_scenes_bytes);
-  server::Service service{config, {gallery, kept, pool(), config.limits()}, {}};
+  server::GeometryStore geometries(config.max_geometry_bytes);
+  server::Service service{config, {gallery, kept, geometries, pool(), config.limits()}, {}};
   server::HttpServer http({"127.0.0.1", 0, 1 << 20},
                           [&](const server::Request& r) { return server::answer(r, service); });
   std::jthread running([&] { http.run(); });

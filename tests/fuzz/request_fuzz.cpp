@@ -27,14 +27,16 @@ struct House {
     little.max_rays = 10'000;
     little.max_work = 1'000'000;
     little.max_scenes_bytes = 1 << 20;
+    little.max_geometry_bytes = 1 << 20;
     return little;
   }();
   Gallery gallery;
   SceneStore kept{config.max_scenes_bytes};
+  GeometryStore geometries{config.max_geometry_bytes};
   Pool pool{1};
   Admission admission{1};
   Metrics metrics;
-  Service service{config, {gallery, kept, pool, config.limits()}, admission, metrics};
+  Service service{config, {gallery, kept, geometries, pool, config.limits()}, admission, metrics};
 };
 
 void expect_an_answer(const Request& request) {

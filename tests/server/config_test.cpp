@@ -45,6 +45,8 @@ const Numeric numerics[] = {
      [](const Config& c) { return c.max_body_bytes; }},
     {"max_scenes_bytes", "--max-scenes-bytes", "TIA_MAX_SCENES_BYTES", 67'108'864, 0,
      1'099'511'627'776, [](const Config& c) { return c.max_scenes_bytes; }},
+    {"max_geometry_bytes", "--max-geometry-bytes", "TIA_MAX_GEOMETRY_BYTES", 268'435'456, 0,
+     1'099'511'627'776, [](const Config& c) { return c.max_geometry_bytes; }},
     {"max_rays", "--max-rays", "TIA_MAX_RAYS", 2'000'000'000, 1, 1'000'000'000'000'000,
      [](const Config& c) { return c.max_rays; }},
     {"max_work", "--max-work", "TIA_MAX_WORK", 10'000'000'000, 1, 1'000'000'000'000'000,

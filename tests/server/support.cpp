@@ -21,7 +21,10 @@ std::optional<std::string> header(const Response& response, std::string_view nam
 }
 
 Host::Host() : Host(Config{}) {}
-Host::Host(Config config) : config_(std::move(config)), kept_(config_.max_scenes_bytes) {}
+Host::Host(Config config)
+    : config_(std::move(config)),
+      kept_(config_.max_scenes_bytes),
+      geometries_(config_.max_geometry_bytes) {}
 Host::~Host() = default;
 
 Response Host::ask(const std::string& method, const std::string& target, const std::string& body,

@@ -60,6 +60,7 @@ class Host {
   void stop() { stop_.request_stop(); }
   const Gallery& gallery() const { return gallery_; }
   SceneStore& kept() { return kept_; }
+  GeometryStore& geometries() { return geometries_; }
   Service& service() { return service_; }
   Pool& pool() { return pool_; }
 
@@ -68,10 +69,12 @@ class Host {
   Config config_;
   Gallery gallery_;
   SceneStore kept_;
+  GeometryStore geometries_;
   Pool pool_{threads};
   Admission admission_{config_.renders, config_.queue};
   Metrics metrics_;
-  Service service_{config_, {gallery_, kept_, pool_, config_.limits()}, admission_, metrics_};
+  Service service_{
+      config_, {gallery_, kept_, geometries_, pool_, config_.limits()}, admission_, metrics_};
 };
 
 /// One for all tests that need none of their own. The scenes that they post stay in it.

@@ -1,0 +1,126 @@
+#include "server/geometry_store.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace tia::server {
+namespace {
+
+// An entry's own, with its places in list and tables; a mesh's in its table.
+constexpr std::size_t entry_bytes = 256, mesh_bytes = 128;
+
+}  // namespace
+
+/// Meshes: finds the meshes of a geometry in the store, or makes them; each once.
+class GeometryStore::Meshes {
+ public:
+  Meshes(GeometryStore& store, const ObjectsDigest& digest) : store_(store), digest_(digest) {}
+
+  SharedMesh operator()(const Mesh& mesh, const std::stop_token& stop) {
+    const Digest& name = digest_.meshes.at(&mesh);
+    if (const auto known = met_.find(name); known != met_.end()) return known->second.index;
+    SharedMesh index = store_.find_mesh(name);
+    if (!index) index = indexed(mesh, stop);
+    met_.emplace(name, KeptMesh{index, mesh_bytes + bytes_of(*index)});
+    return index;
+  }
+  MeshTable& met() { return met_; }
+
+ private:
+  GeometryStore& store_;
+  const ObjectsDigest& digest_;
+  MeshTable met_;
+};
+
+World GeometryStore::compile(const Scene& scene, const std::stop_token& stop) {
+  if (max_bytes_ == 0) return tia::compile(scene, stop);
+  const ObjectsDigest digest = digest_of_objects(scene);
+  SharedGeometry geometry = find(digest.all);
+  if (!geometry) {
+    Meshes meshes(*this, digest);
+    geometry = std::make_shared<const Geometry>(geometry_of(scene, stop, std::ref(meshes)));
+    keep({digest.all, geometry, {}, entry_bytes + bytes_of(*geometry)}, std::move(meshes.met()));
+  }
+  return tia::compile(scene, std::move(geometry), stop);
+}
+
+StoreCounts GeometryStore::counts() const {
+  const std::lock_guard lock(mutex_);
+  StoreCounts counts = counts_;
+  counts.geometries = entries_.size();
+  counts.meshes = meshes_.size();
+  return counts;
+}
+
+SharedGeometry GeometryStore::find(const Digest& name) {
+  const std::lock_guard lock(mutex_);
+  const auto known = by_name_.find(name);
+  ++(known == by_name_.end() ? counts_.geometry_misses : counts_.geometry_hits);
+  if (known == by_name_.end()) return nullptr;
+  entries_.splice(entries_.begin(), entries_, known->second);
+  return known->second->geometry;
+}
+
+SharedMesh GeometryStore::find_mesh(const Digest& name) {
+  const std::lock_guard lock(mutex_);
+  const auto known = meshes_.find(name);
+  ++(known == meshes_.end() ? counts_.mesh_misses : counts_.mesh_hits);
+  return known == meshes_.end() ? nullptr : known->second.index;
+}
+
+// One that does not fit alone would only drive out the others. Whatever may fail for want of memory
+// comes before the first change.
+void GeometryStore::keep(Entry made, MeshTable meshes) {
+  std::size_t alone = made.bytes;
+  for (const auto& [name, mesh] : meshes) {
+    alone += mesh.bytes;
+    made.meshes.push_back(name);
+  }
+  if (alone > max_bytes_) return;
+  Entries entry, surplus;
+  entry.push_back(std::move(made));
+  ByName by_name{{entry.front().name, entry.begin()}};
+
+  const std::lock_guard lock(mutex_);
+  // Somebody may have built the same meanwhile, of which one is enough.
+  const auto is_second = [this](const auto& mesh) {
+    const auto known = meshes_.find(mesh.first);
+    return known != meshes_.end() && known->second.index != mesh.second.index;
+  };
+  if (by_name_.contains(entry.front().name) || std::ranges::any_of(meshes, is_second)) return;
+  by_name_.reserve(by_name_.size() + 1);
+  meshes_.reserve(meshes_.size() + meshes.size());
+  by_name_.merge(by_name);
+  meshes_.merge(meshes);
+  for (const Digest& name : entry.front().meshes) {
+    KeptMesh& mesh = meshes_.find(name)->second;
+    if (mesh.users++ == 0) counts_.bytes += mesh.bytes;
+  }
+  counts_.bytes += entry.front().bytes;
+  entries_.splice(entries_.begin(), entry);
+  surplus = take_surplus();
+}
+
+GeometryStore::Entries GeometryStore::take_surplus() {
+  Entries surplus;
+  while (counts_.bytes > max_bytes_) {
+    const auto last = std::prev(entries_.end());
+    let_go(*last);
+    surplus.splice(surplus.end(), entries_, last);
+  }
+  return surplus;
+}
+
+// The geometry keeps its meshes alive until the caller destroys it.
+void GeometryStore::let_go(const Entry& entry) {
+  by_name_.erase(entry.name);
+  counts_.bytes -= entry.bytes;
+  for (const Digest& name : entry.meshes) {
+    const auto kept = meshes_.find(name);
+    if (--kept->second.users > 0) continue;
+    counts_.bytes -= kept->second.bytes;
+    meshes_.erase(kept);
+  }
+}
+
+}  // namespace tia::server

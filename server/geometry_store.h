@@ -1,0 +1,73 @@
+// Compiled scenes by their content, in bounded memory: a scene whose light or camera has moved
+// finds its geometry, one of whose objects have moved finds its meshes. Any thread may call.
+#pragma once
+
+#include <cstdint>
+#include <list>
+#include <mutex>
+#include <stop_token>
+#include <unordered_map>
+#include <vector>
+
+#include "core/accel/world.h"
+#include "server/scene_digest.h"
+
+namespace tia::server {
+
+/// How often things were found in a store, how often they had to be made, and what is in it now.
+struct StoreCounts {
+  std::int64_t geometry_hits = 0, geometry_misses = 0;
+  std::int64_t mesh_hits = 0, mesh_misses = 0;
+  std::size_t geometries = 0, meshes = 0, bytes = 0;
+};
+
+/// GeometryStore. A mesh is in it as long as a geometry that has it is, once however many have it.
+///
+/// There is no refit: what is built anew when objects move is the index over the objects, which
+/// costs little beside the meshes', and comes out as if nothing had been there before, so that
+/// pictures never depend on what was asked for earlier.
+class GeometryStore {
+ public:
+  /// Of 0 bytes it keeps nothing.
+  explicit GeometryStore(std::int64_t max_bytes)
+      : max_bytes_(static_cast<std::size_t>(max_bytes)) {}
+
+  /// compile(scene, stop), with what is there already of its geometry. Two that want the same at
+  /// once both build it: none waits for another's, which may be stopped.
+  /// Errors: Stopped, which leaves the store as it was.
+  World compile(const Scene& scene, const std::stop_token& stop);
+
+  StoreCounts counts() const;
+
+ private:
+  struct Entry {
+    Digest name;
+    SharedGeometry geometry;
+    std::vector<Digest> meshes;  // the geometry's, each once
+    std::size_t bytes = 0;       // without them
+  };
+  struct KeptMesh {
+    SharedMesh index;
+    std::size_t bytes = 0, users = 0;  // entries that have it
+  };
+  using Entries = std::list<Entry>;
+  using ByName = std::unordered_map<Digest, Entries::iterator, DigestHash>;
+  using MeshTable = std::unordered_map<Digest, KeptMesh, DigestHash>;
+  class Meshes;  // those of one geometry that is being built
+
+  SharedGeometry find(const Digest& name);
+  SharedMesh find_mesh(const Digest& name);
+  void keep(Entry made, MeshTable meshes);
+  // Takes out what is too much, for the caller to destroy without the lock.
+  Entries take_surplus();
+  void let_go(const Entry& entry);
+
+  const std::size_t max_bytes_;
+  mutable std::mutex mutex_;
+  Entries entries_;  // the one last asked for first
+  ByName by_name_;
+  MeshTable meshes_;
+  StoreCounts counts_;
+};
+
+}  // namespace tia::server

@@ -1,0 +1,34 @@
+// SHA-256 of parts of a scene, found by walking the fields that it is described by: no text is
+// written for it, so that it costs little beside any picture.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <cstring>
+#include <unordered_map>
+
+#include "core/scene/scene.h"
+
+namespace tia::server {
+
+/// Digest: SHA-256. Whoever posts scenes cannot make two of the same.
+using Digest = std::array<std::uint8_t, 32>;
+
+/// For tables: a digest is its own hash.
+struct DigestHash {
+  std::size_t operator()(const Digest& digest) const {
+    std::size_t hash = 0;
+    std::memcpy(&hash, digest.data(), sizeof hash);
+    return hash;
+  }
+};
+
+/// Of all that geometry_of(scene) depends on: objects, materials and ambient light; and of each of
+/// the scene's meshes, found on the way.
+struct ObjectsDigest {
+  Digest all;
+  std::unordered_map<const Mesh*, Digest> meshes;
+};
+ObjectsDigest digest_of_objects(const Scene& scene);
+
+}  // namespace tia::server
