@@ -79,7 +79,7 @@ class Digester {
   template <class... T>
   void add(const std::variant<T...>& value) {
     add(static_cast<std::uint8_t>(value.index()));
-    std::visit([this](const auto& is) { add(is); }, value);
+    std::visit([this](const auto& is) { this->add(is); }, value);
   }
   template <PlacementStep Step>
   void add(const Step& step) {

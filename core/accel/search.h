@@ -68,6 +68,15 @@ class Search {
              });
   }
 
+  /// The same without the index, which costs more than the boxes of a few.
+  void through_few(const Space& space, Packet<Real>& packet, Mask<Real> active) {
+    for (std::size_t i = 0; i < space.items.size(); ++i) {
+      effort_.test();
+      const Mask<Real> here = active && packet.box.enters(space.boxes[i], query_.limit());
+      if (any(here)) meet(space.items[i], packet, here);
+    }
+  }
+
  private:
   static constexpr auto n = static_cast<std::size_t>(lanes<Real>);
   using Lanes = std::array<LaneOf<Real>, n>;
@@ -172,8 +181,14 @@ template <class Real, class Query>
 void search(const World& world, const Ray<Real>& ray, Mask<Real> active, Query& query,
             Effort& effort) {
   Packet<Real> packet(ray);
-  for (const Geometry* each : world.geometries())
-    Search<Real, Query>(*each, query, effort).through(each->spaces.front(), packet, active);
+  Search<Real, Query>(*world.of_objects, query, effort)
+      .through(world.of_objects->spaces.front(), packet, active);
+  constexpr std::size_t few = 4;
+  const Space& lights = world.of_lights.spaces.front();
+  if (lights.items.empty()) return;
+  Search<Real, Query> among_lights(world.of_lights, query, effort);
+  if (lights.items.size() <= few) among_lights.through_few(lights, packet, active);
+  else among_lights.through(lights, packet, active);
 }
 
 }  // namespace tia
