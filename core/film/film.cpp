@@ -3,6 +3,26 @@
 #include <cstring>
 
 namespace tia {
+namespace {
+
+// Codes of linear light or of what show has made.
+void develop_rows(const DisplayRule& rule, const Block& block, std::uint8_t* to,
+                  std::size_t row_bytes) {
+  for (int y = 0; y < block.height; ++y, to += row_bytes) {
+    std::array<std::uint8_t, row_codes> codes;
+    develop_row(block, y, rule.curve(), codes);
+    std::memcpy(to, codes.data(), 3 * static_cast<std::size_t>(block.width));
+  }
+}
+
+void develop(const DisplayRule& rule, const Block& block, std::uint8_t* to, std::size_t row_bytes) {
+  if (rule.shown == Shown::light) return develop_rows(rule, block, to, row_bytes);
+  Block shown = block;
+  show(rule.shown, shown);
+  develop_rows(rule, shown, to, row_bytes);
+}
+
+}  // namespace
 
 void LinearFilm::put(const Block& block) {
   for (int y = 0; y < block.height; ++y) {
@@ -17,21 +37,19 @@ void LinearFilm::put(const Block& block) {
 }
 
 void DisplayFilm::put(const Block& block) {
-  if (rule_.shown == Shown::light) return develop(block);
-  Block shown = block;
-  show(rule_.shown, shown);
-  develop(shown);
+  const std::size_t row_bytes = 3 * static_cast<std::size_t>(image_.width);
+  std::uint8_t* const to = image_.rgb.data() + static_cast<std::size_t>(block.y) * row_bytes +
+                           3 * static_cast<std::size_t>(block.x);
+  develop(rule_, block, to, row_bytes);
 }
 
-void DisplayFilm::develop(const Block& block) {
-  const std::size_t row_bytes = 3 * static_cast<std::size_t>(image_.width);
-  for (int y = 0; y < block.height; ++y) {
-    std::array<std::uint8_t, row_codes> codes;
-    develop_row(block, y, rule_.curve(), codes);
-    std::uint8_t* to = image_.rgb.data() + static_cast<std::size_t>(block.y + y) * row_bytes +
-                       3 * static_cast<std::size_t>(block.x);
-    std::memcpy(to, codes.data(), 3 * static_cast<std::size_t>(block.width));
-  }
+void ScanlineFilm::put(const Block& block) {
+  develop(rule_, block, scanlines_.at(block.x, block.y), scanlines_.row_bytes());
+  // Who counts last sees what the others have put.
+  std::atomic<int>& come = come_[static_cast<std::size_t>(block.y)];
+  const int before = come.fetch_add(block.width, std::memory_order_acq_rel);
+  if (before + block.width < scanlines_.width()) return;
+  for (int y = block.y; y < block.y + block.height; ++y) scanlines_.filter(y);
 }
 
 }  // namespace tia

@@ -2,8 +2,12 @@
 // over the whole picture; blocks never overlap, so films need no lock.
 #pragma once
 
+#include <atomic>
+#include <vector>
+
 #include "core/film/display.h"
 #include "core/film/image.h"
+#include "core/film/scanlines.h"
 
 namespace tia {
 
@@ -30,10 +34,25 @@ class DisplayFilm {
   const Image8& image() const { return image_; }
 
  private:
-  void develop(const Block& block);
-
   Image8 image_;
   DisplayRule rule_;
+};
+
+/// ScanlineFilm: DisplayFilm's codes as the scanlines of a PNG. Who brings the last block of a band
+/// filters its rows, still in the cache, while others trace.
+/// Domain: blocks in bands: those of equal y are equally high.
+class ScanlineFilm {
+ public:
+  ScanlineFilm(int width, int height, const DisplayRule& rule)
+      : scanlines_(width, height), rule_(rule), come_(static_cast<std::size_t>(height)) {}
+  void put(const Block& block);
+  /// Complete once every pixel has been put.
+  const Scanlines& scanlines() const { return scanlines_; }
+
+ private:
+  Scanlines scanlines_;
+  DisplayRule rule_;
+  std::vector<std::atomic<int>> come_;  // pixels of each band, counted in its first row
 };
 
 }  // namespace tia

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "tests/core/support.h"
 
 namespace tia {
@@ -59,6 +61,56 @@ TEST(Film, DisplayFilmHoldsTheCodesOfTheLinearFilmsLight) {
       for (std::size_t i = 0; i < light.rgb.size(); ++i)
         ASSERT_EQ(film.image().rgb[i], encode(light.rgb[i])) << side << ": " << i;
     }
+  }
+}
+
+// W3C PNG (third edition), 9.2: filter 1, each code less that of the pixel at its left.
+std::vector<std::uint8_t> filtered(const Image8& image) {
+  const std::size_t row_bytes = 3 * static_cast<std::size_t>(image.width);
+  std::vector<std::uint8_t> lines;
+  for (std::size_t i = 0; i < image.rgb.size(); ++i) {
+    if (i % row_bytes == 0) lines.push_back(1);
+    const int left = i % row_bytes < 3 ? 0 : image.rgb[i - 3];
+    lines.push_back(static_cast<std::uint8_t>(image.rgb[i] - left));
+  }
+  return lines;
+}
+
+TEST(Film, ScanlineFilmHoldsTheDisplayFilmsRowsFiltered) {
+  const DisplayRule rule{Shown::normal, Transfer::linear};
+  for (const auto& [width, height] : {std::pair{1, 1}, {1, 40}, {22, 3}, {101, 67}, {400, 33}}) {
+    const Image light = random_light(width, height, 112);
+    DisplayFilm codes(width, height, rule);
+    for (const Block& block : cut(light, 32)) codes.put(block);
+    const std::vector<std::uint8_t> expected = filtered(codes.image());
+    for (const int side : {32, 31, 7, 1}) {
+      std::vector<Block> blocks = cut(light, side);
+      for (int turn = 0; turn < 3; ++turn) {
+        ScanlineFilm film(width, height, rule);
+        for (const Block& block : blocks) film.put(block);
+        const Scanlines& lines = film.scanlines();
+        ASSERT_EQ(lines.size(), expected.size());
+        EXPECT_TRUE(std::equal(expected.begin(), expected.end(), lines.data())) << side;
+        std::ranges::rotate(blocks,
+                            blocks.begin() + static_cast<std::ptrdiff_t>(blocks.size() / 2));
+        if (turn == 1) std::ranges::reverse(blocks);
+      }
+    }
+  }
+}
+
+TEST(Film, ScanlinesAreTheSameHoweverManyThreadsPutTheirBlocks) {
+  const Image light = random_light(333, 217, 113);
+  const std::vector<Block> blocks = cut(light, 16);
+  DisplayFilm codes(333, 217, Transfer::srgb);
+  for (const Block& block : blocks) codes.put(block);
+  const std::vector<std::uint8_t> expected = filtered(codes.image());
+  Pool pool(5);
+  for (int turn = 0; turn < 20; ++turn) {
+    ScanlineFilm film(333, 217, {Shown::light, Transfer::srgb});
+    pool.for_each(static_cast<int>(blocks.size()), 5, {},
+                  [&](int i) { film.put(blocks[static_cast<std::size_t>(i)]); });
+    EXPECT_TRUE(std::equal(expected.begin(), expected.end(), film.scanlines().data()));
   }
 }
 

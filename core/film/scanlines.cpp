@@ -1,0 +1,25 @@
+#include "core/film/scanlines.h"
+
+#include <array>
+
+namespace tia {
+
+void Scanlines::filter(int y) {
+  constexpr std::uint8_t sub = 1;
+  constexpr std::size_t pixel = 3, chunk = 64;
+  std::uint8_t* const row = at(0, y);
+  row[-1] = sub;
+  // From the right, so that what is subtracted still is a code; by chunks, for vectors.
+  std::size_t end = row_bytes() - 1;
+  for (; end >= chunk + pixel; end -= chunk) {
+    std::uint8_t* const to = row + end - chunk;
+    std::array<std::uint8_t, chunk> differences;
+    for (std::size_t i = 0; i < chunk; ++i)
+      differences[i] = static_cast<std::uint8_t>(to[i] - to[i - pixel]);
+    for (std::size_t i = 0; i < chunk; ++i) to[i] = differences[i];
+  }
+  for (; end > pixel; --end)
+    row[end - 1] = static_cast<std::uint8_t>(row[end - 1] - row[end - 1 - pixel]);
+}
+
+}  // namespace tia
