@@ -53,17 +53,24 @@ Picture draw(const Plan& plan, const Studio& studio, const std::stop_token& stop
   picture.degenerate = world.degenerate;
   picture.timing.build = watch.lap_ms();
 
+  const int width = plan.window.width(), height = plan.window.height();
   const auto trace_onto = [&](auto& film) {
     picture.rays = render(world, plan.view, plan.window, plan.options, studio.pool, stop,
                           [&](const Block& block) { film.put(block); });
     picture.timing.trace = watch.lap_ms();
   };
   if (plan.format == Format::pfm) {
-    LinearFilm film(plan.window.width(), plan.window.height());
+    LinearFilm film(width, height);
     trace_onto(film);
     picture.bytes = encode_pfm(film.image());
+  } else if (is_cut_in_strips(width, height)) {
+    ScanlineFilm film(width, height, plan.display);
+    trace_onto(film);
+    picture.bytes = encode_png(film.scanlines(), [&](int count, const auto& task) {
+      pool.for_each(count, plan.options.threads, stop, task);
+    });
   } else {
-    DisplayFilm film(plan.window.width(), plan.window.height(), plan.display);
+    DisplayFilm film(width, height, plan.display);
     trace_onto(film);
     picture.bytes = encode_png(film.image(), stop);
   }

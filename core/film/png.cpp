@@ -6,20 +6,12 @@
 #include <memory>
 #include <new>
 
+#include "core/film/compressor.h"
 #include "core/input/stopped.h"
 
 namespace {
 
-// The compressor's tables are large: one for each thread, kept.
-libdeflate_compressor* compressor() {
-  struct Free {
-    void operator()(libdeflate_compressor* c) const { libdeflate_free_compressor(c); }
-  };
-  constexpr int level = 2;
-  thread_local const std::unique_ptr<libdeflate_compressor, Free> mine(
-      libdeflate_alloc_compressor(level));
-  return mine.get();
-}
+using tia::compressor;
 
 // What stb's hook has no parameter for.
 thread_local const std::stop_token* asked = nullptr;

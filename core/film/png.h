@@ -1,10 +1,13 @@
-// PNG out: stb_image_write's container with libdeflate behind its compression hook.
+// PNG out: stb_image_write's container with libdeflate behind its compression hook; of large
+// pictures a container of our own around strips that are compressed in parallel.
 #pragma once
 
+#include <functional>
 #include <stop_token>
 #include <string>
 
 #include "core/film/image.h"
+#include "core/film/scanlines.h"
 
 namespace tia {
 
@@ -14,6 +17,18 @@ namespace tia {
 /// Domain: at least one pixel, at most 2^28.
 /// Errors: Stopped, if that is asked for before the compression begins.
 std::string encode_png(const Image8& image, const std::stop_token& stop = {});
+
+/// Whether a picture is worth compressing in strips: from more than 1 MiB of scanlines on.
+bool is_cut_in_strips(int width, int height);
+
+/// ForEach: calls task(0) ... task(count - 1), each once, maybe several at a time.
+using ForEach = std::function<void(int count, const std::function<void(int)>& task)>;
+
+/// Returns: a PNG file of filtered scanlines. Same scanlines, same bytes, whatever ForEach does:
+/// strips have one size. Each is a chunk, of libdeflate level 2 like the picture above; strips know
+/// nothing of one another, for which the file is up to 1 % larger.
+/// Errors: what ForEach throws.
+std::string encode_png(const Scanlines& scanlines, const ForEach& for_each);
 
 /// The encoder's name and version, for the bytes depend on it: "libdeflate 1.14".
 std::string png_encoder();

@@ -71,13 +71,23 @@ TEST(RenderHandler, NoParameterIsRequired) {
 }
 
 TEST(RenderHandler, ThreadsNeverChangeTheBytes) {
-  for (const char* format : {"png", "pfm"}) {
-    const std::string query =
-        std::string("/render?key=a&width=131&height=97&format=") + format + "&threads=";
+  for (const char* format : {"width=131&height=97&format=png", "width=131&height=97&format=pfm",
+                             "width=701&height=603&format=png"}) {
+    const std::string query = std::string("/render?key=a&") + format + "&threads=";
     const std::string one = host().get(query + "1").body;
     for (const char* threads : {"2", "7", "64"})
       EXPECT_TRUE(host().get(query + threads).body == one) << format << threads;
   }
+}
+
+TEST(RenderHandler, ALargePngIsMadeInStripsAndHoldsWhatSmallOnesHold) {
+  const std::string full = "/render?key=a&width=701&height=603";
+  ASSERT_TRUE(is_cut_in_strips(701, 603));
+  const auto png = decode_png(host().get(full).body);
+  EXPECT_TRUE(decode_png(host().get(full + "&crop=0,0,350,603").body) ==
+              png.window(0, 0, 350, 603));
+  EXPECT_TRUE(decode_png(host().get(full + "&crop=350,0,701,603").body) ==
+              png.window(350, 0, 701, 603));
 }
 
 TEST(RenderHandler, ACropIsTheWindowOfTheFullPicture) {

@@ -11,7 +11,7 @@
 #include <thread>
 
 #include "core/input/stopped.h"
-#include "tests/core/support.h"
+#include "tests/core/film/png_chunks.h"
 
 #define STB_IMAGE_STATIC
 #define STB_IMAGE_IMPLEMENTATION
@@ -22,7 +22,10 @@
 namespace tia {
 namespace {
 
-using test::Random;
+using test::chunks_of;
+using test::noise;
+using test::number_of;
+using test::ramp;
 
 Image8 decoded(const std::string& png) {
   int width = 0, height = 0, channels = 0;
@@ -36,56 +39,6 @@ Image8 decoded(const std::string& png) {
   return image;
 }
 
-std::uint32_t big_endian(std::string_view bytes) {
-  std::uint32_t value = 0;
-  for (const char c : bytes.substr(0, 4)) value = value << 8U | static_cast<unsigned char>(c);
-  return value;
-}
-
-// PNG (third edition), annex D: CRC-32, bit by bit.
-std::uint32_t crc(std::string_view bytes) {
-  std::uint32_t c = 0xFFFFFFFFU;
-  for (const char byte : bytes) {
-    c ^= static_cast<unsigned char>(byte);
-    for (int k = 0; k < 8; ++k) c = (c & 1U) != 0 ? 0xEDB88320U ^ (c >> 1U) : c >> 1U;
-  }
-  return c ^ 0xFFFFFFFFU;
-}
-
-struct Chunk {
-  std::string type, data;
-};
-
-// The chunks after the signature; a test failure where the layout or a checksum is wrong.
-std::vector<Chunk> chunks_of(const std::string& png) {
-  std::vector<Chunk> chunks;
-  std::string_view rest = png;
-  EXPECT_EQ(rest.substr(0, 8), "\x89PNG\r\n\x1A\n");
-  rest.remove_prefix(8);
-  while (rest.size() >= 12) {
-    const std::size_t length = big_endian(rest);
-    if (rest.size() < 12 + length) break;
-    EXPECT_EQ(big_endian(rest.substr(8 + length)), crc(rest.substr(4, 4 + length)));
-    chunks.push_back({std::string(rest.substr(4, 4)), std::string(rest.substr(8, length))});
-    rest.remove_prefix(12 + length);
-  }
-  EXPECT_TRUE(rest.empty()) << "bytes after the last chunk";
-  return chunks;
-}
-
-Image8 noise(int width, int height, std::uint64_t seed) {
-  Random random(seed);
-  Image8 image(width, height);
-  for (auto& code : image.rgb) code = static_cast<std::uint8_t>(random.below(256));
-  return image;
-}
-Image8 ramp(int width, int height) {
-  Image8 image(width, height);
-  for (std::size_t i = 0; i < image.rgb.size(); ++i)
-    image.rgb[i] = static_cast<std::uint8_t>(i / 3 + i % 3 * 40);
-  return image;
-}
-
 void expect_same(const Image8& got, const Image8& expected) {
   ASSERT_EQ(got.width, expected.width);
   ASSERT_EQ(got.height, expected.height);
@@ -93,13 +46,15 @@ void expect_same(const Image8& got, const Image8& expected) {
 }
 
 TEST(Png, AnIndependentDecoderReadsTheSamePixels) {
-  const std::pair<int, int> sizes[] = {{1, 1},     {2, 1},   {1, 100}, {100, 1},
-                                       {333, 217}, {31, 33}, {256, 3}, {640, 480}};
+  const std::pair<int, int> sizes[] = {{1, 1},   {2, 1},   {1, 100},   {100, 1},  {333, 217},
+                                       {31, 33}, {256, 3}, {640, 480}, {601, 701}};
   for (const auto& [width, height] : sizes) {
     SCOPED_TRACE(width);
-    expect_same(decoded(encode_png(noise(width, height, 120))), noise(width, height, 120));
-    expect_same(decoded(encode_png(ramp(width, height))), ramp(width, height));
-    expect_same(decoded(encode_png(Image8(width, height))), Image8(width, height));
+    for (const Image8& image :
+         {noise(width, height, 120), ramp(width, height), Image8(width, height)}) {
+      expect_same(decoded(encode_png(image)), image);
+      expect_same(decoded(encode_png(test::scanlines_of(image), test::in_turn)), image);
+    }
   }
 }
 
@@ -117,8 +72,8 @@ TEST(Png, HasOneHeaderItsPixelsAndAnEnd) {
   for (std::size_t i = 1; i + 1 < chunks.size(); ++i) EXPECT_EQ(chunks[i].type, "IDAT");
   const std::string& header = chunks.front().data;
   ASSERT_EQ(header.size(), 13U);
-  EXPECT_EQ(big_endian(header), 333U);
-  EXPECT_EQ(big_endian(std::string_view(header).substr(4)), 217U);
+  EXPECT_EQ(number_of(header), 333U);
+  EXPECT_EQ(number_of(std::string_view(header).substr(4)), 217U);
   // 8 bits, RGB, the one compression, the one filter method, not interlaced.
   EXPECT_EQ(std::string_view(header).substr(8), std::string_view("\x08\x02\0\0\0", 5));
 }

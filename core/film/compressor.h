@@ -1,0 +1,11 @@
+// The thread's compressor, for all that is compressed here.
+#pragma once
+
+struct libdeflate_compressor;
+
+namespace tia {
+
+/// libdeflate's, level 2. Its tables are large: one for each thread, kept. Null: no memory.
+libdeflate_compressor* compressor();
+
+}  // namespace tia
