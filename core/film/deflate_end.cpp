@@ -10,31 +10,49 @@ namespace {
 
 [[noreturn]] void refuse() { throw std::invalid_argument("no deflate stream"); }
 
+/// Bits: the stream, of which at least 56 bits wait in a register once they are asked for.
+/// Source: F. Giesen, "Reading bits in far too many ways (part 2)", 2018, variant 4.
 class Bits {
  public:
-  Bits(const std::uint8_t* data, std::size_t bytes) : data_(data), end_(8 * bytes) {}
-  /// The next 57 bits, or more.
-  std::uint64_t peek() const {
-    std::uint64_t next = 0;
-    for (std::size_t i = 0; i < deflate_end_margin; ++i)
-      next |= static_cast<std::uint64_t>(data_[position_ / 8 + i]) << 8 * i;
-    return next >> position_ % 8;
+  Bits(const std::uint8_t* data, std::size_t bytes) : data_(data), bytes_(bytes) {}
+  static constexpr std::size_t waiting = 56;
+
+  std::uint64_t peek() {
+    if (next_ >= bytes_ + 8) refuse();
+    std::uint64_t more = 0;
+    for (std::size_t i = 0; i < 8; ++i)
+      more |= static_cast<std::uint64_t>(data_[next_ + i]) << 8 * i;
+    waiting_ |= more << count_;
+    next_ += (63 - count_) / 8;
+    count_ |= waiting;
+    return waiting_;
   }
-  void skip(std::size_t bits) {
-    position_ += bits;
-    if (position_ > end_) refuse();
+  /// Domain: no more than wait. Returns: those behind.
+  std::uint64_t skip(std::size_t bits) {
+    count_ -= bits;
+    return waiting_ >>= bits;
   }
   std::size_t take(std::size_t bits) {
-    const std::uint64_t next = peek() & ((std::uint64_t{1} << bits) - 1);
+    const std::uint64_t taken = peek() & ((std::uint64_t{1} << bits) - 1);
     skip(bits);
-    return next;
+    return taken;
   }
-  void skip_to_byte() { skip((8 - position_ % 8) % 8); }
-  std::size_t position() const { return position_; }
+  void skip_to_byte() { skip(count_ % 8); }
+  void skip_bytes(std::size_t bytes) {  // from a byte's first bit on
+    next_ += bytes - count_ / 8;
+    waiting_ = count_ = 0;
+  }
+  /// Errors: the stream's end lies before.
+  std::size_t position() const {
+    const std::size_t position = 8 * next_ - count_;
+    if (position > 8 * bytes_) refuse();
+    return position;
+  }
 
  private:
   const std::uint8_t* data_;
-  std::size_t end_, position_ = 0;
+  std::size_t bytes_, next_ = 0, count_ = 0;
+  std::uint64_t waiting_ = 0;
 };
 
 /// Code: a prefix code as a table over the next bits: of each symbol what `kept(symbol, length)`
@@ -80,9 +98,9 @@ class Code {
   std::array<std::uint8_t, std::size_t{1} << longest> table_;
 };
 
-// What is kept of a literal or a distance: how many bits it takes with those that follow its code,
-// at most 15 + 13; of others also what they are.
-constexpr std::size_t bits_of = 0x1F, is_match = 0x20, is_end = 0x40;
+// What is kept of a symbol or a distance: how many bits it takes with those that follow its code,
+// at most 15 + 5 and 15 + 13, so that both wait at once; and what the symbol is, if no literal.
+constexpr std::size_t bits_of = 0x3F, is_match = 0x40, is_end = 0x80;
 
 // RFC 1951, 3.2.5: 0 .. 255 are literals, 256 ends the block, 257 .. 285 begin matches.
 std::size_t kept_of_symbol(std::size_t symbol, std::size_t length) {
@@ -101,20 +119,12 @@ void skip_symbols(Bits& in, std::span<const std::uint8_t> symbol_lengths,
   const Code symbols(symbol_lengths, kept_of_symbol);
   const Code distances(distance_lengths, kept_of_distance);
   for (;;) {
-    const std::uint64_t next = in.peek();
-    std::size_t used = 0, kept = 0;
-    // Up to three literals, or what ends them, take no more than 2 x 15 + 20 bits of the 57.
-    for (int i = 0; i < 3; ++i) {
-      kept = symbols.at(next >> used);
-      used += kept & bits_of;
-      if (kept == 0 || kept > bits_of) break;
-    }
-    in.skip(used);
+    const std::size_t kept = symbols.at(in.peek());
     if (kept == 0) refuse();
+    const std::uint64_t next = in.skip(kept & bits_of);
     if ((kept & is_end) != 0) return;
     if ((kept & is_match) == 0) continue;
-    const std::size_t distance =
-        distances.at(used <= 57 - Code::longest ? next >> used : in.peek());
+    const std::size_t distance = distances.at(next);
     if (distance == 0) refuse();
     in.skip(distance);
   }
@@ -124,7 +134,7 @@ void skip_stored(Bits& in) {
   in.skip_to_byte();
   const std::size_t bytes = in.take(16);
   if ((in.take(16) ^ bytes) != 0xFFFF) refuse();
-  in.skip(8 * bytes);
+  in.skip_bytes(bytes);
 }
 
 // RFC 1951, 3.2.6.

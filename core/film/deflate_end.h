@@ -15,11 +15,11 @@ struct DeflateEnd {
 };
 
 /// How many bytes behind a stream must be readable.
-inline constexpr std::size_t deflate_end_margin = 8;
+inline constexpr std::size_t deflate_end_margin = 16;
 
 /// Returns: where the stream of at most `bytes` bytes ends.
 /// Errors: std::invalid_argument if it is none.
-/// Cost: its codes are read one by one, which takes a tenth of the time that made them.
+/// Cost: its codes are read one by one, which takes about a tenth of the time that made them.
 /// Source: RFC 1951, P. Deutsch, "DEFLATE Compressed Data Format Specification", 1996, section 3.2.
 DeflateEnd deflate_end(const std::uint8_t* stream, std::size_t bytes);
 
