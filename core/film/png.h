@@ -18,16 +18,17 @@ namespace tia {
 /// Errors: Stopped, if that is asked for before the compression begins.
 std::string encode_png(const Image8& image, const std::stop_token& stop = {});
 
-/// Whether a picture is worth compressing in strips: from more than 1 MiB of scanlines on.
+/// Whether a picture is compressed in strips: with more than 1 MiB of scanlines. Below, one thread
+/// takes longer over strips than over the whole.
 bool is_cut_in_strips(int width, int height);
 
 /// ForEach: calls task(0) ... task(count - 1), each once, maybe several at a time.
 using ForEach = std::function<void(int count, const std::function<void(int)>& task)>;
 
 /// Returns: a PNG file of filtered scanlines. Same scanlines, same bytes, whatever ForEach does:
-/// strips have one size. Each is a chunk, of libdeflate level 2 like the picture above; strips know
-/// nothing of one another, for which the file is up to 1 % larger.
-/// Errors: what ForEach throws.
+/// all strips but the last are of one size, each a chunk of libdeflate level 2 like the picture
+/// above. They know nothing of one another, for which the file is about 1 % larger. Errors: what
+/// ForEach throws.
 std::string encode_png(const Scanlines& scanlines, const ForEach& for_each);
 
 /// The encoder's name and version, for the bytes depend on it: "libdeflate 1.14".

@@ -84,7 +84,7 @@ per_ray() {
 table() {
   local trace1 trace2 base png stb bound
   trace1=$(value trace:640:480:1) trace2=$(value trace:640:480:2) base=$(value baseline)
-  png=$(value png) stb=$(value png_of_stb)
+  png=$(value png:640:480) stb=$(value png_of_stb)
   bound=$(value key_to_png.work_ms | awk '{ print 1.5 * $1 + 0.5 }')
   echo "| what | measured | ratio | target |"
   echo "|---|---:|---:|---:|"
@@ -92,7 +92,13 @@ table() {
   row "tracing, 1 thread" "$trace1" ms "$base" "scalar baseline" ""
   row "tracing 1920x1080, 2 threads" "$(value trace:1920:1080:2)" ms "$trace2" "640x480" "7.5"
   row "PNG" "$png" ms "$stb" "stb_image_write as it comes ($stb ms)" "1/4"
-  row "PNG" "$(value png.bytes)" bytes "$(value png_of_stb.bytes)" "stb's" "1"
+  row "PNG" "$(value png:640:480.bytes)" bytes "$(value png_of_stb.bytes)" "stb's" "1"
+  row "PNG 1920x1080 in strips, 1 thread" "$(value png_in_strips:1)" ms "$(value png:1920:1080)" \
+    "as a whole ($(value png:1920:1080) ms)" "1"
+  row "PNG 1920x1080 in strips, 2 threads" "$(value png_in_strips:2)" ms \
+    "$(value png:1920:1080)" "as a whole" ""
+  row "the same" "$(value png_in_strips:2.bytes)" bytes "$(value png:1920:1080.bytes)" \
+    "as a whole" "1.1"
   row "key to PNG, keep-alive, median" "$(value key_to_png.median_ms)" ms "$bound" \
     "1.5 (tracing + PNG) + 0.5 ms" "1"
   row "key to PNG, keep-alive, 99 %" "$(value key_to_png.p99_ms)" ms \

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <functional>
 #include <string>
 #include <thread>
 #include <vector>
@@ -29,14 +30,16 @@ Pool& pool() {
   return two;
 }
 
-Image8 traced(int width, int height, int threads) {
+// A film with the picture on it.
+template <class Film>
+Film traced(int width, int height) {
   const Scene scene = lit_scene();
   const World world = compile(scene);
   const View view = view_of(scene.camera, width, height);
-  DisplayFilm film(width, height, Transfer::linear);
-  render(world, view, {0, 0, width, height}, {.threads = threads}, pool(), {},
+  Film film(width, height, DisplayRule{Shown::light, Transfer::linear});
+  render(world, view, {0, 0, width, height}, {.threads = 2}, pool(), {},
          [&](const Block& block) { film.put(block); });
-  return film.image();
+  return film;
 }
 
 // ---- tracing: of the baseline to linear floats, of Tia to the picture's codes ------------------
@@ -76,17 +79,30 @@ BENCHMARK(trace)
 // ---- PNG --------------------------------------------------------------------------------------
 
 void png(State& state) {
-  const Image8 image = traced(640, 480, 2);
+  const auto film =
+      traced<DisplayFilm>(static_cast<int>(state.range(0)), static_cast<int>(state.range(1)));
   std::size_t bytes = 0;
-  for (auto _ : state) bytes = encode_png(image).size();
+  for (auto _ : state) bytes = encode_png(film.image()).size();
   state.counters["bytes"] = static_cast<double>(bytes);
 }
-BENCHMARK(png)->UseRealTime();
+BENCHMARK(png)->ArgNames({"width", "height"})->Args({640, 480})->Args({1920, 1080})->UseRealTime();
+
+void png_in_strips(State& state) {
+  const auto film = traced<ScanlineFilm>(1920, 1080);
+  const int threads = static_cast<int>(state.range(0));
+  const auto for_each = [&](int count, const std::function<void(int)>& task) {
+    pool().for_each(count, threads, {}, task);
+  };
+  std::size_t bytes = 0;
+  for (auto _ : state) bytes = encode_png(film.scanlines(), for_each).size();
+  state.counters["bytes"] = static_cast<double>(bytes);
+}
+BENCHMARK(png_in_strips)->ArgName("threads")->Arg(1)->Arg(2)->UseRealTime();
 
 void png_of_stb(State& state) {
-  const Image8 image = traced(640, 480, 2);
+  const auto film = traced<DisplayFilm>(640, 480);
   std::size_t bytes = 0;
-  for (auto _ : state) bytes = stb_png_bytes(image);
+  for (auto _ : state) bytes = stb_png_bytes(film.image());
   state.counters["bytes"] = static_cast<double>(bytes);
 }
 BENCHMARK(png_of_stb)->UseRealTime();
