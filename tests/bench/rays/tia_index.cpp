@@ -1,0 +1,51 @@
+#include <malloc.h>
+
+#include <chrono>
+
+#include "core/accel/trace.h"
+#include "tests/bench/rays/tracers.h"
+
+namespace tia::bench {
+namespace {
+
+// What malloc has given out, in pieces of its heaps and in mappings of their own.
+double heap_bytes() {
+  const struct mallinfo2 info = mallinfo2();
+  return static_cast<double>(info.uordblks) + static_cast<double>(info.hblkhd);
+}
+
+Vec3<Wide> load_vector(const std::array<std::vector<float>, 3>& from, std::size_t i) {
+  return {load<Wide>(&from[0][i]), load<Wide>(&from[1][i]), load<Wide>(&from[2][i])};
+}
+
+}  // namespace
+
+TiaIndex::TiaIndex(const Geometry& geometry) {
+  const double before = heap_bytes();
+  {
+    const Scene scene = scene_of(geometry);
+    const auto start = std::chrono::steady_clock::now();
+    world_ = std::make_unique<World>(compile(scene));
+    const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - start;
+    built_.ms = took.count();
+  }  // a service may forget the scene: what the world itself keeps is what counts
+  built_.bytes = heap_bytes() - before;
+}
+
+void TiaIndex::trace(const RaySet& rays, Answers& answers) const {
+  Effort effort;
+  const Lamp& lamp = world_->lamps.front();
+  for (std::size_t i = 0; i < rays.size(); i += Wide::size) {
+    const Wide t_max = load<Wide>(&rays.t_max[i]);
+    const Mask<Wide> active = t_max >= Wide(0);
+    if (!any(active)) continue;
+    const Ray<Wide> ray{load_vector(rays.origin, i), load_vector(rays.direction, i)};
+    const Wide t = rays.any_hit()
+                       ? select(occluded<Wide>(*world_, ray, t_max, lamp, active, effort), Wide(0),
+                                Wide(infinity))
+                       : closest_hit<Wide>(*world_, ray, active, effort).t;
+    store(t, &answers[i]);
+  }
+}
+
+}  // namespace tia::bench
