@@ -1,16 +1,18 @@
 #!/usr/bin/env bash
 # Measures Tia beside its yardsticks in one run and prints ratios, which drift less than times do
 # between runs and machines. Takes two minutes; run it on a machine that does nothing else.
-# POV-Ray and Tachyon, where they are installed (apt-get install povray tachyon), trace the scenes of
-# peers/ beside it, which takes ten minutes more.
+# Embree, where it is installed (apt-get install libembree-dev), traces the same rays beside Tia's
+# index, and gnuplot (gnuplot-nox) draws that, into build/release/rays.svg: two minutes. POV-Ray and
+# Tachyon (povray tachyon) trace the scenes of peers/ beside it, which takes ten minutes more.
 # Options: --quick: fewer repetitions, smaller pictures; --no-peers: Tia alone.
 set -euo pipefail
 rounds=9
 peers=(tests/bench/peers/compare.py)
+rays=(tests/bench/peers/rays.py --svg build/release/rays.svg)
 for option in "$@"; do
   case $option in
-    --quick) rounds=3 peers+=(--quick) ;;
-    --no-peers) peers=(true) ;;
+    --quick) rounds=3 peers+=(--quick) rays+=(--quick) ;;
+    --no-peers) peers=(true) rays=(true) ;;
     *) echo "unknown option $option; there are --quick and --no-peers" >&2 && exit 2 ;;
   esac
 done
@@ -24,7 +26,7 @@ trap 'rm -rf "$scratch"' EXIT
   install_missing build
   install_missing bench
   cmake --preset release -DTIA_BENCH=ON
-  cmake --build --preset release --target tia tia_bench
+  cmake --build --preset release --target tia tia_bench tia_rays
 } > "$scratch/log" 2>&1 || { cat "$scratch/log"; exit 1; }
 
 # Lines "NAME VALUE", times in ms.
@@ -40,7 +42,8 @@ repeat() {
 # The medians of all repetitions as trace:640:480:1 and the like, counters after a point. The
 # library writes JSON with one member a line.
 benchmarks() {
-  build/release/tests/tia_bench --benchmark_repetitions="$rounds" --benchmark_min_time=0.1 \
+  build/release/tests/tia_bench --benchmark_filter=-^index_ \
+    --benchmark_repetitions="$rounds" --benchmark_min_time=0.1 \
     --benchmark_enable_random_interleaving=true --benchmark_report_aggregates_only=true \
     --benchmark_format=json 2> "$scratch/log" |
     awk -F '"' '
@@ -118,5 +121,7 @@ note start "$(repeat start)"
 note rss "$(cat "$scratch/rss")"
 grep -m 1 'model name' /proc/cpuinfo | sed 's/.*: //'
 table
+echo
+"${rays[@]}" || echo "No comparison with Embree, or not with equal hits."
 echo
 "${peers[@]}" || echo "No comparison with POV-Ray and Tachyon, or not with equal pictures."

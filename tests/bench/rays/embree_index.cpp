@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
-#include <string>
 
 namespace tia::bench {
 namespace {
@@ -90,20 +89,35 @@ float blocked_or_not(float tfar) { return tfar < 0 ? 0 : infinity; }
 
 }  // namespace
 
-struct EmbreeIndex::Handles {
+struct EmbreeDevice {
   std::atomic<ssize_t> bytes = 0;
   RTCDevice device = nullptr;
+
+  explicit EmbreeDevice(const std::string& config) : device(rtcNewDevice(config.c_str())) {
+    rtcSetDeviceMemoryMonitorFunction(device, count_bytes, &bytes);
+  }
+  ~EmbreeDevice() { rtcReleaseDevice(device); }
+  EmbreeDevice(const EmbreeDevice&) = delete;
+  EmbreeDevice& operator=(const EmbreeDevice&) = delete;
+};
+
+std::shared_ptr<EmbreeDevice> embree_device(int threads, const std::string& isa) {
+  const DenormalsAreZero mode;  // for its threads, too
+  const std::string chosen = isa.empty() ? "" : ",isa=" + isa;
+  return std::make_shared<EmbreeDevice>("threads=" + std::to_string(threads) + chosen);
+}
+
+struct EmbreeIndex::Handles {
   RTCScene scene = nullptr;
 };
 
-EmbreeIndex::EmbreeIndex(const Geometry& geometry, int threads)
-    : handles_(std::make_unique<Handles>()) {
+EmbreeIndex::EmbreeIndex(const Geometry& geometry, std::shared_ptr<EmbreeDevice> device)
+    : device_(std::move(device)), handles_(std::make_unique<Handles>()) {
   const DenormalsAreZero mode;
-  handles_->device = rtcNewDevice(("threads=" + std::to_string(threads)).c_str());
-  rtcSetDeviceMemoryMonitorFunction(handles_->device, count_bytes, &handles_->bytes);
+  const ssize_t before = device_->bytes;
   const auto start = std::chrono::steady_clock::now();
-  handles_->scene = rtcNewScene(handles_->device);
-  RTCGeometry shape = geometry_of(handles_->device, geometry);
+  handles_->scene = rtcNewScene(device_->device);
+  RTCGeometry shape = geometry_of(device_->device, geometry);
   rtcCommitGeometry(shape);
   rtcAttachGeometry(handles_->scene, shape);
   rtcReleaseGeometry(shape);
@@ -111,13 +125,11 @@ EmbreeIndex::EmbreeIndex(const Geometry& geometry, int threads)
   const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - start;
   const std::size_t shared =
       geometry.spheres.size() + geometry.positions.size() + geometry.indices.size();
-  built_ = {took.count(), static_cast<double>(handles_->bytes) + 4.0 * static_cast<double>(shared)};
+  built_ = {took.count(),
+            static_cast<double>(device_->bytes - before) + 4.0 * static_cast<double>(shared)};
 }
 
-EmbreeIndex::~EmbreeIndex() {
-  rtcReleaseScene(handles_->scene);
-  rtcReleaseDevice(handles_->device);
-}
+EmbreeIndex::~EmbreeIndex() { rtcReleaseScene(handles_->scene); }
 
 void EmbreeIndex::trace_packets(const RaySet& rays, Answers& answers) const {
   const DenormalsAreZero mode;

@@ -10,8 +10,8 @@ namespace tia::bench {
 namespace {
 
 constexpr const char* usage =
-    "options: --kinds spheres,triangles,tubes --sizes N,... --rounds N --threads N,... (of "
-    "builds)\n"
+    "options: --kinds spheres,triangles,tubes --sizes N,... --rounds N\n"
+    "  --threads N,... of builds; --isa avx2|sse4.2|... Embree's, '' for the processor's best\n"
     "or one case for a profiler: --only KIND:SIZE:primary|shadow|mirror|diffuse --seconds S\n"
     "  --side tia|embree_packets|embree_single";
 
@@ -19,6 +19,7 @@ struct Options {
   std::vector<std::string> kinds{"spheres", "triangles", "tubes"};
   std::vector<int> sizes, threads{1};  // no sizes: each kind's own
   int rounds = 7;
+  std::string isa{"avx2"};  // Embree's: that of Tia's packets
   std::string only, side{"tia"};
   double seconds = 5;
 };
@@ -43,6 +44,7 @@ void set(Options& options, std::string_view name, const std::string& value) {
   else if (name == "--sizes") options.sizes = numbers(value);
   else if (name == "--threads") options.threads = numbers(value);
   else if (name == "--rounds") options.rounds = numbers(value).front();
+  else if (name == "--isa") options.isa = value;
   else if (name == "--only") options.only = value;
   else if (name == "--seconds") options.seconds = std::stod(value);
   else if (name == "--side") options.side = value;
@@ -100,7 +102,7 @@ void print_case(const GeometryKind& kind, int size, const Options& options) {
   Indexes indexes;
   const char* between = "";
   for (const int threads : options.threads) {
-    print_builds(build(indexes, geometry, builds, threads), between);
+    print_builds(build(indexes, geometry, builds, threads, options.isa), between);
     between = ", ";
   }
   std::printf("],\n  ");
@@ -117,7 +119,7 @@ void print_case(const GeometryKind& kind, int size, const Options& options) {
 }
 
 void print_all(const Options& options) {
-  std::printf("{\"rounds\": %d, \"cases\": [", options.rounds);
+  std::printf(R"({"rounds": %d, "isa": "%s", "cases": [)", options.rounds, options.isa.c_str());
   const char* between = "\n ";
   for (const std::string& name : options.kinds) {
     const GeometryKind& kind = kind_of(name);
@@ -135,7 +137,7 @@ void print_only(const Options& options) {
   if (parts.size() != 3) throw std::invalid_argument("no case " + options.only);
   const Geometry geometry = kind_of(parts[0]).make(numbers(parts[1]).front());
   Indexes indexes;
-  build(indexes, geometry, 1, options.threads.front());
+  build(indexes, geometry, 1, options.threads.front(), options.isa);
   for (const RaySet& rays : make_rays(indexes.tia->world())) {
     if (ray_kind_names[static_cast<std::size_t>(rays.kind)] != parts[2]) continue;
     for (Tracer& tracer : tracers_of(indexes)) {

@@ -32,16 +32,21 @@ class Processors {
 
 }  // namespace
 
-Builds build(Indexes& indexes, const Geometry& geometry, int rounds, int threads) {
+Builds build(Indexes& indexes, const Geometry& geometry, int rounds, int threads,
+             [[maybe_unused]] const std::string& isa) {
   const Processors processors(threads);
   Builds builds{threads, {}, {}};
+#ifdef TIA_HAS_EMBREE
+  indexes.embree.reset();
+  const std::shared_ptr<EmbreeDevice> device = embree_device(threads, isa);
+#endif
   for (int i = 0; i < rounds; ++i) {
     indexes.tia.reset();
     indexes.tia = std::make_unique<TiaIndex>(geometry);
     builds.tia_ms.push_back(indexes.tia->built().ms);
 #ifdef TIA_HAS_EMBREE
     indexes.embree.reset();
-    indexes.embree = std::make_unique<EmbreeIndex>(geometry, threads);
+    indexes.embree = std::make_unique<EmbreeIndex>(geometry, device);
     builds.embree_ms.push_back(indexes.embree->built().ms);
 #endif
   }

@@ -25,8 +25,9 @@ struct Indexes {
 #endif
 };
 
-/// Builds the indexes as often as there are rounds, and keeps the last.
-Builds build(Indexes& indexes, const Geometry& geometry, int rounds, int threads);
+/// Builds the indexes as often as there are rounds, and keeps the last. isa: Embree's.
+Builds build(Indexes& indexes, const Geometry& geometry, int rounds, int threads,
+             const std::string& isa);
 
 /// Tracer: one way to trace, and what it took.
 struct Tracer {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 
 #include "core/accel/world.h"
 #include "tests/bench/rays/geometry.h"
@@ -29,11 +30,18 @@ class TiaIndex {
 };
 
 #ifdef TIA_HAS_EMBREE
-/// EmbreeIndex: Embree's at its defaults, with denormals taken for zero as its manual asks for, and
-/// only while it works. Domain: the geometry outlives it, for Embree shares its lists.
+/// EmbreeDevice: Embree's threads, which are started once and build many indexes. There may be one
+/// at a time, for all of a process share the most threads that any asks for.
+struct EmbreeDevice;
+/// isa: an instruction set as Embree calls it; "": the best that the processor has.
+std::shared_ptr<EmbreeDevice> embree_device(int threads, const std::string& isa);
+
+/// EmbreeIndex: Embree's at its defaults but for the instruction set, with denormals taken for zero
+/// as its manual asks for, and only while it works.
+/// Domain: the geometry outlives it, for Embree shares its lists.
 class EmbreeIndex {
  public:
-  EmbreeIndex(const Geometry& geometry, int threads);
+  EmbreeIndex(const Geometry& geometry, std::shared_ptr<EmbreeDevice> device);
   ~EmbreeIndex();
   EmbreeIndex(const EmbreeIndex&) = delete;
   EmbreeIndex& operator=(const EmbreeIndex&) = delete;
@@ -43,6 +51,7 @@ class EmbreeIndex {
 
  private:
   struct Handles;
+  std::shared_ptr<EmbreeDevice> device_;
   std::unique_ptr<Handles> handles_;
   Built built_;
 };
