@@ -109,7 +109,7 @@ def print_tables(cases):
     """Speed, builds and memory, growth."""
     peers = ["Embree packets", "ratio", "Embree single", "ratio"]
     beside = "embree" in cases[0]["bytes"]
-    print("Mray/s, one thread; ratios are Tia's speed to Embree's:\n")
+    print("Mray/s of one thread, in its processor's time; ratios are Tia's speed to Embree's:\n")
     table(["scene", "rays", "Tia"] + (peers if beside else []), ray_rows(cases))
     print("Builds and the bytes that stay, positions and indices among them:\n")
     table(["scene", "threads", "Tia, ms"] + (["Embree, ms", "ratio"] if beside else []) +

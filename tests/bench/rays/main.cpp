@@ -1,5 +1,6 @@
 // tia_rays: what Tia's index costs a ray, a build and a primitive, beside Embree's where that is
-// installed. Tracing is by one thread. Writes JSON; times are the least of all rounds, and medians.
+// installed. Tracing is by one thread and in the processor's time, builds are in the clock's.
+// Writes JSON; times are the least of all rounds, and medians.
 #include <algorithm>
 #include <cstdio>
 #include <stdexcept>

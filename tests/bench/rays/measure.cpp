@@ -3,7 +3,7 @@
 #include <sched.h>
 
 #include <algorithm>
-#include <chrono>
+#include <ctime>
 
 namespace tia::bench {
 namespace {
@@ -30,6 +30,13 @@ class Processors {
   cpu_set_t before_;
 };
 
+// The processor's time that this thread has had: while others have the processor it stands still.
+double seconds_of_thread() {
+  timespec time{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
 }  // namespace
 
 Builds build(Indexes& indexes, const Geometry& geometry, int rounds, int threads,
@@ -54,16 +61,15 @@ Builds build(Indexes& indexes, const Geometry& geometry, int rounds, int threads
 }
 
 double Tracer::measure(const RaySet& rays, double seconds) {
-  using Clock = std::chrono::steady_clock;
-  const Clock::time_point start = Clock::now();
-  std::chrono::duration<double> took{};
+  const double start = seconds_of_thread();
+  double took = 0;
   int passes = 0;
   do {
     trace(rays, answers);
     ++passes;
-    took = Clock::now() - start;
-  } while (took.count() < seconds);
-  return 1e9 * took.count() / passes / static_cast<double>(std::max<std::size_t>(rays.active, 1));
+    took = seconds_of_thread() - start;
+  } while (took < seconds);
+  return 1e9 * took / passes / static_cast<double>(std::max<std::size_t>(rays.active, 1));
 }
 
 std::vector<Tracer> tracers_of(const Indexes& indexes) {

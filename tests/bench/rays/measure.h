@@ -34,9 +34,9 @@ struct Tracer {
   std::string name;
   std::function<void(const RaySet&, Answers&)> trace;
   Answers answers{};
-  std::vector<double> ns{};  ///< a ray, one a round
+  std::vector<double> ns{};  ///< of the processor's time a ray, one a round
 
-  /// Returns: ns a ray, the mean of as many passes as fill the time.
+  /// Returns: ns a ray, the mean of as many passes as take so many seconds of the processor's.
   double measure(const RaySet& rays, double seconds);
 };
 /// tia, embree_packets, embree_single; the indexes outlive them.
