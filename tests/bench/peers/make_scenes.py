@@ -98,20 +98,36 @@ def knot_mesh(along, round_, smooth):
     return {**mesh, "normals": packed("float32", normals)} if smooth else mesh
 
 
-def knot(smooth):
-    """A knot of 10 240 triangles on a plane."""
+def knot(smooth, along=256, round_=20):
+    """A knot on a plane: 10 240 triangles unless told otherwise."""
     return {
         "camera": {"location": [2, 6, 14], "look_at": [0, 3, 0], "fov_degrees": 32},
         "background": [0.6, 0.7, 0.8],
         "materials": {"floor": FLOOR_MATERIAL,
                       "jade": {"color": [0.3, 0.7, 0.5], "diffuse": 0.8, "specular": 0.4,
                                "roughness": 0.03}},
-        "objects": [FLOOR, knot_mesh(256, 20, smooth)],
+        "objects": [FLOOR, knot_mesh(along, round_, smooth)],
         "lights": [{"type": "point", "position": [-6, 14, 10]}],
+    }
+
+
+def strewn_balls(count):
+    """Balls strewn over a cube, of which they fill a ninth however many they are."""
+    pick = random.Random(2)
+    balls = [{"type": "sphere", "center": [round(pick.uniform(-1, 1), 5) for _ in range(3)],
+              "radius": round(0.6 / count ** (1 / 3), 6)} for _ in range(count)]
+    return {
+        "camera": {"location": [0, 0, 4], "look_at": [0, 0, 0], "fov_degrees": 38},
+        "background": [0.2, 0.3, 0.5],
+        "materials": {"chalk": {"color": [0.8, 0.75, 0.6], "diffuse": 0.9}},
+        "objects": [{"type": "group", "material": "chalk", "children": balls}],
+        "lights": [{"type": "point", "position": [3, 5, 6]}],
     }
 
 
 def computed_scenes():
     """All of them by name."""
     return {"shiny-balls": shiny_balls(), "sphere-flake": sphere_flake(),
-            "knot-flat": knot(False), "knot-smooth": knot(True)}
+            "knot-flat": knot(False), "knot-smooth": knot(True),
+            "knot-192000": knot(False, 1600, 60),
+            **{f"balls-{count}": strewn_balls(count) for count in (1000, 10_000, 100_000)}}

@@ -12,6 +12,9 @@ from scene_to_pov import to_pov
 from scene_to_tachyon import OPTIONS, to_tachyon
 
 THREADS = 2
+# Scenes of 100 000 balls are larger than what a server takes from anyone.
+LARGE = ["--max-body-bytes", str(64 << 20), "--max-nodes", "10000000",
+         "--max-scenes-bytes", str(1 << 30)]
 
 
 def output_of(command, folder):
@@ -33,8 +36,9 @@ class Tia:
     name = "Tia"
 
     def __init__(self, binary):
-        self.server = subprocess.Popen([binary, "serve", "--port", "0", "--threads", str(THREADS)],
-                                       stdout=subprocess.PIPE, text=True)
+        self.server = subprocess.Popen(
+            [binary, "serve", "--port", "0", "--threads", str(THREADS), *LARGE],
+            stdout=subprocess.PIPE, text=True)
         self.port = int(self.server.stdout.readline().rsplit(":", 1)[1])
 
     def prepare(self, scene, width, height, folder):
