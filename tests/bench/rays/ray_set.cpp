@@ -70,7 +70,7 @@ void RaySet::add(const Vec3f& from, const Vec3f& way, float far) {
 std::array<RaySet, 4> make_rays(const World& world) {
   std::array<RaySet, 4> sets;
   for (std::size_t k = 0; k < sets.size(); ++k) sets[k].kind = static_cast<RayKind>(k);
-  auto& [primary, shadow, mirror, diffuse] = sets;
+  RaySet &primary = sets[0], &shadow = sets[1], &mirror = sets[2], &diffuse = sets[3];
   Effort effort;
   for_each_pixel([&](int x, int y) {
     const Ray<float> ray = primary_ray(x, y);
