@@ -16,11 +16,11 @@ class GeometryStore::Meshes {
  public:
   Meshes(GeometryStore& store, const ObjectsDigest& digest) : store_(store), digest_(digest) {}
 
-  SharedMesh operator()(const Mesh& mesh, const std::stop_token& stop) {
+  SharedMesh operator()(const Mesh& mesh, const Workers& workers) {
     const Digest& name = digest_.meshes.at(&mesh);
     if (const auto known = met_.find(name); known != met_.end()) return known->second.index;
     SharedMesh index = store_.find_mesh(name);
-    if (!index) index = indexed(mesh, stop);
+    if (!index) index = indexed(mesh, workers);
     met_.emplace(name, KeptMesh{index, mesh_bytes + bytes_of(*index)});
     return index;
   }
@@ -32,16 +32,16 @@ class GeometryStore::Meshes {
   MeshTable met_;
 };
 
-World GeometryStore::compile(const Scene& scene, const std::stop_token& stop) {
-  if (max_bytes_ == 0) return tia::compile(scene, stop);
+World GeometryStore::compile(const Scene& scene, const Workers& workers) {
+  if (max_bytes_ == 0) return tia::compile(scene, workers);
   const ObjectsDigest digest = digest_of_objects(scene);
   SharedGeometry geometry = find(digest.all);
   if (!geometry) {
     Meshes meshes(*this, digest);
-    geometry = std::make_shared<const Geometry>(geometry_of(scene, stop, std::ref(meshes)));
+    geometry = std::make_shared<const Geometry>(geometry_of(scene, workers, std::ref(meshes)));
     keep({digest.all, geometry, {}, entry_bytes + bytes_of(*geometry)}, std::move(meshes.met()));
   }
-  return tia::compile(scene, std::move(geometry), stop);
+  return tia::compile(scene, std::move(geometry), workers);
 }
 
 StoreCounts GeometryStore::counts() const {

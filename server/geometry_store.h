@@ -32,10 +32,10 @@ class GeometryStore {
   explicit GeometryStore(std::int64_t max_bytes)
       : max_bytes_(static_cast<std::size_t>(max_bytes)) {}
 
-  /// compile(scene, stop), with what is there already of its geometry. Two that want the same at
+  /// compile(scene, workers), with what is there already of its geometry. Two that want the same at
   /// once both build it: none waits for another's, which may be stopped.
   /// Errors: Stopped, which leaves the store as it was.
-  World compile(const Scene& scene, const std::stop_token& stop);
+  World compile(const Scene& scene, const Workers& workers);
 
   StoreCounts counts() const;
 

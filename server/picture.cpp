@@ -49,7 +49,11 @@ double Plan::rays() const {
 Picture draw(const Plan& plan, const Studio& studio, const std::stop_token& stop) {
   Picture picture;
   Stopwatch watch;
-  const World world = studio.geometries.compile(*plan.scene, stop);
+  const auto share = [&](int count, const Workers::Task& task) {
+    studio.pool.for_each(count, plan.options.threads, stop, task);
+  };
+  const Workers workers(share, stop);
+  const World world = studio.geometries.compile(*plan.scene, workers);
   picture.degenerate = world.degenerate;
   picture.timing.build = watch.lap_ms();
 
@@ -66,9 +70,7 @@ Picture draw(const Plan& plan, const Studio& studio, const std::stop_token& stop
   } else if (is_cut_in_strips(width, height)) {
     ScanlineFilm film(width, height, plan.display);
     trace_onto(film);
-    picture.bytes = encode_png(film.scanlines(), [&](int count, const auto& task) {
-      pool.for_each(count, plan.options.threads, stop, task);
-    });
+    picture.bytes = encode_png(film.scanlines(), workers);
   } else {
     DisplayFilm film(width, height, plan.display);
     trace_onto(film);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <tuple>
 
+#include "core/accel/mesh_search.h"
+
 namespace tia {
 namespace {
 
@@ -12,6 +14,18 @@ constexpr std::int64_t most_work = 4'000'000;
   throw InputError({FaultKind::limit, "", std::nullopt, allowed});
 }
 
+// A query (mesh_search.h) that has no limit.
+template <class Add>
+struct EveryTriangle {
+  Add add;
+  double limit = Aabb::far;
+  void offer(double m, double triangle, bool here) const {
+    if (here) add(m, triangle);
+  }
+};
+template <class Add>
+EveryTriangle(Add) -> EveryTriangle<Add>;
+
 class Collector {
  public:
   Collector(const Geometry& geometry, std::vector<Meeting>& found, Effort& effort)
@@ -19,15 +33,23 @@ class Collector {
 
   void through(const Space& space, Packet<double>& packet) {
     for (const std::uint32_t i : space.rest) meet(space.items[i], packet);
-    traverse(space.bvh, packet.box, true, endless_, effort_,
-             [&](std::uint32_t i, bool, bool) { meet(space.items[i], packet); });
+    const auto meet_ball = [&](std::uint32_t i) { meet(geometry_.balls[i], packet); };
+    if (space.balls.few()) std::ranges::for_each(space.balls.balls, meet_ball);
+    else for_each_of(space.balls.bvh, packet, meet_ball);
+    for_each_of(space.bvh, packet, [&](std::uint32_t i) { meet(space.items[i], packet); });
   }
 
  private:
+  template <class Visit>
+  void for_each_of(const Bvh& bvh, Packet<double>& packet, Visit visit) {
+    traverse(bvh, packet.box, true, endless_, effort_,
+             [&](std::uint32_t first, std::uint32_t count, bool) {
+               for (std::uint32_t i = first; i < first + count; ++i) visit(bvh.order[i]);
+             });
+  }
   void meet(const Item& item, Packet<double>& packet) {
     const auto at = static_cast<std::size_t>(item.index);
     switch (item.kind) {
-      case Item::ball: return meet(geometry_.balls[at], packet);
       case Item::flat: return meet_part(geometry_.flats[at].part, packet);
       case Item::part: return meet_part(item.index, packet);
       case Item::mesh: return meet_mesh(item.index, packet);
@@ -61,14 +83,11 @@ class Collector {
   void meet_mesh(int part, Packet<double>& packet) {
     const Part& own = geometry_.part(part);
     const MeshIndex& mesh = *geometry_.meshes[static_cast<std::size_t>(own.mesh)];
-    Packet<double> inside = packet.seen_through(own.to_object);
-    const RayFrame<double> frame = frame_of(inside);
-    traverse(mesh.bvh, inside.box, true, endless_, effort_, [&](std::uint32_t i, bool, bool) {
-      effort_.test();
-      const double t =
-          intersect<double>(mesh.corner(i, 0), mesh.corner(i, 1), mesh.corner(i, 2), frame);
-      add(t, part, static_cast<int>(i), packet);
-    });
+    const MeshRay<double> ray(mesh, packet.seen_through(own.to_object).root, false);
+    EveryTriangle triangles{[&](double m, double triangle) {
+      add(ray.t_of(m), part, static_cast<int>(triangle), packet);
+    }};
+    search<false>(mesh, ray, triangles, true, effort_);
   }
   void meet(const Copies& grid, Packet<double>& packet) {
     const Packet<double> outside = packet.seen_through(grid.to_group);

@@ -26,8 +26,8 @@ Matter matter_of(const Finish& finish, const Vec3d& ambient_light) {
 
 class Compiler {
  public:
-  Compiler(const Scene& scene, const std::stop_token& stop, const MeshSource& mesh)
-      : scene_(scene), stop_(stop), mesh_(mesh) {
+  Compiler(const Scene& scene, const Workers& workers, const MeshSource& mesh)
+      : scene_(scene), workers_(workers), mesh_(mesh) {
     geometry_.matters.push_back(matter_of(Material{}));
     for (const auto& [name, material] : scene.materials) {
       named_.emplace(name, static_cast<int>(geometry_.matters.size()));
@@ -59,7 +59,7 @@ class Compiler {
   }
 
   void add(const Object& object, const Setting& above) {
-    end_if_asked(stop_);
+    workers_.end_if_asked();
     const Setting own = below(object, above);
     std::visit(
         [&]<class Kind>(const Kind& kind) {
@@ -100,7 +100,7 @@ class Compiler {
     }
   }
 
-  void add_kind(const Mesh& mesh, const Setting& own) { builder_.add(mesh_(mesh, stop_), own); }
+  void add_kind(const Mesh& mesh, const Setting& own) { builder_.add(mesh_(mesh, workers_), own); }
 
   // ---- composites -----------------------------------------------------------------------------
 
@@ -148,17 +148,17 @@ class Compiler {
   }
 
   const Scene& scene_;
-  const std::stop_token& stop_;
+  const Workers& workers_;
   const MeshSource& mesh_;
   Geometry geometry_;
-  GeometryBuilder builder_{geometry_, stop_};
+  GeometryBuilder builder_{geometry_, workers_};
   std::map<std::string, int> named_;
 };
 
 }  // namespace
 
-Geometry geometry_of(const Scene& scene, const std::stop_token& stop, const MeshSource& mesh) {
-  return Compiler(scene, stop, mesh).compile();
+Geometry geometry_of(const Scene& scene, const Workers& workers, const MeshSource& mesh) {
+  return Compiler(scene, workers, mesh).compile();
 }
 
 }  // namespace tia

@@ -4,12 +4,13 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstdint>
-#include <stop_token>
 #include <vector>
 
 #include "core/accel/bundle.h"
 #include "core/accel/effort.h"
+#include "core/accel/huge_pages.h"
 #include "core/accel/packet.h"
 
 namespace tia {
@@ -17,82 +18,137 @@ namespace tia {
 /// Bvh: the root first.
 struct Bvh {
   static constexpr int deepest = 64;
-  struct Node {
+  struct alignas(64) Node {
     BoxSet boxes;  ///< of the children
     /// Of a child that is a node its number; of a leaf the first of its entries of `order`.
     std::array<std::uint32_t, BoxSet::size> first{};
     std::array<std::uint16_t, BoxSet::size> count{};  ///< of a leaf how many; of a node 0
   };
-  std::vector<Node> nodes;
+  static_assert(sizeof(Node) == 256);
+  using Nodes = std::vector<Node, HugePages<Node>>;
+  Nodes nodes;
   std::vector<std::uint32_t> order;  ///< the things' numbers, as the leaves list them
 };
-
-/// Binned surface area heuristic: of 16 bins along each axis of the centres the split with the
-/// least expected cost; the middle of the list where no split separates anything.
-/// Domain: boxes that are bounded and not empty. Cost: O(n log n). Errors: Stopped.
-/// Source: Wald, "On fast construction of SAH-based bounding volume hierarchies" (2007); eight
-/// children: Wald, Benthin, Boulos, "Getting rid of packets" (2008).
-Bvh build_bvh(const std::vector<Aabb>& boxes, const std::stop_token& stop = {});
 
 namespace detail {
 
 /// Children still to be visited, the nearest on top.
-struct BvhStack {
-  struct Entry {
-    const Bvh::Node* node;
-    std::uint32_t child;
+class BvhStack {
+ public:
+  struct Child {
+    std::uint32_t first;        ///< as its node's
+    std::uint16_t count, slot;  ///< as its node's, and which of its children
+    std::uint32_t parent;       ///< its node
     float near;
-  };
-  std::array<Entry, Bvh::deepest*(BoxSet::size - 1) + 1> entries;
-  std::size_t top = 0;
 
-  /// Adds the children that rays of the bundle may enter before t_max.
-  void push(const Bvh::Node& node, const Bundle& bundle, float t_max) {
-    BoxSet::Floats near;
-    const std::size_t bottom = top;
-    for (unsigned left = bundle.enters(node.boxes, t_max, near); left != 0; left &= left - 1) {
-      const auto child = static_cast<std::uint32_t>(std::countr_zero(left));
-      std::size_t at = top++;
-      for (; at > bottom && entries[at - 1].near < near[child]; --at) entries[at] = entries[at - 1];
-      entries[at] = {&node, child, near[child]};
+    bool is_leaf() const { return count != 0; }
+  };
+
+  /// Adds the children that are entered, at least one, but for the nearest. Returns: that one.
+  Child push_others(const Bvh& bvh, std::uint32_t parent, unsigned entered,
+                    const BoxSet::Floats& near) {
+    const Bvh::Node& node = bvh.nodes[parent];
+    const auto child = [&](unsigned i) -> Child {
+      return {node.first[i], node.count[i], static_cast<std::uint16_t>(i), parent, near[i]};
+    };
+    const unsigned others = entered & (entered - 1);
+    if ((others & (others - 1)) == 0) {  // one or two, mostly: nobody can foretell which, nor which
+      const auto a = static_cast<unsigned>(std::countr_zero(entered));  // is nearer: no branches
+      const auto b = 31 - static_cast<unsigned>(std::countl_zero(entered));
+      const unsigned nearer = a ^ ((a ^ b) & (0U - static_cast<unsigned>(near[b] < near[a])));
+      entries_[top_] = child(a ^ b ^ nearer);
+      top_ += others != 0;
+      return child(nearer);
     }
+    const std::size_t bottom = top_;
+    for (unsigned left = entered; left != 0; left &= left - 1) {
+      const Child next = child(static_cast<unsigned>(std::countr_zero(left)));
+      std::size_t at = top_++;
+      for (; at > bottom && entries_[at - 1].near < next.near; --at)
+        entries_[at] = entries_[at - 1];
+      entries_[at] = next;
+    }
+    return entries_[--top_];
   }
+  /// Takes the nearest one that begins before t_max. Returns: whether there was one.
+  bool pop(float t_max, Child& child) {
+    while (top_ > 0) {
+      child = entries_[--top_];
+      if (child.near <= t_max) return true;
+    }
+    return false;
+  }
+
+ private:
+  std::array<Child, Bvh::deepest*(BoxSet::size - 1) + 1> entries_;
+  std::size_t top_ = 0;
 };
 
 }  // namespace detail
 
-/// Calls visit(number, lanes, alone) for each thing in a leaf whose box lanes of `active` enter
-/// before t_max, roughly from near to far; alone: the leaf's box is the thing's own. t_max may
-/// shrink from within.
-template <class Real, class Visit>
-void traverse(const Bvh& bvh, const BoxRay<Real>& ray, Mask<Real> active, const Real& t_max,
-              Effort& effort, Visit visit) {
-  if (bvh.nodes.empty()) return;
-  const Bundle bundle(ray, active);
+/// What traverse calls for a leaf that lanes enter: leaf(first, count, lanes), entries of `order`.
+/// t_max may shrink from within. All traversals go roughly from near to far.
+///
+/// One ray alone through the subtree of a node. Source: as LoneRay's.
+template <class Leaf>
+void traverse(const Bvh& bvh, std::uint32_t root, const LoneRay& ray, const float& t_max,
+              Effort& effort, Leaf leaf) {
+  detail::BvhStack stack;
+  detail::BvhStack::Child next{root, 0, 0, 0, 0};
+  for (;;) {
+    effort.test();
+    BoxSet::Floats near;
+    const unsigned entered = ray.enters(bvh.nodes[next.first].boxes, t_max, near);
+    if (entered != 0) next = stack.push_others(bvh, next.first, entered, near);
+    else if (!stack.pop(t_max, next)) return;
+    while (next.is_leaf()) {
+      leaf(next.first, next.count, true);
+      if (!stack.pop(t_max, next)) return;
+    }
+  }
+}
+
+/// A packet through all of it: what no ray of the bundle enters is left out at once, and of the
+/// rest the lanes that do not. Where at most `few` lanes go on into a node, or all ways at once,
+/// alone(node, lanes) has to take them through it: a packet of few costs as much as one of many.
+/// Source: Benthin, Wald, Woop, Ernst, "Combining single and packet-ray tracing for arbitrary ray
+/// distributions on the Intel MIC architecture" (2012).
+template <class Real, class Leaf, class Alone>
+void traverse(const Bvh& bvh, const BoxRay<Real>& ray, const Bundle& bundle, Mask<Real> active,
+              const Real& t_max, Effort& effort, Leaf leaf, int few, Alone alone) {
   float furthest = greatest(t_max, active);
   detail::BvhStack stack;
-  const auto open = [&](const Bvh::Node& node) {
+  detail::BvhStack::Child next{0, 0, 0, 0, 0};
+  for (;;) {
     effort.test();
-    stack.push(node, bundle, furthest);
-  };
-  open(bvh.nodes.front());
-  while (stack.top > 0) {
-    const auto [node, child, near] = stack.entries[--stack.top];
-    if (near > furthest) continue;
-    Mask<Real> entered = active;
-    if constexpr (lanes < Real >> 1) {  // of one ray the bundle has told all
-      effort.test();
-      entered = active && ray.enters(node->boxes.box(child), t_max);
-      if (!any(entered)) continue;
+    BoxSet::Floats near;
+    const unsigned ahead = bundle.enters(bvh.nodes[next.first].boxes, furthest, near);
+    if (ahead != 0) next = stack.push_others(bvh, next.first, ahead, near);
+    else if (!stack.pop(furthest, next)) return;
+    for (;;) {
+      Mask<Real> entered = active;
+      if constexpr (lanes < Real >> 1) {  // of one ray the bundle has told all
+        effort.test();
+        entered = active && ray.enters(bvh.nodes[next.parent].boxes.box(next.slot), t_max);
+      }
+      if (any(entered)) {
+        if (next.is_leaf()) leaf(next.first, next.count, entered);
+        else if (few == 0 || count(entered) > few) break;
+        else alone(next.first, entered);
+        furthest = greatest(t_max, active);
+      }
+      if (!stack.pop(furthest, next)) return;
     }
-    const std::uint32_t first = node->first[child], count = node->count[child];
-    if (count == 0) {
-      open(bvh.nodes[first]);
-      continue;
-    }
-    for (std::uint32_t i = 0; i < count; ++i) visit(bvh.order[first + i], entered, count == 1);
-    furthest = greatest(t_max, active);
   }
+}
+
+/// The same, never alone.
+template <class Real, class Leaf>
+void traverse(const Bvh& bvh, const BoxRay<Real>& ray, Mask<Real> active, const Real& t_max,
+              Effort& effort, Leaf leaf) {
+  if (bvh.nodes.empty()) return;
+  traverse(bvh, ray, Bundle(ray, active), active, t_max, effort, leaf, 0,
+           [](std::uint32_t, Mask<Real>) {});
 }
 
 }  // namespace tia

@@ -47,8 +47,8 @@ void list_few_balls(World& world) {
 
 class Lighting {
  public:
-  Lighting(const Scene& scene, SharedGeometry objects, const std::stop_token& stop)
-      : scene_(scene), stop_(stop) {
+  Lighting(const Scene& scene, SharedGeometry objects, const Workers& workers)
+      : scene_(scene), workers_(workers) {
     world_.background = rgb(scene.background);
     world_.transparent_shadows = scene.options.transparent_shadows;
     world_.lamps = objects->lamps;
@@ -118,25 +118,25 @@ class Lighting {
     for (const Vec3d& p : corners)
       mesh.positions.values.insert(mesh.positions.values.end(), {p.x, p.y, p.z});
     mesh.indices.values = {0, 1, 2, 0, 2, 3};
-    builder_.add(indexed(mesh, stop_), own);
+    builder_.add(indexed(mesh, workers_), own);
   }
 
   const Scene& scene_;
-  const std::stop_token& stop_;
+  const Workers& workers_;
   World world_;
   Geometry& lights_ = world_.of_lights;
-  GeometryBuilder builder_{lights_, stop_};
+  GeometryBuilder builder_{lights_, workers_};
   std::map<int, std::shared_ptr<const Strata>> strata_;
 };
 
 }  // namespace
 
-World compile(const Scene& scene, SharedGeometry objects, const std::stop_token& stop) {
-  return Lighting(scene, std::move(objects), stop).lit();
+World compile(const Scene& scene, SharedGeometry objects, const Workers& workers) {
+  return Lighting(scene, std::move(objects), workers).lit();
 }
 
-World compile(const Scene& scene, const std::stop_token& stop) {
-  return compile(scene, std::make_shared<const Geometry>(geometry_of(scene, stop)), stop);
+World compile(const Scene& scene, const Workers& workers) {
+  return compile(scene, std::make_shared<const Geometry>(geometry_of(scene, workers)), workers);
 }
 
 std::vector<int> candidates(const World& world, const Beam& beam) {

@@ -13,8 +13,15 @@ Affine Geometry::to_space(int space, std::int64_t copy) const {
   return to_copy * grid.to_group * to_space(grid.outside, copy / all);
 }
 
-SharedMesh indexed(const Mesh& mesh, const std::stop_token& stop) {
-  return std::make_shared<const MeshIndex>(mesh, stop);
+void BallIndex::pack(const std::vector<Ball>& all) {
+  packed = {bvh, [&](std::uint32_t i) -> std::array<double, 4> {
+              const auto& [center, radius] = all[i].sphere;
+              return {center.x, center.y, center.z, radius * radius};
+            }};
+}
+
+SharedMesh indexed(const Mesh& mesh, const Workers& workers) {
+  return std::make_shared<const MeshIndex>(mesh, workers);
 }
 
 // ---- how much memory it holds ---------------------------------------------------------------
@@ -30,8 +37,8 @@ concept Ramped = requires(const T& form) {
   form.ramp;
 };
 
-template <class T>
-std::size_t heap_of(const std::vector<T>& list) {
+template <class T, class Allocator>
+std::size_t heap_of(const std::vector<T, Allocator>& list) {
   return list.capacity() > 0 ? block + list.capacity() * sizeof(T) : 0;
 }
 std::size_t heap_of(const AlgebraicForm& form) { return heap_of(form.terms); }
@@ -55,7 +62,9 @@ std::size_t heap_of(const Part& part) { return heap_of(part.form); }
 std::size_t heap_of(const TextureForm& texture) { return heap_of(texture.kind); }
 std::size_t heap_of(const Solid& solid) { return heap_of(solid.steps); }
 std::size_t heap_of(const Space& space) {
-  return heap_of(space.items) + heap_of(space.boxes) + heap_of(space.bvh) + heap_of(space.rest);
+  const BallIndex& balls = space.balls;
+  return heap_of(space.items) + heap_of(space.boxes) + heap_of(space.bvh) + heap_of(space.rest) +
+         heap_of(balls.balls) + heap_of(balls.bvh) + balls.packed.bytes();
 }
 // Of a list with what its elements own.
 template <class T>
@@ -75,7 +84,7 @@ std::size_t bytes_of(const Geometry& g) {
 
 std::size_t bytes_of(const MeshIndex& mesh) {
   return sizeof(MeshIndex) + heap_of(mesh.positions) + heap_of(mesh.normals) + heap_of(mesh.uvs) +
-         heap_of(mesh.triangles) + heap_of(mesh.bvh);
+         heap_of(mesh.triangles) + heap_of(mesh.bvh) + mesh.packed.bytes();
 }
 
 }  // namespace tia

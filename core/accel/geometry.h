@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
-#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -67,14 +66,27 @@ struct Flat {
   int part = 0;
 };
 
-/// Item: one thing that a ray is tried on.
+/// BallIndex: balls, packed for packets and for single rays.
+struct BallIndex {
+  std::vector<std::uint32_t> balls;  ///< of the geometry's
+  Bvh bvh;                           ///< over them
+  PackedLeaves<double, 4> packed;    ///< centre, radius^2
+
+  /// Whether they are so few that they are tried in turn, without an index.
+  bool few() const { return bvh.nodes.empty(); }
+  /// Packs the balls as the leaves of `bvh` list them.
+  void pack(const std::vector<Ball>& all);
+};
+
+/// Item: one thing that a ray is tried on by itself.
 struct Item {
-  enum Kind { ball, flat, part, mesh, solid, copies };
-  Kind kind = ball;
+  enum Kind { flat, part, mesh, solid, copies };
+  Kind kind = part;
   int index = 0;  ///< into the geometry's list of that kind; of a mesh: its part
 };
 
 struct Space {
+  BallIndex balls;
   std::vector<Item> items;
   std::vector<Box32> boxes;         ///< one an item
   Bvh bvh;                          ///< over the items that have bounds
@@ -113,14 +125,14 @@ struct Geometry {
 using SharedGeometry = std::shared_ptr<const Geometry>;
 
 /// MeshSource: gives the index of a mesh, made or found. Errors: Stopped.
-using MeshSource = std::function<SharedMesh(const Mesh&, const std::stop_token&)>;
+using MeshSource = std::function<SharedMesh(const Mesh&, const Workers&)>;
 /// Makes it.
-SharedMesh indexed(const Mesh& mesh, const std::stop_token& stop);
+SharedMesh indexed(const Mesh& mesh, const Workers& workers);
 
 /// What rays can meet of a scene's objects. It depends on objects, materials and ambient light, and
 /// on nothing else of the scene. Domain: a scene that read_scene has passed.
 /// Errors: Stopped once that is asked for.
-Geometry geometry_of(const Scene& scene, const std::stop_token& stop = {},
+Geometry geometry_of(const Scene& scene, const Workers& workers = {},
                      const MeshSource& mesh = indexed);
 
 /// Space/units: bytes, its own and all that it owns on the heap, its meshes left out: those are

@@ -37,6 +37,7 @@ int work_of_form(const Form& form) {
 int GeometryBuilder::add_part(Form form, const Setting& at, int object) {
   Part part;
   part.to_object = at.place.inverse();
+  part.placed = part.to_object != Affine{};
   const Aabb box = bounds_of(form);
   if (box.bounded()) part.middle = box.center();
   part.work = work_of_form(form);
@@ -87,9 +88,8 @@ void GeometryBuilder::put(const Sphere& sphere, int part, const Setting& at) {
   const auto scale = similarity(at.place);
   if (!scale) return put({Item::part, part}, bounds_of(at.place, bounds(sphere)), at.space);
   const Sphere round{at.place.point(sphere.center), sphere.radius * *scale};
-  const int ball = pushed(geometry_.balls, Ball{round, part});
-  geometry_.parts.back().ball = ball;
-  put({Item::ball, ball}, bounds(round), at.space);
+  geometry_.parts.back().ball = static_cast<int>(geometry_.balls.size());
+  put(Ball{round, part}, at.space);
 }
 
 // ---- grids ----------------------------------------------------------------------------------
@@ -113,20 +113,19 @@ void GeometryBuilder::end_grid(int number, const Setting& at) {
 // A small grid of balls is quicker found in the world's index than by itself.
 bool GeometryBuilder::is_small(const Copies& grid) const {
   constexpr std::int64_t most = 8192;
-  const std::vector<Item>& items = geometry_.space(grid.inside).items;
-  return static_cast<std::int64_t>(items.size()) * grid.repeat.copies() <= most &&
-         std::ranges::all_of(items, [](const Item& item) { return item.kind == Item::ball; });
+  const Space& inside = geometry_.space(grid.inside);
+  const auto balls = static_cast<std::int64_t>(inside.balls.balls.size());
+  return inside.items.empty() && balls * grid.repeat.copies() <= most;
 }
 
-void GeometryBuilder::put_balls(int number, const Affine& place, double scale) {
-  const Copies& grid = geometry_.copies[static_cast<std::size_t>(number)];
-  for (const Item& item : geometry_.space(grid.inside).items) {
-    const Ball one = geometry_.balls[static_cast<std::size_t>(item.index)];
+void GeometryBuilder::put_balls(int grid_number, const Affine& place, double scale) {
+  const Copies& grid = geometry_.copies[static_cast<std::size_t>(grid_number)];
+  for (const std::uint32_t number : geometry_.space(grid.inside).balls.balls) {
+    const Ball one = geometry_.balls[number];
     for (int copy = 0; copy < grid.repeat.copies(); ++copy) {
       const Vec3d center = place.point(one.sphere.center + grid.offset(copy));
       const Sphere round{center, one.sphere.radius * scale};
-      const Ball ball{round, one.part, number, copy};
-      put({Item::ball, pushed(geometry_.balls, ball)}, bounds(round), 0);
+      put(Ball{round, one.part, grid_number, copy}, 0);
     }
   }
 }
@@ -139,26 +138,49 @@ void GeometryBuilder::put(Item item, const Aabb& box, int space) {
   boxes_[space].push_back(box);
 }
 
-void GeometryBuilder::index(Space& space, const std::vector<Aabb>& boxes) {
-  std::vector<Aabb> bounded;
+void GeometryBuilder::put(const Ball& ball, int space) {
+  const int number = pushed(geometry_.balls, ball);
+  if (!bounds(ball.sphere).empty())
+    geometry_.space(space).balls.balls.push_back(static_cast<std::uint32_t>(number));
+}
+
+namespace {
+constexpr std::size_t few = 4;  // so few things are tried in turn: an index costs what it saves
+}
+
+void GeometryBuilder::index(BallIndex& index) const {
+  if (index.balls.size() <= few) return;
+  std::vector<Box32> boxes;
+  boxes.reserve(index.balls.size());
+  for (const std::uint32_t i : index.balls)
+    boxes.push_back(rounded_outwards(bounds(geometry_.balls[i].sphere)));
+  index.bvh = build_bvh(boxes, workers_);
+  for (std::uint32_t& each : index.bvh.order) each = index.balls[each];
+  index.pack(geometry_.balls);
+}
+
+void GeometryBuilder::index(Space& space, const std::vector<Aabb>& boxes) const {
+  std::vector<Box32> bounded;
   std::vector<std::uint32_t> which;
   for (std::size_t i = 0; i < boxes.size(); ++i) {
     space.boxes.push_back(rounded_outwards(boxes[i]));
     const auto item = static_cast<std::uint32_t>(i);
-    if (!boxes[i].bounded()) {
+    if (boxes.size() <= few || !boxes[i].bounded()) {
       space.rest.push_back(item);
       continue;
     }
-    bounded.push_back(boxes[i]);
+    bounded.push_back(space.boxes.back());
     which.push_back(item);
   }
-  space.bvh = build_bvh(bounded, stop_);
+  space.bvh = build_bvh(bounded, workers_);
   for (std::uint32_t& each : space.bvh.order) each = which[each];
 }
 
 void GeometryBuilder::finish() {
-  for (std::size_t i = 0; i < geometry_.spaces.size(); ++i)
+  for (std::size_t i = 0; i < geometry_.spaces.size(); ++i) {
+    index(geometry_.spaces[i].balls);
     index(geometry_.spaces[i], boxes_[static_cast<int>(i)]);
+  }
 }
 
 }  // namespace tia

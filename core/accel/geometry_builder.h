@@ -4,7 +4,6 @@
 #pragma once
 
 #include <map>
-#include <stop_token>
 #include <utility>
 #include <vector>
 
@@ -31,8 +30,8 @@ class GeometryBuilder {
  public:
   /// Domain: a geometry without spaces; it and the token outlive the builder. Stopped is what all
   /// functions throw once that is requested.
-  GeometryBuilder(Geometry& geometry, const std::stop_token& stop)
-      : geometry_(geometry), stop_(stop) {
+  GeometryBuilder(Geometry& geometry, const Workers& workers)
+      : geometry_(geometry), workers_(workers) {
     geometry_.spaces.emplace_back();
   }
 
@@ -54,12 +53,14 @@ class GeometryBuilder {
   void put(Item item, const Aabb& box, int space);
   void put(const PlaneForm& plane, int part, const Setting& at);
   void put(const Sphere& sphere, int part, const Setting& at);
+  void put(const Ball& ball, int space);
   void put_balls(int grid, const Affine& place, double scale);
   bool is_small(const Copies& grid) const;
-  void index(Space& space, const std::vector<Aabb>& boxes);
+  void index(BallIndex& index) const;
+  void index(Space& space, const std::vector<Aabb>& boxes) const;
 
   Geometry& geometry_;
-  const std::stop_token& stop_;
+  const Workers& workers_;
   std::map<int, std::vector<Aabb>> boxes_;  // one an item, space by space
 };
 

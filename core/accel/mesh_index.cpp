@@ -1,7 +1,5 @@
 #include "core/accel/mesh_index.h"
 
-#include "core/input/stopped.h"
-
 namespace tia {
 namespace {
 
@@ -19,32 +17,79 @@ double extent(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
 
 }  // namespace
 
-MeshIndex::MeshIndex(const Mesh& mesh, const std::stop_token& stop) {
-  constexpr double thinnest =
-      1e-14;  // an area below this share of the longest edge's square is none
+MeshIndex::MeshIndex(const Mesh& mesh, const Workers& workers) {
   const auto& places = mesh.positions.values;
+  positions.reserve(places.size() / 3);
   for (std::size_t i = 0; i < places.size() / 3; ++i) positions.push_back(triple(places, i));
   for (std::size_t i = 0; i < mesh.normals.values.size() / 3; ++i)
     normals.push_back(normalize(triple(mesh.normals.values, i)));
   for (std::size_t i = 0; i < mesh.uvs.values.size() / 2; ++i)
     uvs.push_back({mesh.uvs.values[2 * i], mesh.uvs.values[2 * i + 1]});
-
   const auto& numbers = mesh.indices.values;
-  std::vector<Aabb> boxes;
-  std::vector<std::uint32_t> which;
-  for (std::size_t i = 0; i < numbers.size() / 3; ++i) {
-    if (i % 4096 == 0) end_if_asked(stop);
-    triangles.push_back({numbers[3 * i], numbers[3 * i + 1], numbers[3 * i + 2]});
+  triangles.reserve(numbers.size() / 3);
+  for (std::size_t i = 0; i < numbers.size(); i += 3)
+    triangles.push_back({numbers[i], numbers[i + 1], numbers[i + 2]});
+  workers.end_if_asked();
+
+  const std::vector<std::uint32_t> sound = sound_triangles();
+  measure(sound);
+  std::vector<Box32> boxes(sound.size());
+  workers.for_each_share(sound.size(), [&](std::size_t from, std::size_t to) {
+    for (std::size_t i = from; i < to; ++i) boxes[i] = measured_box(sound[i]);
+  });
+  bvh = build_bvh(boxes, workers);
+  for (std::uint32_t& each : bvh.order) each = sound[each];
+  pack();
+}
+
+// Those that have an area, and so can be hit.
+std::vector<std::uint32_t> MeshIndex::sound_triangles() {
+  constexpr double thinnest =
+      1e-14;  // an area below this share of the longest edge's square is none
+  std::vector<std::uint32_t> sound;
+  sound.reserve(triangles.size());
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
     const Vec3d &a = corner(i, 0), &b = corner(i, 1), &c = corner(i, 2);
-    if (!(length(area_vector(a, b, c)) > thinnest * extent(a, b, c))) {
-      ++degenerate;
-      continue;
-    }
-    boxes.push_back(around(around(around(Aabb{}, a), b), c));
-    which.push_back(static_cast<std::uint32_t>(i));
+    const Vec3d across = area_vector(a, b, c);
+    const double most = thinnest * extent(a, b, c);
+    if (dot(across, across) > most * most) sound.push_back(static_cast<std::uint32_t>(i));
   }
-  bvh = build_bvh(boxes, stop);
-  for (std::uint32_t& each : bvh.order) each = which[each];
+  degenerate = triangles.size() - sound.size();
+  return sound;
+}
+
+void MeshIndex::measure(const std::vector<std::uint32_t>& sound) {
+  if (sound.empty()) return;
+  Aabb all;
+  for (const std::uint32_t i : sound)
+    for (std::size_t k = 0; k < 3; ++k) all = around(all, corner(i, k));
+  middle = all.center();
+  const Vec3d half = all.size() * 0.5;
+  unit = std::exp2(std::ilogb(std::max({half.x, half.y, half.z})) + 1);
+}
+
+// Larger than the rounded triangle by far more than what the test of a ray from nearby rounds.
+Box32 MeshIndex::measured_box(std::size_t triangle) const {
+  constexpr float room = 0x1p-18F;
+  Vec3f low{infinity, infinity, infinity}, high = -low;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto p = static_cast<Vec3f>(measured(corner(triangle, i)));
+    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+  }
+  const Vec3f more{room, room, room};
+  return {low - more, high + more};
+}
+
+void MeshIndex::pack() {
+  packed = {bvh, [this](std::uint32_t triangle) {
+              std::array<float, 9> words;
+              for (std::size_t i = 0; i < 3; ++i) {
+                const auto p = static_cast<Vec3f>(measured(corner(triangle, i)));
+                words[3 * i] = p.x, words[3 * i + 1] = p.y, words[3 * i + 2] = p.z;
+              }
+              return words;
+            }};
 }
 
 MeshPoint point_of(const MeshIndex& mesh, std::size_t triangle, const Vec3d& p) {

@@ -17,6 +17,9 @@ struct Box32 {
 };
 Box32 rounded_outwards(const Aabb& box);
 
+/// Far beyond the three roundings of a slab's t, and beyond the one of a hit's t_max.
+inline constexpr float box_shrink = 1 - 0x1p-20F, box_grow = 1 + 0x1p-20F;
+
 /// BoxRay: the ray as the slabs of boxes need it. A test never misses a box that the ray meets.
 /// Source: Ize, "Robust BVH Ray Traversal", JCGT 2 (2013).
 template <class Real>
@@ -40,8 +43,6 @@ class BoxRay {
   }
   /// The lanes that are in the box somewhere from 0 to t_max.
   [[gnu::always_inline]] Mask<Real> enters(const Box32& box, const Real& t_max) const {
-    // Far beyond the three roundings of a slab's t, and beyond the one of a hit's t_max.
-    const Real shrink(1 - 0x1p-20F), grow(1 + 0x1p-20F);
     Real near(0), far = t_max;
     const auto slab = [&](float from, float to, const Real& low, const Real& high,
                           const Real& inverse) __attribute__((always_inline)) {
@@ -52,7 +53,17 @@ class BoxRay {
     slab(box.min.x, box.max.x, low_.x, high_.x, inverse_.x);
     slab(box.min.y, box.max.y, low_.y, high_.y, inverse_.y);
     slab(box.min.z, box.max.z, low_.z, high_.z, inverse_.z);
-    return near * shrink <= far * grow;
+    return near * Real(box_shrink) <= far * Real(box_grow);
+  }
+  /// One of its rays.
+  BoxRay<float> one(int i) const {
+    BoxRay<float> ray;
+    const auto of = [i](const Vec3<Real>& v) -> Vec3f {
+      return {lane(v.x, i), lane(v.y, i), lane(v.z, i)};
+    };
+    ray.low_ = of(low_), ray.high_ = of(high_), ray.inverse_ = of(inverse_);
+    ray.backwards_ = {ray.inverse_.x < 0, ray.inverse_.y < 0, ray.inverse_.z < 0};
+    return ray;
   }
   /// Calls f(axis, low, high, inverse): the origin plus and minus its blur, and the direction.
   template <class F>
@@ -65,6 +76,10 @@ class BoxRay {
   bool backwards(int axis) const { return backwards_[static_cast<std::size_t>(axis)]; }
 
  private:
+  template <class>
+  friend class BoxRay;
+  BoxRay() = default;
+
   // A direction of 0 becomes one that is parallel enough, so that no 0 * infinity arises.
   static Real away_from_zero(const Real& d) {
     constexpr float tiny = 1e-30F;
@@ -102,32 +117,37 @@ class Packet {
  public:
   using P = Precise<Real>;
 
-  explicit Packet(const Ray<Real>& ray) : root(ray), box(ray.origin, ray.direction, Real(0)) {}
+  explicit Packet(const Ray<Real>& ray)
+      : root(ray), box(ray.origin, ray.direction, Real(0)), unit_length(true) {}
 
+  Packet<float> one(int i) const { return {root.one(i), box.one(i), copy, unit_length}; }
   /// The same rays in the space that `map` leads to.
   Packet seen_through(const Affine& map) const {
     return {map.point(root.origin), map.vector(root.direction), copy};
   }
   /// The same rays seen from a copy of the space that stands at `offset`.
   Packet inside_copy(const Vec3d& offset, int number) const {
-    Packet inside(root, box);
+    Packet inside(root, box, number, unit_length);
     inside.root.origin = root.origin - static_cast<Vec3<P>>(offset);
     const Vec3<Real> origin = narrowed(inside.root.origin);
     inside.box = box.from(origin, blur_of(origin));
-    inside.copy = number;
     return inside;
   }
 
   RootRay<Real> root;
   BoxRay<Real> box;
-  int copy = 0;  ///< which copy of repeated groups the rays are in
+  int copy = 0;              ///< which copy of repeated groups the rays are in
+  bool unit_length = false;  ///< whether directions are unit, but for float's rounding
 
  private:
+  template <class>
+  friend class Packet;
   Packet(const Vec3<P>& origin, const Vec3<P>& direction, int number)
       : root(origin, direction),
         box(narrowed(origin), narrowed(direction), blur_of(narrowed(origin))),
         copy(number) {}
-  Packet(const RootRay<Real>& r, const BoxRay<Real>& b) : root(r), box(b) {}
+  Packet(const RootRay<Real>& r, const BoxRay<Real>& b, int number, bool is_unit)
+      : root(r), box(b), copy(number), unit_length(is_unit) {}
 
   static Vec3<Real> narrowed(const Vec3<P>& v) {
     return {narrow<Real>(v.x), narrow<Real>(v.y), narrow<Real>(v.z)};

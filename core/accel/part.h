@@ -20,6 +20,7 @@ struct Part {
   int object = 0;         ///< the object that it belongs to, counted from 0 in the scene's order
   int space = 0;          ///< the space of the world that it stands in
   bool inverted = false;  ///< whether it cuts a solid, whose outside is then its inside
+  bool placed = false;    ///< whether to_object does anything
   int work = 1;           ///< what trying a ray on it costs (Effort)
 };
 

@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include "core/accel/mesh_search.h"
 #include "core/accel/trace.h"
 
 namespace tia {
@@ -31,6 +32,27 @@ struct Nearest {
     hit.element = select(nearer, element, hit.element);
     hit.copy = select(nearer, number, hit.copy);
   }
+
+  using Triangles = NearestTriangle<Real>;
+  Triangles in(const MeshRay<Real>& ray) const {
+    return {ray.m_of(hit.t * Real(box_grow)) * Real(box_grow)};
+  }
+  void take(const Triangles& found, const MeshRay<Real>& ray, int part, int copy, Mask<Real> here) {
+    offer(ray.t_of(found.limit), Real(static_cast<float>(part)), found.number, copy,
+          here && found.found());
+  }
+
+  Nearest<float> one(int i) const {
+    return {{lane(hit.t, i), lane(hit.part, i), lane(hit.element, i), lane(hit.copy, i)},
+            own,
+            own_copy};
+  }
+  void set_one(int i, const Nearest<float>& ray) {
+    set_lane(hit.t, i, ray.hit.t);
+    set_lane(hit.part, i, ray.hit.part);
+    set_lane(hit.element, i, ray.hit.element);
+    set_lane(hit.copy, i, ray.hit.copy);
+  }
 };
 
 /// Whether anything but one part of one copy stands between the ray's origin and t_max.
@@ -45,45 +67,153 @@ struct AnyHit {
   void offer(const Real& t, const Real&, const Real&, int, Mask<Real> here) {
     t_max = select(here && t < t_max, Real(-1), t_max);
   }
+
+  using Triangles = AnyTriangle<Real>;
+  Triangles in(const MeshRay<Real>& ray) const { return {ray.m_of(t_max)}; }
+  void take(const Triangles& found, const MeshRay<Real>&, int, int, Mask<Real> here) {
+    t_max = select(here && found.found(), Real(-1), t_max);
+  }
+
+  AnyHit<float> one(int i) const { return {lane(t_max, i), own, own_copy}; }
+  void set_one(int i, const AnyHit<float>& ray) { set_lane(t_max, i, ray.t_max); }
 };
 
 // ---- the search -----------------------------------------------------------------------------
 
-/// Tries the rays on everything of a space that may answer the query.
-template <class Real, class Query>
+/// Tries the rays on everything of a space that may answer the query. Where `quick`, few rays of a
+/// packet go alone, each on several things at once; else every thing is tried on all the rays: the
+/// plain way to the same answers.
+template <class Real, class Query, bool quick = (lanes<Real> > 1)>
 class Search {
  public:
   Search(const Geometry& geometry, Query& query, Effort& effort)
       : geometry_(geometry), query_(query), effort_(effort) {}
 
   void through(const Space& space, Packet<Real>& packet, Mask<Real> active) {
-    for (const std::uint32_t i : space.rest) meet(space.items[i], packet, active);
-    traverse(space.bvh, packet.box, active, query_.limit(), effort_,
-             [&](std::uint32_t i, Mask<Real> here, bool alone) {
-               // A ball tells as soon as its box does.
-               const Item& item = space.items[i];
-               if (!alone && item.kind != Item::ball)
-                 here = here && packet.box.enters(space.boxes[i], query_.limit());
-               if (any(here)) meet(item, packet, here);
-             });
-  }
-
-  /// The same without the index, which costs more than the boxes of a few.
-  void through_few(const Space& space, Packet<Real>& packet, Mask<Real> active) {
-    for (std::size_t i = 0; i < space.items.size(); ++i) {
+    for (const std::uint32_t i : space.rest) {
       effort_.test();
       const Mask<Real> here = active && packet.box.enters(space.boxes[i], query_.limit());
       if (any(here)) meet(space.items[i], packet, here);
     }
+    if (space.balls.few()) {
+      for (const std::uint32_t i : space.balls.balls) meet(geometry_.balls[i], packet, active);
+    }
+    through(
+        space.balls.bvh, packet, active,
+        [&](std::uint32_t first, std::uint32_t count, Mask<Real> here) {
+          meet_balls(space.balls, first, count, packet, here);
+        },
+        [&](std::uint32_t node, Packet<float>& ray, auto& search) {
+          search.below(space.balls, node, ray);
+        });
+    through(
+        space.bvh, packet, active,
+        [&](std::uint32_t first, std::uint32_t count, Mask<Real> here) {
+          meet_items(space, first, count, packet, here);
+        },
+        [&](std::uint32_t node, Packet<float>& ray, auto& search) {
+          search.below(space, node, ray);
+        });
+  }
+
+  /// One ray alone, through what is below a node.
+  void below(const BallIndex& balls, std::uint32_t node, Packet<float>& ray) {
+    const RootRay<FloatRegister> root(ray.root);
+    traverse(balls.bvh, node, LoneRay(ray.box), query_.limit(), effort_,
+             [&](std::uint32_t first, std::uint32_t count, bool) {
+               meet_balls(balls, first, count, root, ray.copy);
+             });
+  }
+  void below(const Space& space, std::uint32_t node, Packet<float>& ray) {
+    traverse(space.bvh, node, LoneRay(ray.box), query_.limit(), effort_,
+             [&](std::uint32_t first, std::uint32_t count, bool) {
+               meet_items(space, first, count, ray, true);
+             });
   }
 
  private:
   static constexpr auto n = static_cast<std::size_t>(lanes<Real>);
+  static constexpr int few = 2;
   using Lanes = std::array<LaneOf<Real>, n>;
 
+  template <class Leaf, class Below>
+  void through(const Bvh& bvh, Packet<Real>& packet, Mask<Real> active, Leaf leaf, Below below) {
+    if constexpr (!quick) {
+      traverse(bvh, packet.box, active, query_.limit(), effort_, leaf);
+    } else if constexpr (lanes<Real> == 1) {
+      if (!bvh.nodes.empty()) below(0U, packet, *this);
+    } else {
+      if (bvh.nodes.empty()) return;
+      const auto alone = [&](std::uint32_t node, Mask<Real> here) {
+        one_by_one(packet, here,
+                   [&](Packet<float>& ray, auto& search) { below(node, ray, search); });
+      };
+      const Bundle bundle(packet.box, active);
+      if (bundle.scattered() || count(active) <= few) alone(0, active);
+      else traverse(bvh, packet.box, bundle, active, query_.limit(), effort_, leaf, few, alone);
+    }
+  }
+  // Calls work(ray, search) for each lane.
+  template <class Work>
+  void one_by_one(const Packet<Real>& packet, Mask<Real> here, Work work) {
+    for (unsigned left = bits(here); left != 0; left &= left - 1) {
+      const int i = std::countr_zero(left);
+      auto own = query_.one(i);
+      Packet<float> ray = packet.one(i);
+      Search<float, decltype(own), true> search(geometry_, own, effort_);
+      work(ray, search);
+      query_.set_one(i, own);
+    }
+  }
+
+  // ---- balls ----------------------------------------------------------------------------------
+
+  void meet_balls(const BallIndex& balls, std::uint32_t first, std::uint32_t count,
+                  Packet<Real>& packet, Mask<Real> here) {
+    for (std::uint32_t i = first; i < first + count; ++i)
+      meet(geometry_.balls[balls.bvh.order[i]], packet, here);
+  }
+  void meet_balls(const BallIndex& balls, std::uint32_t first, std::uint32_t count,
+                  const RootRay<FloatRegister>& ray, int copy) {
+    constexpr auto step = static_cast<std::uint32_t>(lanes<FloatRegister>);
+    using P = Precise<FloatRegister>;
+    const double* const words = balls.packed.leaf(first);
+    for (std::uint32_t from = 0; from < count; from += step) {
+      effort_.test();
+      const auto word = [&](std::uint32_t k) {
+        return P::load_unaligned(words + k * count + from);
+      };
+      const FloatRegister t =
+          intersect_sphere<FloatRegister>({word(0), word(1), word(2)}, word(3), ray);
+      unsigned left = bits(t <= FloatRegister(query_.limit()));
+      if (count - from < step) left &= (1U << (count - from)) - 1;
+      for (; left != 0; left &= left - 1) {
+        const auto i = static_cast<std::uint32_t>(std::countr_zero(left));
+        const Ball& ball = geometry_.balls[balls.bvh.order[first + from + i]];
+        if (query_.skips(ball.part, copy + ball.copy)) continue;
+        query_.offer(lane_of(t, i), number(ball.part), Real(0), copy + ball.copy, true);
+      }
+    }
+  }
+  static float lane_of(const FloatRegister& value, std::uint32_t i) {
+    std::array<float, FloatRegister::size> each;
+    value.store_unaligned(each.data());
+    return each[i];
+  }
+
+  // ---- everything else ------------------------------------------------------------------------
+
+  void meet_items(const Space& space, std::uint32_t first, std::uint32_t count,
+                  Packet<Real>& packet, Mask<Real> entered) {
+    for (std::uint32_t i = first; i < first + count; ++i) {
+      const std::uint32_t item = space.bvh.order[i];
+      Mask<Real> here = entered;
+      if (count > 1) here = here && packet.box.enters(space.boxes[item], query_.limit());
+      if (any(here)) meet(space.items[item], packet, here);
+    }
+  }
   void meet(const Item& item, Packet<Real>& packet, Mask<Real> here) {
     switch (item.kind) {
-      case Item::ball: return meet(geometry_.balls[at(item)], packet, here);
       case Item::flat: return meet(geometry_.flats[at(item)], packet, here);
       case Item::part: return meet_part(item.index, packet, here);
       case Item::mesh: return meet_mesh(item.index, packet, here);
@@ -147,16 +277,13 @@ class Search {
     if (query_.skips(part, packet.copy)) return;
     const Part& own = geometry_.part(part);
     const MeshIndex& mesh = *geometry_.meshes[static_cast<std::size_t>(own.mesh)];
-    Packet<Real> inside = packet.seen_through(own.to_object);
-    const RayFrame<Precise<Real>> frame = frame_of(inside);
-    traverse(mesh.bvh, inside.box, here, query_.limit(), effort_,
-             [&](std::uint32_t triangle, Mask<Real> entered, bool) {
-               effort_.test();
-               const Real t = intersect<Real>(mesh.corner(triangle, 0), mesh.corner(triangle, 1),
-                                              mesh.corner(triangle, 2), frame);
-               query_.offer(t, number(part), number(static_cast<int>(triangle)), packet.copy,
-                            entered);
-             });
+    const bool placed = own.placed;
+    const MeshRay<Real> ray(mesh, placed ? packet.seen_through(own.to_object).root : packet.root,
+                            !placed && packet.unit_length);
+    auto triangles = query_.in(ray);
+    here = here && triangles.limit > Real(0);
+    search<quick>(mesh, ray, triangles, here, effort_);
+    query_.take(triangles, ray, part, packet.copy, here);
   }
 
   void meet(const Copies& grid, Packet<Real>& packet, Mask<Real> here) {
@@ -166,7 +293,8 @@ class Search {
     traverse(grid, outside.box, here, query_.limit(), effort_, [&](int copy, Mask<Real> entered) {
       Packet<Real> inside = outside.inside_copy(grid.offset(copy), before + copy);
       // The box of a copy of one thing is that thing's.
-      if (space.items.size() == 1) meet(space.items.front(), inside, entered);
+      if (space.items.size() == 1 && space.balls.balls.empty())
+        meet(space.items.front(), inside, entered);
       else through(space, inside, entered);
     });
   }
@@ -181,14 +309,10 @@ template <class Real, class Query>
 void search(const World& world, const Ray<Real>& ray, Mask<Real> active, Query& query,
             Effort& effort) {
   Packet<Real> packet(ray);
-  Search<Real, Query>(*world.of_objects, query, effort)
-      .through(world.of_objects->spaces.front(), packet, active);
-  constexpr std::size_t few = 4;
-  const Space& lights = world.of_lights.spaces.front();
-  if (lights.items.empty()) return;
-  Search<Real, Query> among_lights(world.of_lights, query, effort);
-  if (lights.items.size() <= few) among_lights.through_few(lights, packet, active);
-  else among_lights.through(lights, packet, active);
+  for (const Geometry* geometry : world.geometries()) {
+    if (geometry->parts.empty()) continue;
+    Search<Real, Query>(*geometry, query, effort).through(geometry->spaces.front(), packet, active);
+  }
 }
 
 }  // namespace tia

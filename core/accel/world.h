@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <stop_token>
 #include <vector>
 
 #include "core/accel/geometry.h"
@@ -35,11 +34,11 @@ struct World {
 };
 
 /// Domain: a scene that read_scene has passed. Errors: Stopped once that is asked for.
-World compile(const Scene& scene, const std::stop_token& stop = {});
+World compile(const Scene& scene, const Workers& workers = {});
 /// The same of objects that are compiled already. Domain: geometry_of(scene), or that of a scene
 /// with the same objects, materials and ambient light.
 /// Cost: O(lights + luminous balls).
-World compile(const Scene& scene, SharedGeometry objects, const std::stop_token& stop = {});
+World compile(const Scene& scene, SharedGeometry objects, const Workers& workers = {});
 
 /// The balls that rays of a beam may meet, in the scene's order. Domain: world.few_balls.
 std::vector<int> candidates(const World& world, const Beam& beam);

@@ -2,12 +2,12 @@
 // pictures a container of our own around strips that are compressed in parallel.
 #pragma once
 
-#include <functional>
 #include <stop_token>
 #include <string>
 
 #include "core/film/image.h"
 #include "core/film/scanlines.h"
+#include "core/input/workers.h"
 
 namespace tia {
 
@@ -22,14 +22,11 @@ std::string encode_png(const Image8& image, const std::stop_token& stop = {});
 /// takes longer over strips than over the whole.
 bool is_cut_in_strips(int width, int height);
 
-/// ForEach: calls task(0) ... task(count - 1), each once, maybe several at a time.
-using ForEach = std::function<void(int count, const std::function<void(int)>& task)>;
-
-/// Returns: a PNG file of filtered scanlines. Same scanlines, same bytes, whatever ForEach does:
+/// Returns: a PNG file of filtered scanlines. Same scanlines, same bytes, whoever works on it:
 /// all strips but the last are of one size, each a chunk of libdeflate level 2 like the picture
 /// above. They know nothing of one another, for which the file is about 1 % larger. Errors: what
-/// ForEach throws.
-std::string encode_png(const Scanlines& scanlines, const ForEach& for_each);
+/// the workers throw.
+std::string encode_png(const Scanlines& scanlines, const Workers& workers = {});
 
 /// The encoder's name and version, for the bytes depend on it: "libdeflate 1.14".
 std::string png_encoder();

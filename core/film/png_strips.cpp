@@ -89,10 +89,10 @@ bool is_cut_in_strips(int width, int height) {
   return (1 + 3 * static_cast<std::size_t>(width)) * static_cast<std::size_t>(height) > large_bytes;
 }
 
-std::string encode_png(const Scanlines& scanlines, const ForEach& for_each) {
+std::string encode_png(const Scanlines& scanlines, const Workers& workers) {
   const std::size_t count = (scanlines.size() + strip_bytes - 1) / strip_bytes;
   std::vector<Strip> strips(count);
-  for_each(static_cast<int>(count), [&](int i) {
+  workers.for_each(static_cast<int>(count), [&](int i) {
     const auto k = static_cast<std::size_t>(i);
     strips[k] = strip(scanlines, k, count);
   });

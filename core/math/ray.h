@@ -30,8 +30,25 @@ struct RootRay {
   /// A ray of any length, as a transform leaves it.
   RootRay(const Vec3<P>& from, const Vec3<P>& way)
       : origin(from), direction(way), inverse_a(P(1) / dot(way, way)) {}
+  /// One ray for all lanes.
+  template <class Other>
+  explicit RootRay(const RootRay<Other>& one)
+      : origin(static_cast<Vec3<P>>(one.origin)),
+        direction(static_cast<Vec3<P>>(one.direction)),
+        inverse_a(one.inverse_a) {}
+  RootRay<float> one(int i) const {
+    RootRay<float> ray;
+    ray.origin = {lane(origin.x, i), lane(origin.y, i), lane(origin.z, i)};
+    ray.direction = {lane(direction.x, i), lane(direction.y, i), lane(direction.z, i)};
+    ray.inverse_a = lane(inverse_a, i);
+    return ray;
+  }
 
  private:
+  template <class>
+  friend struct RootRay;
+  RootRay() = default;
+
   // 1/a to within 3 (1 - a)^2; 0 where there is no direction, so that such a ray meets nothing.
   static P near_inverse(const P& a) { return a * (P(3) - (a + a)); }
 };

@@ -28,6 +28,15 @@ struct Registers {
   Registers(value_type all) {
     for (Register& each : part) each = Register(all);
   }
+  /// Of its parts, one by one.
+  template <class... Parts>
+  static Registers of(const Parts&... parts) {
+    static_assert(sizeof...(Parts) == N);
+    Registers r;
+    std::size_t i = 0;
+    ((r.part[i++] = parts), ...);
+    return r;
+  }
   static Registers load_unaligned(const value_type* from) {
     Registers r;
     for (std::size_t i = 0; i < N; ++i)

@@ -6,6 +6,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 #include <limits>
 #include <type_traits>
 
@@ -40,6 +41,13 @@ struct ScalarTraits<Wide> {
   using Mask = WideMask;
   using Precise = WideDouble;
   static constexpr int lanes = static_cast<int>(Wide::size);
+};
+/// One register: what one ray is tried on at once.
+template <>
+struct ScalarTraits<FloatRegister> {
+  using Mask = FloatRegister::batch_bool_type;
+  using Precise = Registers<DoubleRegister, 2>;
+  static constexpr int lanes = static_cast<int>(FloatRegister::size);
 };
 template <class Real>
 using Mask = typename ScalarTraits<Real>::Mask;
@@ -87,6 +95,10 @@ inline Vec3d lift<double>(const Constant& c) {
 
 inline float select(bool mask, float a, float b) { return mask ? a : b; }
 inline double select(bool mask, double a, double b) { return mask ? a : b; }
+[[gnu::always_inline]] inline FloatRegister select(const FloatRegister::batch_bool_type& mask,
+                                                   const FloatRegister& a, const FloatRegister& b) {
+  return xsimd::select(mask, a, b);
+}
 [[gnu::always_inline]] inline Wide select(const WideMask& mask, const Wide& a, const Wide& b) {
   return Wide::map(
       [](const auto& m, const auto& x, const auto& y) { return xsimd::select(m, x, y); }, mask, a,
@@ -116,6 +128,14 @@ template <>
 [[gnu::always_inline]] inline Wide min_of(Wide a, Wide b) {
   return Wide::map([](const auto& x, const auto& y) { return xsimd::min(x, y); }, a, b);
 }
+template <>
+[[gnu::always_inline]] inline FloatRegister max_of(FloatRegister a, FloatRegister b) {
+  return xsimd::max(a, b);
+}
+template <>
+[[gnu::always_inline]] inline FloatRegister min_of(FloatRegister a, FloatRegister b) {
+  return xsimd::min(a, b);
+}
 #endif
 inline float abs_of(float a) { return std::fabs(a); }
 inline double abs_of(double a) { return std::fabs(a); }
@@ -144,6 +164,7 @@ inline unsigned bits(const FloatRegister::batch_bool_type& mask) {
   return bits(mask.part[0]) | bits(mask.part[1]) << FloatRegister::size;
 }
 inline bool any(bool mask) { return mask; }
+inline bool any(const FloatRegister::batch_bool_type& mask) { return bits(mask) != 0; }
 [[gnu::always_inline]] inline bool any(const WideMask& mask) {
   return bits(mask.part[0] | mask.part[1]) != 0;
 }
@@ -213,10 +234,16 @@ inline WideDouble load<WideDouble>(const double* from) {
 /// One lane's value. Domain: 0 <= lane < lanes.
 inline float lane(float value, int) { return value; }
 inline double lane(double value, int) { return value; }
-inline float lane(const Wide& value, int lane) {
-  float each[Wide::size];
-  value.store_unaligned(each);
-  return each[lane];
+template <class Register, std::size_t N>
+typename Register::value_type lane(const Registers<Register, N>& value, int lane) {
+  typename Register::value_type one;
+  static_assert(sizeof value == sizeof one * Registers<Register, N>::size);
+  std::memcpy(&one, reinterpret_cast<const char*>(&value) + sizeof one * std::size_t(lane),
+              sizeof one);
+  return one;
+}
+inline void set_lane(Wide& value, int lane, float one) {
+  std::memcpy(reinterpret_cast<char*>(&value) + sizeof one * std::size_t(lane), &one, sizeof one);
 }
 
 // ---- to double, to integers, and back -----------------------------------------------------
@@ -267,6 +294,10 @@ Real narrow(double value) {
   for (std::size_t i = 0; i < FloatRegister::size; ++i) each[i] = static_cast<float>(doubles[i]);
   return FloatRegister::load_unaligned(each);
 #endif
+}
+template <class Real>
+[[gnu::always_inline]] inline FloatRegister narrow(const Registers<DoubleRegister, 2>& value) {
+  return narrow(value);
 }
 template <class Real>
 [[gnu::always_inline]] inline Wide narrow(const WideDouble& value) {

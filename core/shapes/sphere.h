@@ -40,12 +40,14 @@ struct Sphere {
 /// solution: tca = L.D, thc^2 = r^2 - d2; what float loses in it: Haines, Guenther,
 /// Akenine-Moeller, "Precision Improvements for Ray/Sphere Intersection", Ray Tracing Gems (2019).
 template <class Real>
-[[gnu::always_inline]] inline Real intersect(const Sphere& sphere, const RootRay<Real>& ray) {
+[[gnu::always_inline]] inline Real intersect_sphere(const Vec3<Precise<Real>>& center,
+                                                    const Precise<Real>& square_of_radius,
+                                                    const RootRay<Real>& ray) {
   using P = Precise<Real>;
   using std::sqrt;
-  const Vec3<P> to_center = static_cast<Vec3<P>>(sphere.center) - ray.origin;
+  const Vec3<P> to_center = center - ray.origin;
   const P b = dot(to_center, ray.direction);
-  const P c = dot(to_center, to_center) - P(sphere.radius * sphere.radius);
+  const P c = dot(to_center, to_center) - square_of_radius;
   const P tca = b * ray.inverse_a;
   const P thc2 = (b * tca - c) * ray.inverse_a;
   // Spares most rays the root: d2 > r^2 misses, and so does one that leaves from outside. A lane
@@ -59,6 +61,13 @@ template <class Real>
   const Real t1 = narrow<Real>(tca + thc);
   const Real nearest = select(t0 > Real(0), t0, t1);
   return select(ahead && nearest > Real(0), nearest, Real(infinity));
+}
+
+template <class Real>
+[[gnu::always_inline]] inline Real intersect(const Sphere& sphere, const RootRay<Real>& ray) {
+  using P = Precise<Real>;
+  return intersect_sphere<Real>(static_cast<Vec3<P>>(sphere.center),
+                                P(sphere.radius * sphere.radius), ray);
 }
 
 /// Returns: the outward unit normal at a point p of the surface.

@@ -43,6 +43,8 @@ const std::regex words_outside_core(
     R"(random_device|rand\(|syslog|sleep_for|sleep_until|socket\())");
 // But for the time that threads take, which decides who works next, never what comes out.
 constexpr std::string_view timekeeper = "core/render/pool.cpp";
+// And for the size of the pages that memory comes in.
+constexpr std::string_view pager = "core/accel/huge_pages.h";
 
 bool starts_with(std::string_view text, std::string_view start) {
   return text.substr(0, start.size()) == start;
@@ -64,6 +66,7 @@ std::string refusal(const std::string& file, const std::string& header) {
   }
   if (!starts_with(file, "core/")) return "";
   if (file == timekeeper && header == "chrono") return "";
+  if (file == pager && header == "sys/mman.h") return "";
   for (const std::string_view each : headers_outside_core)
     if (header == each || (each.back() == '/' && starts_with(header, each))) return "not for core";
   if (starts_with(header, "core/") && layer_of(header) > layer_of(file))

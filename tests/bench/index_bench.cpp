@@ -6,6 +6,7 @@
 #include <map>
 #include <random>
 
+#include "core/accel/bvh_builder.h"
 #include "core/accel/trace.h"
 #include "core/core.h"
 #include "tests/bench/rays/geometry.h"
@@ -17,20 +18,21 @@ namespace {
 using benchmark::State;
 
 // n boxes that fill a cube, whatever n.
-std::vector<Aabb> boxes(int n) {
+std::vector<Box32> boxes(int n) {
   std::mt19937 random(5);
   const auto place = [&] { return static_cast<double>(random()) * 0x1p-31 - 1; };
   const double reach = 1 / std::cbrt(n);
-  std::vector<Aabb> all;
+  std::vector<Box32> all;
   for (int i = 0; i < n; ++i) {
     const double x = place(), y = place(), z = place();
-    all.push_back({{x - reach, y - reach, z - reach}, {x + reach, y + reach, z + reach}});
+    all.push_back(
+        rounded_outwards({{x - reach, y - reach, z - reach}, {x + reach, y + reach, z + reach}}));
   }
   return all;
 }
 
 void index_build(State& state) {
-  const std::vector<Aabb> all = boxes(static_cast<int>(state.range(0)));
+  const std::vector<Box32> all = boxes(static_cast<int>(state.range(0)));
   for (auto _ : state) benchmark::DoNotOptimize(build_bvh(all));
   state.SetItemsProcessed(state.iterations() * state.range(0));
 }

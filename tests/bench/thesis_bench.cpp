@@ -90,11 +90,10 @@ BENCHMARK(png)->ArgNames({"width", "height"})->Args({640, 480})->Args({1920, 108
 void png_in_strips(State& state) {
   const auto film = traced<ScanlineFilm>(1920, 1080);
   const int threads = static_cast<int>(state.range(0));
-  const auto for_each = [&](int count, const std::function<void(int)>& task) {
-    pool().for_each(count, threads, {}, task);
-  };
+  const Workers workers(
+      [&](int count, const Workers::Task& task) { pool().for_each(count, threads, {}, task); });
   std::size_t bytes = 0;
-  for (auto _ : state) bytes = encode_png(film.scanlines(), for_each).size();
+  for (auto _ : state) bytes = encode_png(film.scanlines(), workers).size();
   state.counters["bytes"] = static_cast<double>(bytes);
 }
 BENCHMARK(png_in_strips)->ArgName("threads")->Arg(1)->Arg(2)->UseRealTime();
@@ -126,9 +125,17 @@ void key_to_png(State& state) {
   const server::Gallery gallery;
   server::SceneStore kept(config.max_scenes_bytes);
   server::GeometryStore geometries(config.max_geometry_bytes);
-  server::Service service{config, {gallery, kept, geometries, pool(), config.limits()}, {}};
-  server::HttpServer http({"127.0.0.1", 0, 1 << 20},
-                          [&](const server::Request& r) { return server::answer(r, service); });
+  server::Admission admission(config.renders, config.queue);
+  server::Metrics metrics;
+  server::Service service{
+      config, {gallery, kept, geometries, pool(), config.limits()}, admission, metrics};
+  server::HttpServer http(
+      {.host = "127.0.0.1", .port = 0},
+      {.answer = [&](const server::Request& asked) { return server::answer(asked, service); },
+       .refuse =
+           [&](const std::exception_ptr& failure, const server::Request& asked) {
+             return server::refusal(failure, asked, service);
+           }});
   std::jthread running([&] { http.run(); });
   httplib::Client client("127.0.0.1", http.port());
   client.set_keep_alive(true);

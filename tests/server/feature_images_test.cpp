@@ -69,7 +69,7 @@ TEST(FeatureImages, SharesOfLightsAreShownAsTheyAre) {
 }
 
 TEST(FeatureImages, CostsAreShownByTheirLogarithm) {
-  expect_shown("cost", "", [](const Pixels<float>& image, std::size_t i) {
+  expect_shown("cost", R"(,"samples":16)", [](const Pixels<float>& image, std::size_t i) {
     return std::log2(1 + static_cast<double>(image.rgb[i])) / 16;
   });
 }

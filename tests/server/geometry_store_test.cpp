@@ -291,12 +291,12 @@ TEST(GeometryStore, AMeshCountsOnceAndGoesWithItsLastUser) {
   compile_in(store, two_bowls(20, 2));  // another mesh, for which all others must go
   EXPECT_EQ(store.counts().meshes, 1U);
   EXPECT_EQ(store.counts().geometries, 1U);
-  EXPECT_EQ(store.counts().bytes, one);
+  EXPECT_EQ(store.counts().bytes, bytes_alone(two_bowls(20, 2)));
 }
 
 TEST(GeometryStore, TheOneNotAskedForLongestFallsOutFirst) {
   const Scene a = two_bowls(20, 1), b = two_bowls(20, 2), c = two_bowls(20, 3);
-  GeometryStore store(static_cast<std::int64_t>(2 * bytes_alone(a)));
+  GeometryStore store(static_cast<std::int64_t>(5 * bytes_alone(a) / 2));
   compile_in(store, a);
   compile_in(store, b);
   compile_in(store, a);  // found: now b is the oldest
@@ -320,7 +320,7 @@ TEST(GeometryStore, OneThatAloneIsTooMuchIsNotKeptAndPushesNothingOut) {
 
 TEST(GeometryStore, WhatFellOutLivesAsLongAsItIsUsed) {
   const Scene scene = two_bowls(20);
-  GeometryStore store(static_cast<std::int64_t>(bytes_alone(scene)));
+  GeometryStore store(static_cast<std::int64_t>(3 * bytes_alone(scene) / 2));
   const World used = store.compile(scene, {});
   compile_in(store, two_bowls(20, 2));
   EXPECT_EQ(used.of_objects.use_count(), 1);

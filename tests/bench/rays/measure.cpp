@@ -43,13 +43,14 @@ Builds build(Indexes& indexes, const Geometry& geometry, int rounds, int threads
              [[maybe_unused]] const std::string& isa) {
   const Processors processors(threads);
   Builds builds{threads, {}, {}};
+  Pool pool(threads);
 #ifdef TIA_HAS_EMBREE
   indexes.embree.reset();
   const std::shared_ptr<EmbreeDevice> device = embree_device(threads, isa);
 #endif
   for (int i = 0; i < rounds; ++i) {
     indexes.tia.reset();
-    indexes.tia = std::make_unique<TiaIndex>(geometry);
+    indexes.tia = std::make_unique<TiaIndex>(geometry, pool);
     builds.tia_ms.push_back(indexes.tia->built().ms);
 #ifdef TIA_HAS_EMBREE
     indexes.embree.reset();

@@ -20,12 +20,15 @@ Vec3<Wide> load_vector(const std::array<std::vector<float>, 3>& from, std::size_
 
 }  // namespace
 
-TiaIndex::TiaIndex(const Geometry& geometry) {
+TiaIndex::TiaIndex(const Geometry& geometry, Pool& pool) {
   const double before = heap_bytes();
   {
     const Scene scene = scene_of(geometry);
     const auto start = std::chrono::steady_clock::now();
-    world_ = std::make_unique<World>(compile(scene));
+    const Workers workers([&](int count, const Workers::Task& task) {
+      pool.for_each(count, pool.threads(), {}, task);
+    });
+    world_ = std::make_unique<World>(compile(scene, workers));
     const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - start;
     built_.ms = took.count();
   }  // a service may forget the scene: what the world itself keeps is what counts

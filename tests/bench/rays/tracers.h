@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/accel/world.h"
+#include "core/render/pool.h"
 #include "tests/bench/rays/geometry.h"
 #include "tests/bench/rays/ray_set.h"
 
@@ -19,7 +20,7 @@ struct Built {
 /// TiaIndex: Tia's, traced as its own tracer traces it: by packets of as many rays as Wide holds.
 class TiaIndex {
  public:
-  explicit TiaIndex(const Geometry& geometry);
+  TiaIndex(const Geometry& geometry, Pool& pool);
   const Built& built() const { return built_; }
   const World& world() const { return *world_; }
   void trace(const RaySet& rays, Answers& answers) const;

@@ -1,6 +1,8 @@
-#include "core/accel/bvh.h"
+#include "core/accel/bvh_builder.h"
 
 #include <gtest/gtest.h>
+
+#include "core/render/pool.h"
 
 #include "tests/core/support.h"
 
@@ -23,6 +25,12 @@ int depth_of(const Bvh& bvh, std::uint32_t at = 0) {
   return 1 + below;
 }
 
+Bvh built(const std::vector<Aabb>& boxes) {
+  std::vector<Box32> rounded;
+  for (const Aabb& box : boxes) rounded.push_back(rounded_outwards(box));
+  return build_bvh(rounded);
+}
+
 bool holds(const Box32& box, const Aabb& inner) {
   const auto low = static_cast<Vec3d>(box.min), high = static_cast<Vec3d>(box.max);
   return lower(low, inner.min) == low && upper(high, inner.max) == high;
@@ -37,8 +45,7 @@ std::size_t check_below(const Bvh& bvh, std::uint32_t at, const std::vector<Aabb
     above.push_back(node.boxes.box(i));
     things += node.count[i];
     for (std::uint32_t k = 0; k < node.count[i]; ++k)
-      for (const Box32& each : above)
-        EXPECT_TRUE(holds(each, boxes[bvh.order[node.first[i] + k]]));
+      for (const Box32& each : above) EXPECT_TRUE(holds(each, boxes[bvh.order[node.first[i] + k]]));
     if (node.count[i] == 0) things += check_below(bvh, node.first[i], boxes, above);
     above.pop_back();
   }
@@ -46,7 +53,7 @@ std::size_t check_below(const Bvh& bvh, std::uint32_t at, const std::vector<Aabb
 }
 
 void expect_sound(const std::vector<Aabb>& boxes) {
-  const Bvh bvh = build_bvh(boxes);
+  const Bvh bvh = built(boxes);
   std::vector<Box32> above;
   EXPECT_EQ(check_below(bvh, 0, boxes, above), boxes.size());
   EXPECT_LE(depth_of(bvh), Bvh::deepest);
@@ -68,12 +75,37 @@ TEST(Bvh, HoldsEveryThingOnceInBoxesThatHoldIt) {
   }
 }
 
+TEST(Bvh, IsTheSameWhoeverBuildsIt) {
+  Random random(105);
+  std::vector<Box32> boxes;
+  for (int i = 0; i < 200'000; ++i)
+    boxes.push_back(rounded_outwards(random_box(random, 10, i % 100 == 0 ? 3 : 0.1)));
+  const Bvh alone = build_bvh(boxes);
+  Pool pool(4);
+  const Workers backwards([](int count, const Workers::Task& task) {
+    for (int i = count; i-- > 0;) task(i);
+  });
+  const Workers many(
+      [&](int count, const Workers::Task& task) { pool.for_each(count, 4, {}, task); });
+  for (const Workers* workers : {&backwards, &many}) {
+    const Bvh shared = build_bvh(boxes, *workers);
+    EXPECT_EQ(shared.order, alone.order);
+    ASSERT_EQ(shared.nodes.size(), alone.nodes.size());
+    for (std::size_t i = 0; i < alone.nodes.size(); ++i) {
+      const Bvh::Node &a = shared.nodes[i], &b = alone.nodes[i];
+      ASSERT_EQ(a.boxes.faces, b.boxes.faces) << i;
+      ASSERT_EQ(a.first, b.first) << i;
+      ASSERT_EQ(a.count, b.count) << i;
+    }
+  }
+}
+
 TEST(Bvh, OfNothingIsEmptyAndVisitsNothing) {
   const Bvh bvh = build_bvh({});
   EXPECT_TRUE(bvh.nodes.empty());
   Effort effort;
   traverse<float>(bvh, {{0, 0, 0}, {0, 0, -1}, 0}, true, infinity, effort,
-                  [](std::uint32_t, bool, bool) { FAIL(); });
+                  [](std::uint32_t, std::uint32_t, bool) { FAIL(); });
   EXPECT_EQ(effort.tests(), 0);
 }
 
@@ -81,7 +113,7 @@ TEST(Bvh, OfBoxesInOnePlaceIsAsShallowAsHalvingIs) {
   // No split separates them: 10 000 things in leaves of at most 8 are 11 halvings, three a node.
   const std::vector<Aabb> same(10'000, Aabb{{1, 2, 3}, {4, 5, 6}});
   expect_sound(same);
-  EXPECT_EQ(depth_of(build_bvh(same)), 4);
+  EXPECT_EQ(depth_of(built(same)), 4);
   const std::vector<Aabb> points(10'000, Aabb{{1, 2, 3}, {1, 2, 3}});
   expect_sound(points);
 }
@@ -192,9 +224,9 @@ TEST(Bundle, NeverMissesABoxThatOneOfItsRaysMeets) {
     const double spread = std::pow(10, random.in(-4, 0.5));
     for (std::size_t i = 0; i < n; ++i) {
       const Vec3d aside = random.point(spread), turn = random.point(spread);
-      rays[i] = round % 4 == 0 ? grid_ray(random)
-                               : Ray<float>{lift<float>(eye + aside),
-                                            normalize(lift<float>(way + turn))};
+      rays[i] = round % 4 == 0
+                    ? grid_ray(random)
+                    : Ray<float>{lift<float>(eye + aside), normalize(lift<float>(way + turn))};
       const auto& [o, d] = rays[i];
       const float all[] = {o.x, o.y, o.z, d.x, d.y, d.z};
       for (std::size_t k = 0; k < 6; ++k) parts[k][i] = all[k];
@@ -258,14 +290,16 @@ TEST(Bvh, RayVisitsEveryThingWhoseBoxItMeets) {
   Random random(104);
   std::vector<Aabb> boxes;
   for (int i = 0; i < 500; ++i) boxes.push_back(random_box(random, 10, 2));
-  const Bvh bvh = build_bvh(boxes);
+  const Bvh bvh = built(boxes);
   Effort effort;
   for (int i = 0; i < 500; ++i) {
     const Ray<float> ray{lift<float>(random.point(12)), normalize(lift<float>(random.direction()))};
     const float t_max = static_cast<float>(random.in(0, 30));
     std::vector<int> visits(boxes.size());
     traverse<float>(bvh, {ray.origin, ray.direction, 0}, true, t_max, effort,
-                    [&](std::uint32_t thing, bool, bool) { ++visits[thing]; });
+                    [&](std::uint32_t first, std::uint32_t count, bool) {
+                      for (std::uint32_t k = first; k < first + count; ++k) ++visits[bvh.order[k]];
+                    });
     for (std::size_t k = 0; k < boxes.size(); ++k) {
       EXPECT_LE(visits[k], 1);
       EXPECT_GE(visits[k], meets(boxes[k], ray, double(t_max)));

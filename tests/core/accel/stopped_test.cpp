@@ -34,7 +34,7 @@ TEST(StoppedBuild, EndsInsideAMesh) {
 }
 
 TEST(StoppedBuild, EndsInsideAnIndex) {
-  const std::vector<Aabb> boxes(2, Aabb{{0, 0, 0}, {1, 1, 1}});
+  const std::vector<Box32> boxes(2, Box32{{0, 0, 0}, {1, 1, 1}});
   EXPECT_THROW(build_bvh(boxes, asked()), Stopped);
   EXPECT_EQ(build_bvh(boxes, std::stop_source().get_token()).order.size(), 2U);
 }

@@ -102,27 +102,24 @@ inline Scene mixed_scene(Random& random, int objects, double scale) {
   return scene;
 }
 
-/// The world with nothing left out of any search: all that has bounds moved to the list of what
-/// has none, and each mesh one leaf.
+/// With nothing left out of any search: all things tried in turn, and each mesh one leaf.
 inline Geometry without_index(Geometry geometry) {
-  const auto as_leaf = [](std::vector<std::uint32_t> all) {
-    Bvh leaf;
-    if (!all.empty()) {
-      Bvh::Node& root = leaf.nodes.emplace_back();
-      root.boxes.add({{-infinity, -infinity, -infinity}, {infinity, infinity, infinity}});
-      root.count[0] = static_cast<std::uint16_t>(all.size());
-    }
-    leaf.order = std::move(all);
-    return leaf;
-  };
+  const Box32 everything{{-infinity, -infinity, -infinity}, {infinity, infinity, infinity}};
   for (Space& space : geometry.spaces) {
     space.rest.resize(space.items.size());
     std::iota(space.rest.begin(), space.rest.end(), 0U);
-    space.bvh = {};
+    space.boxes.assign(space.items.size(), everything);
+    space.bvh = space.balls.bvh = {};
   }
   for (SharedMesh& mesh : geometry.meshes) {
     MeshIndex plain = *mesh;
-    plain.bvh = as_leaf(mesh->bvh.order);
+    if (!plain.bvh.nodes.empty()) {
+      Bvh::Node root;
+      root.boxes.add(everything);
+      root.count[0] = static_cast<std::uint16_t>(plain.bvh.order.size());
+      plain.bvh.nodes = {root};
+      plain.pack();
+    }
     mesh = std::make_shared<const MeshIndex>(std::move(plain));
   }
   for (Copies& copies : geometry.copies) copies.box = {{-1e30, -1e30, -1e30}, {1e30, 1e30, 1e30}};

@@ -76,9 +76,4 @@ inline Scanlines scanlines_of(const Image8& image) {
   return lines;
 }
 
-/// A ForEach of one thread.
-inline void in_turn(int count, const std::function<void(int)>& task) {
-  for (int i = 0; i < count; ++i) task(i);
-}
-
 }  // namespace tia::test

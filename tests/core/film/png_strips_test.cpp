@@ -34,7 +34,7 @@ TEST(PngInStrips, SameRowsComeOut) {
     for (const Image8& image :
          {noise(width, height, 123), ramp(width, height), Image8(width, height)}) {
       const Scanlines lines = scanlines_of(image);
-      const std::string png = encode_png(lines, in_turn);
+      const std::string png = encode_png(lines);
       EXPECT_TRUE(unpacked(png, lines.size()) ==
                   std::string(reinterpret_cast<const char*>(lines.data()), lines.size()));
     }
@@ -43,24 +43,23 @@ TEST(PngInStrips, SameRowsComeOut) {
 
 TEST(PngInStrips, WhoCompressesWhichStripChangesNoByte) {
   const Scanlines lines = scanlines_of(ramp(701, 603));
-  const std::string png = encode_png(lines, in_turn);
-  EXPECT_EQ(encode_png(lines,
-                       [](int count, const auto& task) {
+  const std::string png = encode_png(lines);
+  EXPECT_EQ(encode_png(lines, Workers([](int count, const auto& task) {
                          for (int i = count; i-- > 0;) task(i);
-                       }),
+                       })),
             png);
   Pool pool(5);
   for (const int threads : {1, 2, 5})
-    EXPECT_EQ(encode_png(lines, [&](int count,
-                                    const auto& task) { pool.for_each(count, threads, {}, task); }),
+    EXPECT_EQ(encode_png(lines, Workers([&](int count, const auto& task) {
+                           pool.for_each(count, threads, {}, task);
+                         })),
               png);
 }
 
 TEST(PngInStrips, AStripCostsFewBytes) {
   const Image8 image = ramp(1920, 1080);
   constexpr std::size_t strips = 24;
-  EXPECT_LT(encode_png(scanlines_of(image), in_turn).size(),
-            encode_png(image).size() + 64 * strips);
+  EXPECT_LT(encode_png(scanlines_of(image)).size(), encode_png(image).size() + 64 * strips);
 }
 
 TEST(PngInStrips, ToldToStopNoFurtherStripIsCompressed) {
@@ -68,13 +67,12 @@ TEST(PngInStrips, ToldToStopNoFurtherStripIsCompressed) {
   Pool pool(1);
   std::stop_source source;
   int done = 0;
-  EXPECT_THROW(encode_png(lines,
-                          [&](int count, const auto& task) {
+  EXPECT_THROW(encode_png(lines, Workers([&](int count, const auto& task) {
                             pool.for_each(count, 1, source.get_token(), [&](int i) {
                               task(i);
                               if (++done == 3) source.request_stop();
                             });
-                          }),
+                          })),
                Stopped);
   EXPECT_EQ(done, 3);
 }

@@ -53,7 +53,7 @@ TEST(Png, AnIndependentDecoderReadsTheSamePixels) {
     for (const Image8& image :
          {noise(width, height, 120), ramp(width, height), Image8(width, height)}) {
       expect_same(decoded(encode_png(image)), image);
-      expect_same(decoded(encode_png(test::scanlines_of(image), test::in_turn)), image);
+      expect_same(decoded(encode_png(test::scanlines_of(image))), image);
     }
   }
 }

@@ -1,0 +1,40 @@
+// What the leaves of an index hold, word by word: of all things in a leaf the first word, then of
+// all the second … so that one ray loads a word of several things at once.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/accel/bvh.h"
+
+namespace tia {
+
+/// PackedLeaves: `words` numbers for each thing of a Bvh, in its order. A leaf begins at `words`
+/// times its first entry, and is followed by at least a register's numbers that may be loaded.
+template <class Number, std::size_t words>
+class PackedLeaves {
+ public:
+  PackedLeaves() = default;
+  /// words_of(thing) gives an array of them.
+  template <class WordsOf>
+  PackedLeaves(const Bvh& bvh, WordsOf words_of) : numbers_(words * bvh.order.size() + slack) {
+    for (const Bvh::Node& node : bvh.nodes) {
+      for (std::size_t child = 0; child < node.boxes.count; ++child) {
+        Number* const leaf = &numbers_[words * node.first[child]];
+        for (std::size_t i = 0; i < node.count[child]; ++i) {
+          const std::array<Number, words> all = words_of(bvh.order[node.first[child] + i]);
+          for (std::size_t k = 0; k < words; ++k) leaf[k * node.count[child] + i] = all[k];
+        }
+      }
+    }
+  }
+  /// Of the leaf that begins at that entry.
+  const Number* leaf(std::size_t first) const { return &numbers_[words * first]; }
+  std::size_t bytes() const { return numbers_.capacity() * sizeof(Number); }
+
+ private:
+  static constexpr std::size_t slack = 16;
+  std::vector<Number, HugePages<Number>> numbers_;
+};
+
+}  // namespace tia

@@ -1,0 +1,51 @@
+// Workers: who shares the work of a call, and until when.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <functional>
+#include <stop_token>
+#include <utility>
+
+#include "core/input/stopped.h"
+
+namespace tia {
+
+/// Workers: by themselves the caller, who does all; else threads of whoever gives them.
+class Workers {
+ public:
+  using Task = std::function<void(int)>;
+  using ForEach = std::function<void(int count, const Task& task)>;
+
+  /// The caller alone, until `stop` is requested.
+  Workers(std::stop_token stop = {}) : stop_(std::move(stop)) {}
+  /// `for_each` calls task(0) … task(count - 1), each once, in any order, several at a time, and
+  /// returns when all are done.
+  explicit Workers(ForEach for_each, std::stop_token stop = {})
+      : for_each_(std::move(for_each)), stop_(std::move(stop)) {}
+
+  /// Errors: what a task or for_each throws.
+  void for_each(int count, const Task& task) const {
+    if (for_each_) return for_each_(count, task);
+    for (int i = 0; i < count; ++i) task(i);
+  }
+  /// Calls work(from, to) for shares of what is numbered from 0 to count - 1, as many whoever
+  /// works.
+  void for_each_share(std::size_t count,
+                      const std::function<void(std::size_t, std::size_t)>& work) const {
+    constexpr std::size_t share = 1 << 15;
+    for_each(static_cast<int>((count + share - 1) / share), [&](int i) {
+      const std::size_t from = static_cast<std::size_t>(i) * share;
+      work(from, std::min(from + share, count));
+    });
+  }
+  /// Errors: Stopped once that is asked for.
+  void end_if_asked() const { tia::end_if_asked(stop_); }
+  const std::stop_token& stop() const { return stop_; }
+
+ private:
+  ForEach for_each_;
+  std::stop_token stop_;
+};
+
+}  // namespace tia
