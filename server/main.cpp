@@ -19,7 +19,7 @@ constexpr int bad_use = 2;
 struct Asked {
   std::vector<Setting> settings = environment_settings(), parameters = {};
   std::string scene, file;
-  bool healthcheck = false, print_config = false;
+  bool healthcheck = false, print_config = false, plain = false;
 };
 
 // Every row of the options' table as a flag; what is given goes to `settings`.
@@ -76,6 +76,8 @@ CLI::App* add_render(CLI::App& app, Asked& asked) {
   render->add_option("-o,--output", asked.file, "NAME.png, NAME.pfm, or - for standard output")
       ->required()
       ->type_name("");
+  render->add_flag("--plain", asked.plain,
+                   "trace one ray and one thing at a time: the same bytes, to compare with");
   PictureRequest::fields(ParameterFlags{*render, asked.parameters});
   return render;
 }
@@ -99,7 +101,8 @@ int run(int argc, char** argv) {
   if (asked.healthcheck) return is_healthy(config) ? 0 : 1;
   for (const std::string& warning : unknown_variables()) std::cerr << "tia: " << warning << '\n';
   if (asked.print_config) std::cout << env_file(config) << std::flush;
-  else if (render->parsed()) render_to_file(asked.scene, asked.file, asked.parameters, config);
+  else if (render->parsed())
+    render_to_file(asked.scene, asked.file, asked.parameters, asked.plain, config);
   else serve(config);
   return 0;
 }

@@ -44,7 +44,7 @@ Value scene_named(const std::string& scene, const JsonLimits& limits) {
 }  // namespace
 
 void render_to_file(const std::string& scene, const std::string& file,
-                    const std::vector<Setting>& parameters, const Config& config) {
+                    const std::vector<Setting>& parameters, bool plain, const Config& config) {
   const auto ending = std::filesystem::path(file).extension();
   const bool told =
       std::ranges::any_of(parameters, [](auto& each) { return each.name == "format"; });
@@ -68,7 +68,9 @@ void render_to_file(const std::string& scene, const std::string& file,
   if (file.ends_with(other))
     throw std::invalid_argument("--format " + std::string(name_of(request.format)) +
                                 " does not go with the file's name " + file);
-  const Picture picture = draw(plan_of(request, studio), studio, {});
+  Plan plan = plan_of(request, studio);
+  if (plain) plan.options.scalar = Scalar::narrow;
+  const Picture picture = draw(plan, studio, {});
   if (picture.degenerate > 0)
     std::cerr << "tia: " << picture.degenerate << " triangles without area are ignored\n";
   write_file(file, picture.bytes);

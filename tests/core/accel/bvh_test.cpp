@@ -216,7 +216,7 @@ TEST(BoxRay, NeverMissesABoxThatTheRayMeets) {
 TEST(Bundle, NeverMissesABoxThatOneOfItsRaysMeets) {
   constexpr std::size_t n = Wide::size;
   Random random(105);
-  int met = 0, told = 0;
+  int met = 0, told = 0, told_lone = 0;
   for (int round = 0; round < 10'000; ++round) {
     std::array<std::array<float, n>, 6> parts;
     std::array<Ray<float>, n> rays;
@@ -254,11 +254,16 @@ TEST(Bundle, NeverMissesABoxThatOneOfItsRaysMeets) {
     for (std::size_t lane = 0; lane < static_cast<std::size_t>(first_out); ++lane) {
       const BoxRay<float> one(rays[lane].origin, rays[lane].direction, 0);
       const unsigned alone = Bundle(one, true).enters(boxes, t_max, alone_near);
+      BoxSet::Floats lone_near;
+      const unsigned lone = LoneRay(one).enters(boxes, t_max, lone_near);
+      EXPECT_EQ(lone >> count, 0U);
       EXPECT_EQ(alone & ~entered, 0U);
       for (std::size_t i = 0; i < boxes.count; ++i) {
         const bool meets_it = meets(exact[i], rays[lane], double(t_max));
         EXPECT_TRUE(!meets_it || (alone >> i & 1U) != 0);
         EXPECT_EQ((alone >> i & 1U) != 0, one.enters(boxes.box(i), t_max));
+        EXPECT_TRUE(!meets_it || (lone >> i & 1U) != 0);
+        told_lone += lone >> i & 1U;
         if ((alone >> i & 1U) != 0) {
           EXPECT_LE(near[i], alone_near[i]);
         }
@@ -269,6 +274,7 @@ TEST(Bundle, NeverMissesABoxThatOneOfItsRaysMeets) {
   }
   EXPECT_GT(met, 10'000);
   EXPECT_LT(told - met, met / 50);
+  EXPECT_LT(told_lone - met, met / 50);
 }
 
 TEST(BoxRay, OriginWithinTheBlurNeverMissesEither) {
@@ -300,12 +306,18 @@ TEST(Bvh, RayVisitsEveryThingWhoseBoxItMeets) {
                     [&](std::uint32_t first, std::uint32_t count, bool) {
                       for (std::uint32_t k = first; k < first + count; ++k) ++visits[bvh.order[k]];
                     });
+    std::vector<int> lone_visits(boxes.size());
+    traverse(bvh, 0, LoneRay({ray.origin, ray.direction, 0}), t_max, effort,
+             [&](std::uint32_t first, std::uint32_t count, bool) {
+               for (std::uint32_t k = first; k < first + count; ++k) ++lone_visits[bvh.order[k]];
+             });
     for (std::size_t k = 0; k < boxes.size(); ++k) {
       EXPECT_LE(visits[k], 1);
-      EXPECT_GE(visits[k], meets(boxes[k], ray, double(t_max)));
+      EXPECT_LE(lone_visits[k], 1);
+      EXPECT_GE(std::min(visits[k], lone_visits[k]), meets(boxes[k], ray, double(t_max)));
     }
   }
-  EXPECT_LT(effort.tests(), 500 * 100) << "of 500 boxes and more";
+  EXPECT_LT(effort.tests(), 500 * 200) << "of 500 boxes and more";
 }
 
 }  // namespace
