@@ -144,11 +144,18 @@ class Builder {
   Builder(std::span<const Box32> boxes, const Workers& workers)
       : workers_(workers), list_(uninitialised(boxes.size())), spare_(uninitialised(boxes.size())) {
     all_.count = boxes.size();
-    for (std::size_t i = 0; i < boxes.size(); ++i) {
-      list_[i] = Extent::of(boxes[i], static_cast<std::uint32_t>(i));
-      all_.box.take(list_[i]);
-      all_.centers.take_center(list_[i]);
-    }
+    std::mutex mutex;
+    workers_.for_each_share(boxes.size(), [&](std::size_t from, std::size_t to) {
+      Run own;
+      for (std::size_t i = from; i < to; ++i) {
+        list_[i] = Extent::of(boxes[i], static_cast<std::uint32_t>(i));
+        own.box.take(list_[i]);
+        own.centers.take_center(list_[i]);
+      }
+      const std::lock_guard lock(mutex);
+      all_.box.take(own.box);
+      all_.centers.take(own.centers);
+    });
   }
 
   Bvh build() {
@@ -165,8 +172,10 @@ class Builder {
     bvh.nodes.reserve(total);
     for (const Subtree& each : subtrees) append(each, bvh.nodes);
     bvh.nodes.shrink_to_fit();
-    bvh.order.reserve(all_.count);
-    for (std::size_t i = 0; i < all_.count; ++i) bvh.order.push_back(list_[i].id());
+    bvh.order.resize(all_.count);
+    workers_.for_each_share(all_.count, [&](std::size_t from, std::size_t to) {
+      for (std::size_t i = from; i < to; ++i) bvh.order[i] = list_[i].id();
+    });
     return bvh;
   }
 

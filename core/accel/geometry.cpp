@@ -13,8 +13,8 @@ Affine Geometry::to_space(int space, std::int64_t copy) const {
   return to_copy * grid.to_group * to_space(grid.outside, copy / all);
 }
 
-void BallIndex::pack(const std::vector<Ball>& all) {
-  packed = {bvh, [&](std::uint32_t i) -> std::array<double, 4> {
+void BallIndex::pack(const std::vector<Ball>& all, const Workers& workers) {
+  packed = {bvh, workers, [&](std::uint32_t i) -> std::array<double, 4> {
               const auto& [center, radius] = all[i].sphere;
               return {center.x, center.y, center.z, radius * radius};
             }};

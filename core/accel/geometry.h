@@ -75,7 +75,7 @@ struct BallIndex {
   /// Whether they are so few that they are tried in turn, without an index.
   bool few() const { return bvh.nodes.empty(); }
   /// Packs the balls as the leaves of `bvh` list them.
-  void pack(const std::vector<Ball>& all);
+  void pack(const std::vector<Ball>& all, const Workers& workers = {});
 };
 
 /// Item: one thing that a ray is tried on by itself.

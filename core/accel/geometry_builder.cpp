@@ -156,7 +156,7 @@ void GeometryBuilder::index(BallIndex& index) const {
     boxes.push_back(rounded_outwards(bounds(geometry_.balls[i].sphere)));
   index.bvh = build_bvh(boxes, workers_);
   for (std::uint32_t& each : index.bvh.order) each = index.balls[each];
-  index.pack(geometry_.balls);
+  index.pack(geometry_.balls, workers_);
 }
 
 void GeometryBuilder::index(Space& space, const std::vector<Aabb>& boxes) const {

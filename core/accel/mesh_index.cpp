@@ -31,7 +31,7 @@ MeshIndex::MeshIndex(const Mesh& mesh, const Workers& workers) {
     triangles.push_back({numbers[i], numbers[i + 1], numbers[i + 2]});
   workers.end_if_asked();
 
-  const std::vector<std::uint32_t> sound = sound_triangles();
+  const std::vector<std::uint32_t> sound = sound_triangles(workers);
   measure(sound);
   std::vector<Box32> boxes(sound.size());
   workers.for_each_share(sound.size(), [&](std::size_t from, std::size_t to) {
@@ -39,21 +39,28 @@ MeshIndex::MeshIndex(const Mesh& mesh, const Workers& workers) {
   });
   bvh = build_bvh(boxes, workers);
   for (std::uint32_t& each : bvh.order) each = sound[each];
-  pack();
+  pack(workers);
 }
 
-// Those that have an area, and so can be hit.
-std::vector<std::uint32_t> MeshIndex::sound_triangles() {
+// Whether it has an area, and so can be hit.
+bool MeshIndex::is_sound(std::size_t triangle) const {
   constexpr double thinnest =
       1e-14;  // an area below this share of the longest edge's square is none
+  const Vec3d &a = corner(triangle, 0), &b = corner(triangle, 1), &c = corner(triangle, 2);
+  const Vec3d across = area_vector(a, b, c);
+  const double most = thinnest * extent(a, b, c);
+  return dot(across, across) > most * most;
+}
+
+std::vector<std::uint32_t> MeshIndex::sound_triangles(const Workers& workers) {
+  std::vector<char> is(triangles.size());
+  workers.for_each_share(is.size(), [&](std::size_t from, std::size_t to) {
+    for (std::size_t i = from; i < to; ++i) is[i] = is_sound(i);
+  });
   std::vector<std::uint32_t> sound;
   sound.reserve(triangles.size());
-  for (std::size_t i = 0; i < triangles.size(); ++i) {
-    const Vec3d &a = corner(i, 0), &b = corner(i, 1), &c = corner(i, 2);
-    const Vec3d across = area_vector(a, b, c);
-    const double most = thinnest * extent(a, b, c);
-    if (dot(across, across) > most * most) sound.push_back(static_cast<std::uint32_t>(i));
-  }
+  for (std::size_t i = 0; i < triangles.size(); ++i)
+    if (is[i] != 0) sound.push_back(static_cast<std::uint32_t>(i));
   degenerate = triangles.size() - sound.size();
   return sound;
 }
@@ -81,8 +88,8 @@ Box32 MeshIndex::measured_box(std::size_t triangle) const {
   return {low - more, high + more};
 }
 
-void MeshIndex::pack() {
-  packed = {bvh, [this](std::uint32_t triangle) {
+void MeshIndex::pack(const Workers& workers) {
+  packed = {bvh, workers, [this](std::uint32_t triangle) {
               std::array<float, 9> words;
               for (std::size_t i = 0; i < 3; ++i) {
                 const auto p = static_cast<Vec3f>(measured(corner(triangle, i)));

@@ -37,10 +37,11 @@ struct MeshIndex {
   /// In the mesh's own measure.
   Vec3d measured(const Vec3d& p) const { return (p - middle) * (1 / unit); }
   /// Packs the triangles as the leaves of `bvh` list them.
-  void pack();
+  void pack(const Workers& workers = {});
 
  private:
-  std::vector<std::uint32_t> sound_triangles();
+  std::vector<std::uint32_t> sound_triangles(const Workers& workers);
+  bool is_sound(std::size_t triangle) const;
   void measure(const std::vector<std::uint32_t>& sound);
   Box32 measured_box(std::size_t triangle) const;
 };

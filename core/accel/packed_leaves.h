@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/accel/bvh.h"
+#include "core/input/workers.h"
 
 namespace tia {
 
@@ -17,16 +18,11 @@ class PackedLeaves {
   PackedLeaves() = default;
   /// words_of(thing) gives an array of them.
   template <class WordsOf>
-  PackedLeaves(const Bvh& bvh, WordsOf words_of) : numbers_(words * bvh.order.size() + slack) {
-    for (const Bvh::Node& node : bvh.nodes) {
-      for (std::size_t child = 0; child < node.boxes.count; ++child) {
-        Number* const leaf = &numbers_[words * node.first[child]];
-        for (std::size_t i = 0; i < node.count[child]; ++i) {
-          const std::array<Number, words> all = words_of(bvh.order[node.first[child] + i]);
-          for (std::size_t k = 0; k < words; ++k) leaf[k * node.count[child] + i] = all[k];
-        }
-      }
-    }
+  PackedLeaves(const Bvh& bvh, const Workers& workers, WordsOf words_of)
+      : numbers_(words * bvh.order.size() + slack) {
+    workers.for_each_share(bvh.nodes.size(), [&](std::size_t from, std::size_t to) {
+      for (std::size_t i = from; i < to; ++i) pack(bvh, bvh.nodes[i], words_of);
+    });
   }
   /// Of the leaf that begins at that entry.
   const Number* leaf(std::size_t first) const { return &numbers_[words * first]; }
@@ -34,6 +30,18 @@ class PackedLeaves {
 
  private:
   static constexpr std::size_t slack = 16;
+
+  template <class WordsOf>
+  void pack(const Bvh& bvh, const Bvh::Node& node, WordsOf words_of) {
+    for (std::size_t child = 0; child < node.boxes.count; ++child) {
+      const std::size_t first = node.first[child], count = node.count[child];
+      for (std::size_t i = 0; i < count; ++i) {
+        const std::array<Number, words> all = words_of(bvh.order[first + i]);
+        for (std::size_t k = 0; k < words; ++k) numbers_[words * first + k * count + i] = all[k];
+      }
+    }
+  }
+
   std::vector<Number, HugePages<Number>> numbers_;
 };
 

@@ -133,7 +133,7 @@ class Search {
 
  private:
   static constexpr auto n = static_cast<std::size_t>(lanes<Real>);
-  static constexpr int few = 2;
+  static constexpr int few = 4;
   using Lanes = std::array<LaneOf<Real>, n>;
 
   template <class Leaf, class Below>
