@@ -1,143 +1,25 @@
 #include "core/accel/bvh_builder.h"
 
-#include <array>
-#include <bit>
-#include <cmath>
+#include <algorithm>
 #include <memory>
 #include <mutex>
+#include <utility>
+
+#include "core/accel/bins.h"
 
 namespace tia {
 namespace {
 
-constexpr int bins = 16;
+using detail::Bins;
+using detail::Eight;
+using detail::Extent;
+using detail::Run;
+using detail::Scale;
+using detail::Scales;
+using detail::Split;
+
 constexpr std::size_t largest_leaf = 8;
 constexpr std::size_t shared_work = 1 << 16;  // boxes that are worth dividing among workers
-
-// ---- boxes ------------------------------------------------------------------------------------
-
-// The least of each coordinate and of its negative: the box around two is the least of both. The
-// fourth number is a box's own, and of no meaning in sums.
-struct Extent {
-  static constexpr std::size_t number = 3, negative = 4;
-  alignas(32) std::array<float, 8> least;
-
-  static constexpr Extent nothing() {
-    return {{infinity, infinity, infinity, 0, infinity, infinity, infinity, 0}};
-  }
-  static Extent of(const Box32& box, std::uint32_t number) {
-    return {{box.min.x, box.min.y, box.min.z, std::bit_cast<float>(number), -box.max.x, -box.max.y,
-             -box.max.z, 0}};
-  }
-  void take(const Extent& other) { take(detail::load(other.least)); }
-  // The point that is another's centre, or that `out_of_the_way`: there it changes nothing.
-  void take_center(const detail::Eight& other, float out_of_the_way = 0) {
-    take(other - swapped(other) + detail::Eight(out_of_the_way));
-  }
-  void take_center(const Extent& other) { take_center(detail::load(other.least)); }
-  // Twice the middle.
-  float center(std::size_t axis) const { return least[axis] - least[axis + negative]; }
-  float size(std::size_t axis) const { return -least[axis + negative] - least[axis]; }
-  float half_area() const { return size(0) * size(1) + size(1) * size(2) + size(2) * size(0); }
-  Box32 box() const { return {{least[0], least[1], least[2]}, {-least[4], -least[5], -least[6]}}; }
-  void take(const detail::Eight& all) {
-    detail::least_of(detail::load(least), all).store_unaligned(least.data());
-  }
-  // The second four numbers, then the first.
-  static detail::Eight swapped(const detail::Eight& all) {
-    if constexpr (detail::box_registers == 2) {
-      return detail::Eight::of(all.part[1], all.part[0]);
-    } else {
-      using Order = xsimd::batch_constant<xsimd::batch<std::uint32_t, Isa>, 4, 5, 6, 7, 0, 1, 2, 3>;
-      return detail::Eight::of(xsimd::swizzle(all.part[0], Order{}));
-    }
-  }
-  std::uint32_t id() const { return std::bit_cast<std::uint32_t>(least[number]); }
-};
-
-// Neighbours in the list, and what is around them and around their centres.
-struct Run {
-  std::size_t first = 0, count = 0;
-  Extent box = Extent::nothing(), centers = Extent::nothing();
-};
-
-// ---- splits -----------------------------------------------------------------------------------
-
-// Where centres fall among the bins of an axis.
-struct Scale {
-  float low = 0, bins_per_length = 0;
-  bool parts = false;  // whether it tells anything apart
-
-  Scale(const Extent& centers, std::size_t axis) : low(centers.least[axis]) {
-    bins_per_length = static_cast<float>(bins) / centers.size(axis);
-    parts = centers.size(axis) > 0 && std::isfinite(bins_per_length);
-  }
-  std::size_t bin(float center) const {
-    const auto at = static_cast<int>((center - low) * bins_per_length);
-    return static_cast<std::size_t>(std::clamp(at, 0, bins - 1));
-  }
-};
-using Scales = std::array<Scale, 3>;
-Scales scales_of(const Extent& centers) {
-  return {Scale(centers, 0), Scale(centers, 1), Scale(centers, 2)};
-}
-
-struct Bins {
-  std::array<std::array<Extent, bins>, 3> boxes;
-  std::array<std::array<std::uint32_t, bins>, 3> counts{};
-
-  Bins() {
-    for (auto& axis : boxes) axis.fill(Extent::nothing());
-  }
-
-  void add(const Extent& each, const Scales& scales) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      if (!scales[axis].parts) continue;
-      const std::size_t bin = scales[axis].bin(each.center(axis));
-      boxes[axis][bin].take(each);
-      ++counts[axis][bin];
-    }
-  }
-  void add(const Bins& other) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      for (std::size_t i = 0; i < bins; ++i) {
-        boxes[axis][i].take(other.boxes[axis][i]);
-        counts[axis][i] += other.counts[axis][i];
-      }
-    }
-  }
-};
-
-struct Split {
-  std::size_t axis = 0, bin = 0;  // the first of the second half
-  float cost = infinity;          // infinite: none
-  std::array<Extent, 2> boxes{Extent::nothing(), Extent::nothing()};  // of both halves
-};
-
-// Costs of all splits between the bins of an axis: from the right first, then against what is left
-// of them.
-void sweep(const Bins& all, std::size_t axis, Split& best) {
-  std::array<float, bins> right{};
-  Extent box = Extent::nothing();
-  float count = 0;
-  const auto take = [&](std::size_t i) {
-    box.take(all.boxes[axis][i]);
-    count += static_cast<float>(all.counts[axis][i]);
-    return count > 0 ? count * box.half_area() : 0;
-  };
-  for (std::size_t i = bins - 1; i > 0; --i) right[i] = take(i);
-  box = Extent::nothing();
-  count = 0;
-  for (std::size_t i = 0; i + 1 < bins; ++i) {
-    const float cost = take(i) + right[i + 1];
-    if (count > 0 && right[i + 1] > 0 && cost < best.cost) {
-      best.axis = axis;
-      best.bin = i + 1;
-      best.cost = cost;
-    }
-  }
-}
-
-// ---- the tree ---------------------------------------------------------------------------------
 
 class Builder {
  public:
@@ -283,7 +165,7 @@ class Builder {
     constexpr float out_of_the_way[] = {0, infinity};
     for (std::size_t i = 0; i < run.count; ++i) {
       // In a register all the while: a copy in pieces would have to be waited for.
-      const detail::Eight each = detail::load(list[i].least);
+      const Eight each = detail::load(list[i].least);
       const bool is_high = scale.bin(list[i].center(split.axis)) >= split.bin;
       each.store_unaligned(list[low].least.data());
       each.store_unaligned(spare[high].least.data());
@@ -302,7 +184,8 @@ class Builder {
     Split best;
     for (std::size_t axis = 0; axis < 3; ++axis)
       if (scales[axis].parts) sweep(all, axis, best);
-    for (std::size_t i = 0; i < bins; ++i) best.boxes[i >= best.bin].take(all.boxes[best.axis][i]);
+    for (std::size_t i = 0; i < detail::bins; ++i)
+      best.boxes[i >= best.bin].take(all.boxes[best.axis][i]);
     return best;
   }
   Bins bins_of(const Run& run, const Scales& scales) const {
