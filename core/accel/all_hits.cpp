@@ -83,7 +83,7 @@ class Collector {
   void meet_mesh(int part, Packet<double>& packet) {
     const Part& own = geometry_.part(part);
     const MeshIndex& mesh = *geometry_.meshes[static_cast<std::size_t>(own.mesh)];
-    const MeshRay<double> ray(mesh, packet.seen_through(own.to_object).root, false);
+    const MeshRay<double> ray(mesh, packet.seen_through(own.to_object).root, false, 0.0);
     EveryTriangle triangles{[&](double m, double triangle) {
       add(ray.t_of(m), part, static_cast<int>(triangle), packet);
     }};

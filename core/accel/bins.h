@@ -62,7 +62,8 @@ struct Scale {
 
   Scale(const Extent& centers, std::size_t axis) : low(centers.least[axis]) {
     bins_per_length = static_cast<float>(bins) / centers.size(axis);
-    parts = centers.size(axis) > 0 && std::isfinite(bins_per_length);
+    parts = centers.size(axis) > 0 && std::isfinite(bins_per_length) &&
+            std::isfinite(centers.size(axis)) && std::isfinite(low);
   }
   std::size_t bin(float center) const {
     const auto at = static_cast<int>((center - low) * bins_per_length);

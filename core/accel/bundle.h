@@ -50,10 +50,11 @@ inline unsigned at_most(const Eight& a, const Eight& b, const BoxSet& boxes) {
 }  // namespace detail
 
 /// The greatest of the lanes that count, rounded to float; -infinity where none does.
+/// NaN never counts: a register's maximum would forget others for it.
 inline float greatest(float a, bool here) { return here ? a : -infinity; }
 inline float greatest(double a, bool here) { return here ? static_cast<float>(a) : -infinity; }
 inline float greatest(const Wide& a, const WideMask& here) {
-  const Wide counting = select(here, a, Wide(-infinity));
+  const Wide counting = select(here && a == a, a, Wide(-infinity));
   return greatest_lane(xsimd::max(counting.part[0], counting.part[1]));
 }
 template <class Real>

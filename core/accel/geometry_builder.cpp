@@ -61,6 +61,10 @@ int GeometryBuilder::add(Form form, const Setting& at) {
 int GeometryBuilder::add(SharedMesh mesh, const Setting& at) {
   Aabb box;
   for (const Vec3d& p : mesh->positions) box = around(box, at.place.point(p));
+  // As much larger as the boxes of its triangles are.
+  const double more =
+      MeshIndex::room * mesh->unit * (length(at.place.x) + length(at.place.y) + length(at.place.z));
+  box = {box.min - Vec3d{more, more, more}, box.max + Vec3d{more, more, more}};
   const int part = add_part(Sphere{}, at, geometry_.objects++);
   geometry_.degenerate += mesh->degenerate;
   geometry_.parts.back().mesh = pushed(geometry_.meshes, std::move(mesh));

@@ -75,9 +75,14 @@ void MeshIndex::measure(const std::vector<std::uint32_t>& sound) {
   unit = std::exp2(std::ilogb(std::max({half.x, half.y, half.z})) + 1);
 }
 
-// Larger than the rounded triangle by far more than what the test of a ray from nearby rounds.
+double MeshIndex::plane_distance(std::size_t triangle, const Line& line) const {
+  const Vec3d a = measured(corner(triangle, 0));
+  const Vec3d n = area_vector(a, measured(corner(triangle, 1)), measured(corner(triangle, 2)));
+  return dot(n, a - line.origin) / dot(n, line.direction);
+}
+
+// Larger than the rounded triangle by more than what the test of a ray from nearby rounds.
 Box32 MeshIndex::measured_box(std::size_t triangle) const {
-  constexpr float room = 0x1p-18F;
   Vec3f low{infinity, infinity, infinity}, high = -low;
   for (std::size_t i = 0; i < 3; ++i) {
     const auto p = static_cast<Vec3f>(measured(corner(triangle, i)));

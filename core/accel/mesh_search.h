@@ -39,15 +39,42 @@ struct AnyTriangle {
   void set_one(int i, const AnyTriangle<float>& ray) { set_lane(limit, i, ray.limit); }
 };
 
+// ---- what is near -----------------------------------------------------------------------------
+
+/// Settles for hits that float has just before or behind the origin of one of the rays whether they
+/// are ahead: in double, by the triangle's plane.
+template <class Real>
+class NearHits {
+ public:
+  NearHits(const MeshIndex& mesh, const MeshRay<Real>& ray, int i)
+      : mesh_(mesh), ray_(ray), i_(i), near_(static_cast<float>(lane(ray.near, i))) {}
+
+  /// From where on a hit may be ahead.
+  float least() const { return near_ * -0x1p-5F; }
+  /// Returns: m, or something below 0 where the hit is not ahead.
+  float settled(float m, std::size_t triangle) const {
+    if (m >= near_) return m;
+    constexpr double most = 0x1p-10;  // beyond, its plane is met elsewhere
+    const double exact = mesh_.plane_distance(triangle, ray_.exact(i_));
+    return exact > 0 && exact < most ? std::max(m, 0x1p-30F) : -1;
+  }
+
+ private:
+  const MeshIndex& mesh_;
+  const MeshRay<Real>& ray_;
+  int i_;
+  float near_;
+};
+
 // ---- one ray ----------------------------------------------------------------------------------
 
 /// A ray by itself, on as many triangles at once as a register has lanes.
-template <class Triangles>
+template <class Triangles, class Real>
 class LoneMeshSearch {
  public:
-  LoneMeshSearch(const MeshIndex& mesh, const ShearedRay<float>& ray, Triangles& triangles,
-                 Effort& effort)
-      : mesh_(mesh), ray_(ray), triangles_(triangles), effort_(effort) {}
+  LoneMeshSearch(const MeshIndex& mesh, const ShearedRay<float>& ray, const NearHits<Real>& near,
+                 Triangles& triangles, Effort& effort)
+      : mesh_(mesh), ray_(ray), near_(near), triangles_(triangles), effort_(effort) {}
 
   void below(std::uint32_t node, const BoxRay<float>& box) {
     traverse(
@@ -63,8 +90,8 @@ class LoneMeshSearch {
       const auto hit = intersect(ray_, [&](std::size_t corner, std::size_t axis) {
         return FloatRegister::load_unaligned(words + (3 * corner + axis) * count + from);
       });
-      const auto here =
-          hit.inside && hit.t > FloatRegister(0) && hit.t <= FloatRegister(triangles_.limit);
+      const auto here = hit.inside && hit.t > FloatRegister(near_.least()) &&
+                        hit.t <= FloatRegister(triangles_.limit);
       unsigned left = bits(here);
       if (count - from < step) left &= (1U << (count - from)) - 1;
       if (left != 0) offer(hit.t, left, &mesh_.bvh.order[first + from]);
@@ -77,12 +104,14 @@ class LoneMeshSearch {
     m.store_unaligned(each.data());
     for (; left != 0; left &= left - 1) {
       const auto i = static_cast<std::size_t>(std::countr_zero(left));
-      triangles_.offer(each[i], static_cast<float>(numbers[i]), true);
+      const float settled = near_.settled(each[i], numbers[i]);
+      triangles_.offer(settled, static_cast<float>(numbers[i]), settled > 0);
     }
   }
 
   const MeshIndex& mesh_;
   const ShearedRay<FloatRegister> ray_;
+  const NearHits<Real> near_;
   Triangles& triangles_;
   Effort& effort_;
 };
@@ -93,18 +122,19 @@ class LoneMeshSearch {
 template <class Real, class Triangles, bool quick>
 class MeshSearch {
  public:
-  MeshSearch(const MeshIndex& mesh, const BoxRay<Real>& box, const ShearedRay<Real>& ray,
-             Triangles& triangles, Effort& effort)
-      : mesh_(mesh), box_(box), ray_(ray), triangles_(triangles), effort_(effort) {}
+  MeshSearch(const MeshIndex& mesh, const MeshRay<Real>& root, const BoxRay<Real>& box,
+             const ShearedRay<Real>& ray, Triangles& triangles, Effort& effort)
+      : mesh_(mesh), root_(root), box_(box), ray_(ray), triangles_(triangles), effort_(effort) {}
 
   void through(const Bundle& bundle, Mask<Real> active) {
-    const auto on_leaf = [&](std::uint32_t first, std::uint32_t count, Mask<Real> here) {
+    const auto on_leaf = [&](std::uint32_t first, std::uint32_t count, Mask<Real> here)
+        __attribute__((always_inline)) {
       leaf(first, count, here);
     };
     if constexpr (!quick) {
       traverse(mesh_.bvh, box_, active, triangles_.limit, effort_, on_leaf);
     } else if constexpr (lanes<Real> == 1) {
-      LoneMeshSearch(mesh_, ray_, triangles_, effort_).below(0, box_);
+      LoneMeshSearch(mesh_, ray_, NearHits(mesh_, root_, 0), triangles_, effort_).below(0, box_);
     } else {
       traverse(mesh_.bvh, box_, bundle, active, triangles_.limit, effort_, on_leaf, few,
                [&](std::uint32_t node, Mask<Real> here) {
@@ -120,7 +150,7 @@ class MeshSearch {
       auto own = triangles_.one(i);
       ShearedRay<float> ray = ray_.one(i);
       ray.turn_to(longest.of(i));
-      LoneMeshSearch(mesh_, ray, own, effort_).below(0, box_.one(i));
+      LoneMeshSearch(mesh_, ray, NearHits(mesh_, root_, i), own, effort_).below(0, box_.one(i));
       triangles_.set_one(i, own);
     }
   }
@@ -134,12 +164,12 @@ class MeshSearch {
     for (unsigned left = bits(here); left != 0; left &= left - 1) {
       const int i = std::countr_zero(left);
       auto own = triangles_.one(i);
-      LoneMeshSearch search(mesh_, ray_.one(i), own, effort_);
+      LoneMeshSearch search(mesh_, ray_.one(i), NearHits(mesh_, root_, i), own, effort_);
       work(i, search);
       triangles_.set_one(i, own);
     }
   }
-  void leaf(std::uint32_t first, std::uint32_t count, Mask<Real> here) {
+  [[gnu::always_inline]] void leaf(std::uint32_t first, std::uint32_t count, Mask<Real> here) {
     if constexpr (quick && lanes < Real >> 1) {
       if (tia::count(here) < static_cast<int>(2 * count))
         return one_by_one(here, [&](int, auto& search) { search.leaf(first, count); });
@@ -147,8 +177,26 @@ class MeshSearch {
     for (std::uint32_t i = 0; i < count; ++i) {
       effort_.test();
       const TriangleHit<Real> hit = meet(first, count, i);
-      triangles_.offer(hit.t, Real(static_cast<float>(mesh_.bvh.order[first + i])),
-                       here && hit.inside && hit.t > Real(0));
+      const std::uint32_t triangle = mesh_.bvh.order[first + i];
+      const Real m = has_near_ ? settled(hit.t, triangle, here && hit.inside) : hit.t;
+      triangles_.offer(m, Real(static_cast<float>(triangle)), here && hit.inside && m > Real(0));
+    }
+  }
+  // Lane by lane where it is near; in double nothing is to be settled.
+  [[gnu::noinline]] Real settled(const Real& m, std::uint32_t triangle, Mask<Real> here) const {
+    if constexpr (std::is_same_v<Real, double>) {
+      return m;
+    } else {
+      const unsigned near = bits(here && m < root_.near && m > root_.near * Real(-0x1p-5F));
+      if (near == 0) return m;
+      std::array<float, static_cast<std::size_t>(lanes<Real>)> each;
+      store(m, each.data());
+      for (unsigned left = near; left != 0; left &= left - 1) {
+        const int i = std::countr_zero(left);
+        float& own = each[static_cast<std::size_t>(i)];
+        own = NearHits(mesh_, root_, i).settled(own, triangle);
+      }
+      return load<Real>(each.data());
     }
   }
   TriangleHit<Real> meet(std::uint32_t first, std::uint32_t count, std::uint32_t i) const {
@@ -167,6 +215,8 @@ class MeshSearch {
   }
 
   const MeshIndex& mesh_;
+  const MeshRay<Real>& root_;
+  const bool has_near_ = any(root_.near > Real(0));
   const BoxRay<Real>& box_;
   const ShearedRay<Real>& ray_;
   Triangles& triangles_;
@@ -181,7 +231,7 @@ void search(const MeshIndex& mesh, const MeshRay<Real>& ray, Triangles& triangle
   const BoxRay<Real> box(ray.origin, ray.direction, Real(0));
   const LongestAxis<Real> longest(ray.direction);
   ShearedRay<Real> sheared(ray.origin, ray.direction, longest);
-  MeshSearch<Real, Triangles, quick> search(mesh, box, sheared, triangles, effort);
+  MeshSearch<Real, Triangles, quick> search(mesh, ray, box, sheared, triangles, effort);
   const Bundle bundle(box, active);
   if constexpr (quick && lanes < Real >> 1) {
     if (bundle.scattered()) return search.alone(longest, active);

@@ -208,11 +208,18 @@ class Search {
     const MeshIndex& mesh = *geometry_.meshes[static_cast<std::size_t>(own.mesh)];
     const bool placed = own.placed;
     const MeshRay<Real> ray(mesh, placed ? packet.seen_through(own.to_object).root : packet.root,
-                            !placed && packet.unit_length);
+                            !placed && packet.unit_length, extent_of(packet));
     auto triangles = query_.in(ray);
     here = here && triangles.limit > Real(0);
     search<quick>(mesh, ray, triangles, here, effort_);
-    query_.take(triangles, ray, part, packet.copy, here);
+    query_.take(triangles, mesh, ray, part, packet.copy, here);
+  }
+  // How far from the world's origin the rays are; 0 where that is not known.
+  static Real extent_of(const Packet<Real>& packet) {
+    if (!packet.unit_length) return Real(0);
+    const auto& o = packet.root.origin;
+    return max_of(max_of(abs_of(narrow<Real>(o.x)), abs_of(narrow<Real>(o.y))),
+                  abs_of(narrow<Real>(o.z)));
   }
 
   void meet(const Copies& grid, Packet<Real>& packet, Mask<Real> here) {

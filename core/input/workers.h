@@ -26,7 +26,7 @@ class Workers {
 
   /// Errors: what a task or for_each throws.
   void for_each(int count, const Task& task) const {
-    if (for_each_) return for_each_(count, task);
+    if (for_each_ && count > 1) return for_each_(count, task);
     for (int i = 0; i < count; ++i) task(i);
   }
   /// Calls work(from, to) for shares of what is numbered from 0 to count - 1, as many whoever

@@ -139,6 +139,17 @@ template <>
 #endif
 inline float abs_of(float a) { return std::fabs(a); }
 inline double abs_of(double a) { return std::fabs(a); }
+inline FloatRegister abs_of(const FloatRegister& a) { return xsimd::abs(a); }
+template <class Register, std::size_t N>
+[[gnu::always_inline]] inline Registers<Register, N> abs_of(const Registers<Register, N>& a) {
+  return Registers<Register, N>::map(
+      [](const auto& x) {
+        using xsimd::abs;
+        if constexpr (requires { x.part; }) return abs_of(x);
+        else return abs(x);
+      },
+      a);
+}
 [[gnu::always_inline]] inline Wide abs_of(const Wide& a) {
   return Wide::map([](const FloatRegister& x) { return xsimd::abs(x); }, a);
 }
