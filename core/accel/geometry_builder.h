@@ -1,6 +1,5 @@
 // GeometryBuilder: puts surfaces, solids and grids into the spaces of a geometry, and indexes them
-// there.
-// Of scenes it knows nothing (compile.cpp).
+// there. Of scenes it knows nothing (build_geometry.cpp, compile.cpp).
 #pragma once
 
 #include <map>
@@ -28,8 +27,8 @@ int pushed(List& list, T&& value) {
 
 class GeometryBuilder {
  public:
-  /// Domain: a geometry without spaces; it and the token outlive the builder. Stopped is what all
-  /// functions throw once that is requested.
+  /// Domain: a geometry without spaces; it and the workers outlive the builder. Stopped is what
+  /// all functions throw once that is asked for.
   GeometryBuilder(Geometry& geometry, const Workers& workers)
       : geometry_(geometry), workers_(workers) {
     geometry_.spaces.emplace_back();

@@ -13,12 +13,12 @@ struct Part {
   Form form;  ///< for a mesh part, of no meaning
   Affine to_object{};
   Vec3d middle{};         ///< of its bounds in its own space; 0 where they are infinite
-  int mesh = -1;          ///< the world's mesh that it is instead of a form; -1: none
-  int ball = -1;          ///< the world's ball that it is as well; -1: none
-  int flat = -1;          ///< the world's flat that it is as well; -1: none
-  int matter = 0;         ///< the world's matter that it wears
+  int mesh = -1;          ///< the geometry's mesh that it is instead of a form; -1: none
+  int ball = -1;          ///< the geometry's ball that it is as well; -1: none
+  int flat = -1;          ///< the geometry's flat that it is as well; -1: none
+  int matter = 0;         ///< the geometry's matter that it wears
   int object = 0;         ///< the object that it belongs to, counted from 0 in the scene's order
-  int space = 0;          ///< the space of the world that it stands in
+  int space = 0;          ///< the space of the geometry that it stands in
   bool inverted = false;  ///< whether it cuts a solid, whose outside is then its inside
   bool placed = false;    ///< whether to_object does anything
   int work = 1;           ///< what trying a ray on it costs (Effort)
