@@ -58,12 +58,15 @@ struct MeshPoint {
 /// At a point of that triangle; the uvs are barycentric where the mesh has none.
 MeshPoint point_of(const MeshIndex& mesh, std::size_t triangle, const Vec3d& p);
 
+/// A mesh is large whose unit times this is beyond the distance that it is met at.
+inline constexpr float large_mesh = 0.4F;
+
 /// MeshRay: rays in a mesh's own measure, from where they are or, if that is far away, from next to
 /// the mesh: t = start + m * rate for the distance m in that measure.
 ///
-/// Float keeps places in a mesh to 2^-22 of its unit. Where a ray begins or ends so near to where
-/// it is seen from that its offset from surfaces (offset_of) is not far beyond that, what is near
-/// is settled in double: a surface would shadow itself.
+/// Float keeps places in a mesh to 2^-22 of its unit. Where a ray begins on a large one, its offset
+/// from surfaces (offset_of) is not far beyond that, and what is near is settled in double: a
+/// surface would shadow itself.
 template <class Real>
 struct MeshRay {
   using P = Precise<Real>;
@@ -84,11 +87,6 @@ struct MeshRay {
   }
   Real t_of(const Real& m) const { return narrow<Real>(start + widen(m) * rate); }
   Real m_of(const Real& t) const { return narrow<Real>((widen(t) - start) * inverse_rate); }
-  /// Where the offset from a surface at that distance, or that far from the world's origin, is
-  /// small beside what float keeps.
-  Mask<Real> is_close(const Real& distance) const {
-    return !(distance >= narrow<Real>(rate) * Real(0.4F));
-  }
 };
 
 template <class Real>
@@ -113,7 +111,9 @@ MeshRay<Real>::MeshRay(const MeshIndex& mesh, const RootRay<Real>& ray, bool uni
   };
   origin = rounded(exact_origin);
   direction = rounded(exact_direction);
-  near = select(is_close(max_of(extent, narrow<Real>(start))), Real(0x1p-14F), Real(0));
+  const Real distance = max_of(extent, narrow<Real>(start));
+  const Mask<Real> is_large = !(distance >= narrow<Real>(rate) * Real(large_mesh));
+  near = select(is_large, Real(0x1p-14F), Real(0));
 }
 
 }  // namespace tia

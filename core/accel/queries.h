@@ -31,31 +31,9 @@ struct Nearest {
   Triangles in(const MeshRay<Real>& ray) const {
     return {ray.m_of(hit.t * Real(box_grow)) * Real(box_grow)};
   }
-  void take(const Triangles& found, const MeshIndex& mesh, const MeshRay<Real>& ray, int part,
-            int copy, Mask<Real> here) {
-    here = here && found.found();
-    offer(distance(found, mesh, ray, here), Real(static_cast<float>(part)), found.number, copy,
-          here);
-  }
-
-  // Where it is close beside the mesh's size, by the triangle's plane in double.
-  static Real distance(const Triangles& found, const MeshIndex& mesh, const MeshRay<Real>& ray,
-                       Mask<Real> here) {
-    const Real t = ray.t_of(found.limit);
-    unsigned left = std::is_same_v<Real, double> ? 0 : bits(here && ray.is_close(t));
-    if (left == 0) return t;
-    std::array<LaneOf<Real>, static_cast<std::size_t>(lanes<Real>)> each;
-    store(t, each.data());
-    for (; left != 0; left &= left - 1) {
-      const int i = std::countr_zero(left);
-      const double exact =
-          mesh.plane_distance(static_cast<std::size_t>(lane(found.number, i)), ray.exact(i));
-      // Else it is seen edge on.
-      if (exact > 0 && std::fabs(exact - lane(found.limit, i)) < 0x1p-12)
-        each[static_cast<std::size_t>(i)] =
-            static_cast<LaneOf<Real>>(lane(ray.start, i) + exact * lane(ray.rate, i));
-    }
-    return load<Real>(each.data());
+  void take(const Triangles& found, const MeshRay<Real>& ray, int part, int copy, Mask<Real> here) {
+    offer(ray.t_of(found.limit), Real(static_cast<float>(part)), found.number, copy,
+          here && found.found());
   }
 
   Nearest<float> one(int i) const {
@@ -86,8 +64,7 @@ struct AnyHit {
 
   using Triangles = AnyTriangle<Real>;
   Triangles in(const MeshRay<Real>& ray) const { return {ray.m_of(t_max)}; }
-  void take(const Triangles& found, const MeshIndex&, const MeshRay<Real>&, int, int,
-            Mask<Real> here) {
+  void take(const Triangles& found, const MeshRay<Real>&, int, int, Mask<Real> here) {
     t_max = select(here && found.found(), Real(-1), t_max);
   }
 

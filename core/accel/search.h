@@ -212,7 +212,7 @@ class Search {
     auto triangles = query_.in(ray);
     here = here && triangles.limit > Real(0);
     search<quick>(mesh, ray, triangles, here, effort_);
-    query_.take(triangles, mesh, ray, part, packet.copy, here);
+    query_.take(triangles, ray, part, packet.copy, here);
   }
   // How far from the world's origin the rays are; 0 where that is not known.
   static Real extent_of(const Packet<Real>& packet) {

@@ -8,11 +8,67 @@
 
 namespace tia {
 
+namespace {
+
+Affine to_object(const Geometry& geometry, const Part& part, std::int64_t copy) {
+  return part.space == 0 ? part.to_object : part.to_object * geometry.to_space(part.space, copy);
+}
+
+// The distance that double finds by the plane of the triangle that is hit, where the mesh is so
+// large beside it that an offset from the surface (offset_of) is lost in what float keeps of it;
+// else, and where the triangle is seen edge on, the one that is there.
+double settled_distance(const Geometry& geometry, const Part& part, const Line& line,
+                        std::size_t triangle, std::int64_t copy, double t) {
+  const MeshIndex& mesh = *geometry.meshes[static_cast<std::size_t>(part.mesh)];
+  const Affine map = to_object(geometry, part, copy);
+  const Vec3d way = map.vector(line.direction) * (1 / mesh.unit);
+  const double rate = 1 / length(way);
+  if (!(t < large_mesh * rate)) return t;
+  const double exact = mesh.plane_distance(triangle, {mesh.measured(map.point(line.origin)), way});
+  return exact > 0 && std::fabs(exact - t) < 0x1p-12 * rate ? exact : t;
+}
+
+// After the search, which compares what float has found: so it does not matter what comes first.
+template <class Real>
+void settle_distances(const World& world, const Ray<Real>& ray, Mask<Real> active, Hit<Real>& hit) {
+  const Hit<Real> found = hit;
+  for_each_winner(found, active, [&](int part, Mask<Real> here) {
+    const Geometry& geometry = world.geometry_of(part);
+    const Part& own = geometry.part(part);
+    if (own.mesh < 0) return;
+    if (own.space == 0 && !own.placed) {
+      const MeshIndex& mesh = *geometry.meshes[static_cast<std::size_t>(own.mesh)];
+      here = here && found.t < Real(static_cast<float>(mesh.unit));  // wider than it is asked below
+      if (!any(here)) return;
+    }
+    std::array<LaneOf<Real>, static_cast<std::size_t>(lanes<Real>)> t;
+    store(found.t, t.data());
+    const Lines<Real> lines{RootRay<Real>(ray)};
+    for (unsigned left = bits(here); left != 0; left &= left - 1) {
+      const int i = std::countr_zero(left);
+      LaneOf<Real>& at = t[static_cast<std::size_t>(i)];
+      at = static_cast<LaneOf<Real>>(settled_distance(
+          geometry, own, lines[static_cast<std::size_t>(i)],
+          static_cast<std::size_t>(lane(found.element, i)),
+          static_cast<std::int64_t>(lane(found.copy, i)), static_cast<double>(at)));
+    }
+    hit.t = select(here, load<Real>(t.data()), hit.t);
+  });
+}
+
+template <class Real>
+Hit<Real> nearest(const World& world, const Ray<Real>& ray, Mask<Real> active, Nearest<Real> query,
+                  Effort& effort) {
+  search(world, ray, active, query, effort);
+  if constexpr (!std::is_same_v<Real, double>) settle_distances(world, ray, active, query.hit);
+  return query.hit;
+}
+
+}  // namespace
+
 template <class Real>
 Hit<Real> closest_hit(const World& world, const Ray<Real>& ray, Mask<Real> active, Effort& effort) {
-  Nearest<Real> query;
-  search(world, ray, active, query, effort);
-  return query.hit;
+  return nearest<Real>(world, ray, active, {}, effort);
 }
 
 template <class Real>
@@ -34,12 +90,10 @@ void walk(const World& world, const Ray<Real>& ray, const Real& t_max, const Lam
   Real done(0);
   while (any(going)) {
     const Vec3<Real> from = ray.at(done);
-    Nearest<Real> query;
-    query.own = lamp.part;
-    query.own_copy = lamp.copy;
-    search(world, Ray<Real>{from, ray.direction}, going, query, effort);
-    const Real t = done + query.hit.t;
-    going = visit(query.hit, going && t < t_max);
+    const Nearest<Real> query{{}, lamp.part, lamp.copy};
+    const Hit<Real> hit = nearest<Real>(world, {from, ray.direction}, going, query, effort);
+    const Real t = done + hit.t;
+    going = visit(hit, going && t < t_max);
     done = select(going, t + offset_of(t, ray.at(t)), done);
   }
 }
@@ -82,10 +136,6 @@ int blocking_part(const World& world, const Ray<float>& ray, float t_max, const 
 }
 
 namespace {
-
-Affine to_object(const Geometry& geometry, const Part& part, std::int64_t copy) {
-  return part.space == 0 ? part.to_object : part.to_object * geometry.to_space(part.space, copy);
-}
 
 MeshPoint mesh_point(const Geometry& geometry, const Part& part, const Vec3d& local, int element) {
   return point_of(*geometry.meshes[static_cast<std::size_t>(part.mesh)],

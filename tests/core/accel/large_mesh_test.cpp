@@ -8,6 +8,7 @@ namespace tia {
 namespace {
 
 using test::object_of;
+using test::Random;
 
 // The picture of a ground that a point light and a ball's shadow fall on, seen from 1.7 above it.
 Image ground_picture(Object ground) {
@@ -63,6 +64,39 @@ TEST(LargeMesh, TileFarFromItsMeshsMiddleIsLitAsAPlaneIs) {
   mesh.positions.values.insert(mesh.positions.values.end(), {0, 900, 0, 5, 901, 0, 0, 902, 5});
   mesh.indices.values.insert(mesh.indices.values.end(), {4, 5, 6});
   EXPECT_LE(differences(ground_picture(object), plane), 2);
+}
+
+// What is settled late must not let the order decide in which things are tried: balls that touch
+// the ground and a second ground within what float tells apart, by packets, ray by ray, and by
+// brute force.
+TEST(LargeMesh, IsMetAlikeInWhateverOrderThingsAreTried) {
+  Random random(420);
+  for (const double half : {100.0, 1e4}) {
+    Scene scene;
+    scene.objects.push_back(quad({0, 0, 0}, half, 1));
+    scene.objects.push_back(quad({0, half * 1e-8, 0}, half, half));
+    for (int i = 0; i < 30; ++i) {
+      const Vec3d at = random.point(3);
+      scene.objects.push_back(object_of(Sphere{{at.x, 0.2, at.z}, 0.2 * random.in(1, 1 + 1e-6)}));
+    }
+    const World world = compile(scene), brute = test::without_index(world);
+    for (int i = 0; i < 300; ++i) {
+      std::vector<Ray<float>> rays;
+      const Vec3d eye = random.point(2) + Vec3d{0, 2, 0};
+      for (std::size_t k = 0; k < Wide::size; ++k) {
+        const Vec3d target = random.point(i % 2 == 0 ? 0.3 : 3);
+        rays.push_back(test::ray_in<float>(
+            Ray<double>{eye, normalize(Vec3d{target.x, -0.01, target.z} - eye)}));
+      }
+      const Hit<Wide> wide = test::hit_of(world, test::packed(rays));
+      for (int k = 0; k < lanes<Wide>; ++k) {
+        const Ray<float>& ray = rays[static_cast<std::size_t>(k)];
+        const auto expected = test::all_of(test::hit_of(brute, ray));
+        ASSERT_EQ(test::all_of(test::hit_of(world, ray)), expected) << half << " " << i << " " << k;
+        ASSERT_EQ(test::all_of(test::lane_of(wide, k)), expected) << half << " " << i << " " << k;
+      }
+    }
+  }
 }
 
 }  // namespace
