@@ -31,6 +31,7 @@ double settled_distance(const Geometry& geometry, const Part& part, const Line& 
 // After the search, which compares what float has found: so it does not matter what comes first.
 template <class Real>
 void settle_distances(const World& world, const Ray<Real>& ray, Mask<Real> active, Hit<Real>& hit) {
+  if (world.of_objects->meshes.empty()) return;
   const Hit<Real> found = hit;
   for_each_winner(found, active, [&](int part, Mask<Real> here) {
     const Geometry& geometry = world.geometry_of(part);
