@@ -136,7 +136,7 @@ class MeshSearch {
     } else if constexpr (lanes<Real> == 1) {
       LoneMeshSearch(mesh_, ray_, NearHits(mesh_, root_, 0), triangles_, effort_).below(0, box_);
     } else {
-      traverse(mesh_.bvh, box_, bundle, active, triangles_.limit, effort_, on_leaf, few,
+      traverse(mesh_.bvh, box_, bundle, active, triangles_.limit, effort_, on_leaf, few_lanes,
                [&](std::uint32_t node, Mask<Real> here) {
                  one_by_one(here, [&](int i, auto& search) { search.below(node, box_.one(i)); });
                });
@@ -156,8 +156,6 @@ class MeshSearch {
   }
 
  private:
-  static constexpr int few = 4;  // measured: 2 to 5 are alike, more or fewer are slower
-
   // Calls work(lane, search) for each lane.
   template <class Work>
   void one_by_one(Mask<Real> here, Work work) {

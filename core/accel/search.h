@@ -62,7 +62,6 @@ class Search {
 
  private:
   static constexpr auto n = static_cast<std::size_t>(lanes<Real>);
-  static constexpr int few = 4;
   using Lanes = std::array<LaneOf<Real>, n>;
 
   template <class Leaf, class Below>
@@ -78,8 +77,9 @@ class Search {
                    [&](Packet<float>& ray, auto& search) { below(node, ray, search); });
       };
       const Bundle bundle(packet.box, active);
-      if (bundle.scattered() || count(active) <= few) alone(0, active);
-      else traverse(bvh, packet.box, bundle, active, query_.limit(), effort_, leaf, few, alone);
+      if (bundle.scattered() || count(active) <= few_lanes) alone(0, active);
+      else
+        traverse(bvh, packet.box, bundle, active, query_.limit(), effort_, leaf, few_lanes, alone);
     }
   }
   // Calls work(ray, search) for each lane.
@@ -120,14 +120,10 @@ class Search {
         const auto i = static_cast<std::uint32_t>(std::countr_zero(left));
         const Ball& ball = geometry_.balls[balls.bvh.order[first + from + i]];
         if (query_.skips(ball.part, copy + ball.copy)) continue;
-        query_.offer(lane_of(t, i), number(ball.part), Real(0), copy + ball.copy, true);
+        query_.offer(lane(t, static_cast<int>(i)), number(ball.part), Real(0), copy + ball.copy,
+                     true);
       }
     }
-  }
-  static float lane_of(const FloatRegister& value, std::uint32_t i) {
-    std::array<float, FloatRegister::size> each;
-    value.store_unaligned(each.data());
-    return each[i];
   }
 
   // ---- everything else ------------------------------------------------------------------------

@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "core/math/wide.h"
+#include "core/math/lanes.h"
 
 namespace tia {
 

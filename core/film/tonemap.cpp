@@ -3,7 +3,7 @@
 #include <bit>
 #include <cstring>
 
-#include "core/math/wide.h"
+#include "core/math/lanes.h"
 
 namespace tia {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "core/math/wide.h"
+#include "core/math/lanes.h"
 
 namespace tia {
 

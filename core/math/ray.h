@@ -2,8 +2,8 @@
 // the winner only.
 #pragma once
 
+#include "core/math/lanes.h"
 #include "core/math/vec3.h"
-#include "core/math/wide.h"
 
 namespace tia {
 

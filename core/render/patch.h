@@ -6,7 +6,7 @@
 
 #include "core/film/image.h"
 #include "core/integrators/path.h"
-#include "core/math/wide.h"
+#include "core/math/lanes.h"
 
 namespace tia {
 

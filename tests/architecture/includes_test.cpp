@@ -28,7 +28,7 @@ struct Wrapped {
 const std::vector<Wrapped> libraries = {
     {"nlohmann/", {"core/input/"}},       {"stb", {"core/film/"}},
     {"libdeflate", {"core/film/"}},       {"sleef", {"core/math/"}},
-    {"xsimd", {"core/math/registers.h"}}, {"immintrin", {"core/math/wide.h"}},
+    {"xsimd", {"core/math/registers.h"}}, {"immintrin", {"core/math/lanes.h", "core/math/wide.h"}},
     {"httplib", {"server/http/"}},        {"CLI/", {"server/main.cpp", "server/config."}},
     {"asio", {"server/http/"}},           {"prometheus/", {"server/metrics.cpp"}},
 };

@@ -1,4 +1,4 @@
-#include "core/math/wide.h"
+#include "core/math/lanes.h"
 
 #include <gtest/gtest.h>
 
