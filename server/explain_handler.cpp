@@ -78,9 +78,10 @@ RenderOptions options_of(const ExplainRequest& asked, const Scene& scene, const 
 
 Explanation explanation_of(const ExplainRequest& asked, const Service& service,
                            const std::stop_token& stop) {
-  const SharedScene scene = scene_of(asked, service.studio);
+  const KnownScene scene = scene_of(asked, service.studio);
   const RenderOptions options = options_of(asked, *scene, service);
-  World world = service.studio.geometries.compile(*scene, stop);
+  Pool& pool = service.studio.pool;
+  World world = service.studio.geometries.compile(scene, pool.workers(pool.threads(), stop));
   if (asked.ray)
     return explain(*scene, std::move(world), {asked.ray->origin, normalize(asked.ray->direction)},
                    options, stop);

@@ -12,18 +12,19 @@ Gallery::Gallery() {
     if (!asset.path.starts_with(folder) || !asset.path.ends_with(ending)) continue;
     std::string_view name = asset.path.substr(folder.size());
     name.remove_suffix(ending.size());
-    scenes_.emplace(name, read_scene(asset.bytes));
+    const auto scene = std::make_shared<const Scene>(read_scene(asset.bytes));
+    scenes_.emplace(name, KnownScene{scene, digest_of_objects(*scene).all});
   }
   Value::Array list;
   for (const auto& [name, scene] : scenes_)
-    list.push_back(
-        Value::Object{{"name", name}, {"title", scene.title}, {"description", scene.description}});
+    list.push_back(Value::Object{
+        {"name", name}, {"title", scene->title}, {"description", scene->description}});
   listing_ = to_json(Value::Object{{"scenes", list}});
 }
 
-const Scene* Gallery::find(std::string_view name) const {
+KnownScene Gallery::find(std::string_view name) const {
   const auto found = scenes_.find(name);
-  return found == scenes_.end() ? nullptr : &found->second;
+  return found == scenes_.end() ? KnownScene{} : found->second;
 }
 
 std::vector<std::string_view> Gallery::names() const {

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/scene/scene.h"
+#include "server/scene_digest.h"
 
 namespace tia::server {
 
@@ -14,15 +14,15 @@ class Gallery {
  public:
   /// Reads every embedded /scenes/NAME.json. Errors: InputError for one that is no scene.
   Gallery();
-  const std::map<std::string, Scene, std::less<>>& scenes() const { return scenes_; }
+  const std::map<std::string, KnownScene, std::less<>>& scenes() const { return scenes_; }
   /// The scene of that name, or null.
-  const Scene* find(std::string_view name) const;
+  KnownScene find(std::string_view name) const;
   std::vector<std::string_view> names() const;
   /// Names, titles and descriptions as JSON.
   const std::string& listing() const { return listing_; }
 
  private:
-  std::map<std::string, Scene, std::less<>> scenes_;
+  std::map<std::string, KnownScene, std::less<>> scenes_;
   std::string listing_;
 };
 

@@ -1,6 +1,9 @@
 #include "server/geometry_store.h"
 
 #include <algorithm>
+#include <functional>
+#include <memory>
+#include <optional>
 #include <utility>
 
 namespace tia::server {
@@ -32,16 +35,24 @@ class GeometryStore::Meshes {
   MeshTable met_;
 };
 
-World GeometryStore::compile(const Scene& scene, const Workers& workers) {
-  if (max_bytes_ == 0) return tia::compile(scene, workers);
-  const ObjectsDigest digest = digest_of_objects(scene);
-  SharedGeometry geometry = find(digest.all);
+World GeometryStore::compile(const KnownScene& scene, const Workers& workers) {
+  if (max_bytes_ == 0) return tia::compile(*scene, workers);
+  std::optional<ObjectsDigest> digest;
+  if (!scene.objects) digest = digest_of_objects(*scene);
+  SharedGeometry geometry = find(digest ? digest->all : *scene.objects);
   if (!geometry) {
-    Meshes meshes(*this, digest);
-    geometry = std::make_shared<const Geometry>(geometry_of(scene, workers, std::ref(meshes)));
-    keep({digest.all, geometry, {}, entry_bytes + bytes_of(*geometry)}, std::move(meshes.met()));
+    if (!digest) digest = digest_of_objects(*scene);  // for that of each mesh
+    geometry = build(*scene, *digest, workers);
   }
-  return tia::compile(scene, std::move(geometry), workers);
+  return tia::compile(*scene, std::move(geometry), workers);
+}
+
+SharedGeometry GeometryStore::build(const Scene& scene, const ObjectsDigest& digest,
+                                    const Workers& workers) {
+  Meshes meshes(*this, digest);
+  const auto made = std::make_shared<const Geometry>(geometry_of(scene, workers, std::ref(meshes)));
+  keep({digest.all, made, {}, entry_bytes + bytes_of(*made)}, std::move(meshes.met()));
+  return made;
 }
 
 StoreCounts GeometryStore::counts() const {
@@ -71,11 +82,10 @@ SharedMesh GeometryStore::find_mesh(const Digest& name) {
 // One that does not fit alone would only drive out the others. Whatever may fail for want of memory
 // comes before the first change.
 void GeometryStore::keep(Entry made, MeshTable meshes) {
+  for (const auto& [name, mesh] : meshes) made.meshes.push_back(name);
+  made.bytes += made.meshes.capacity() * sizeof(Digest);
   std::size_t alone = made.bytes;
-  for (const auto& [name, mesh] : meshes) {
-    alone += mesh.bytes;
-    made.meshes.push_back(name);
-  }
+  for (const auto& [name, mesh] : meshes) alone += mesh.bytes;
   if (alone > max_bytes_) return;
   Entries entry, surplus;
   entry.push_back(std::move(made));

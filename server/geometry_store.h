@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <list>
 #include <mutex>
-#include <stop_token>
 #include <unordered_map>
 #include <vector>
 
@@ -35,7 +34,7 @@ class GeometryStore {
   /// compile(scene, workers), with what is there already of its geometry. Two that want the same at
   /// once both build it: none waits for another's, which may be stopped.
   /// Errors: Stopped, which leaves the store as it was.
-  World compile(const Scene& scene, const Workers& workers);
+  World compile(const KnownScene& scene, const Workers& workers);
 
   StoreCounts counts() const;
 
@@ -55,6 +54,7 @@ class GeometryStore {
   using MeshTable = std::unordered_map<Digest, KeptMesh, DigestHash>;
   class Meshes;  // those of one geometry that is being built
 
+  SharedGeometry build(const Scene& scene, const ObjectsDigest& digest, const Workers& workers);
   SharedGeometry find(const Digest& name);
   SharedMesh find_mesh(const Digest& name);
   void keep(Entry made, MeshTable meshes);

@@ -27,7 +27,7 @@ std::string_view media_type_of(Format format) {
 
 Plan plan_of(const PictureRequest& asked, const Studio& studio) {
   check_size(asked.width, asked.height, studio.limits);
-  const SharedScene scene = scene_of(asked, studio);
+  const KnownScene scene = scene_of(asked, studio);
   RenderOptions options = options_of(asked, *scene, studio);
   options.threads = std::min(asked.threads.value_or(studio.pool.threads()), studio.pool.threads());
   const Window window = asked.window();
@@ -49,11 +49,8 @@ double Plan::rays() const {
 Picture draw(const Plan& plan, const Studio& studio, const std::stop_token& stop) {
   Picture picture;
   Stopwatch watch;
-  const auto share = [&](int count, const Workers::Task& task) {
-    studio.pool.for_each(count, plan.options.threads, stop, task);
-  };
-  const Workers workers(share, stop);
-  const World world = studio.geometries.compile(*plan.scene, workers);
+  const Workers workers = studio.pool.workers(plan.options.threads, stop);
+  const World world = studio.geometries.compile(plan.scene, workers);
   picture.degenerate = world.degenerate;
   picture.timing.build = watch.lap_ms();
 

@@ -70,7 +70,7 @@ std::string_view media_type_of(Format format);
 
 /// Plan: a request whose picture can be drawn: all that may be wrong with it has been checked.
 struct Plan {
-  SharedScene scene;
+  KnownScene scene;
   View view;
   Window window;
   RenderOptions options;

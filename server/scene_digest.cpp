@@ -10,7 +10,7 @@ namespace tia::server {
 namespace {
 
 template <class T>
-concept Scalar = std::is_arithmetic_v<T> || std::is_enum_v<T>;
+concept Number = std::is_arithmetic_v<T> || std::is_enum_v<T>;
 template <class T>
 concept PlacementStep = requires(const T& step) {
   T::key;
@@ -25,17 +25,16 @@ class Digester {
 
   /// Takes down the digest of each mesh.
   explicit Digester(Meshes& meshes) : meshes_(meshes), context_(EVP_MD_CTX_new()) {
-    if (!context_ || EVP_DigestInit_ex(context_.get(), EVP_sha256(), nullptr) != 1)
-      throw std::bad_alloc();
+    require(context_ ? EVP_DigestInit_ex(context_.get(), EVP_sha256(), nullptr) : 0);
   }
   Digest done() {
     flush();
     Digest digest;
-    EVP_DigestFinal_ex(context_.get(), digest.data(), nullptr);
+    require(EVP_DigestFinal_ex(context_.get(), digest.data(), nullptr));
     return digest;
   }
 
-  template <Scalar T>
+  template <Number T>
   void add(T value) {
     if (used_ + sizeof value > buffer_.size()) flush();
     std::memcpy(buffer_.data() + used_, &value, sizeof value);
@@ -113,12 +112,16 @@ class Digester {
     }
   };
 
+  // It fails for want of memory only.
+  static void require(int done) {
+    if (done != 1) throw std::bad_alloc();
+  }
   void add(const void* bytes, std::size_t size) {
     flush();
-    EVP_DigestUpdate(context_.get(), bytes, size);
+    require(EVP_DigestUpdate(context_.get(), bytes, size));
   }
   void flush() {
-    EVP_DigestUpdate(context_.get(), buffer_.data(), used_);
+    require(EVP_DigestUpdate(context_.get(), buffer_.data(), used_));
     used_ = 0;
   }
 

@@ -1,10 +1,12 @@
 // SHA-256 of parts of a scene, found by walking the fields that it is described by: no text is
-// written for it, so that it costs little beside any picture.
+// written for it.
 #pragma once
 
 #include <array>
 #include <cstdint>
 #include <cstring>
+#include <memory>
+#include <optional>
 #include <unordered_map>
 
 #include "core/scene/scene.h"
@@ -21,6 +23,20 @@ struct DigestHash {
     std::memcpy(&hash, digest.data(), sizeof hash);
     return hash;
   }
+};
+
+/// SharedScene: one that is being drawn outlives its place in a store.
+using SharedScene = std::shared_ptr<const Scene>;
+
+/// KnownScene: a scene, and, where that was found out before, what digest_of_objects says of all of
+/// it: to walk a million triangles takes longer than many a picture.
+struct KnownScene {
+  SharedScene scene;
+  std::optional<Digest> objects{};
+
+  explicit operator bool() const { return scene != nullptr; }
+  const Scene& operator*() const { return *scene; }
+  const Scene* operator->() const { return scene.get(); }
 };
 
 /// Of all that geometry_of(scene) depends on: objects, materials and ambient light; and of each of

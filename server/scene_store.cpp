@@ -7,7 +7,7 @@
 namespace tia::server {
 namespace {
 
-constexpr std::size_t entry_bytes = 320;  // an entry's own, with its place in list and index
+constexpr std::size_t entry_bytes = 352;  // an entry's own, with its place in list and index
 
 }  // namespace
 
@@ -20,7 +20,8 @@ std::string SceneStore::keep(Scene scene) {
                       "kept scenes of " + std::to_string(max_bytes_) +
                           " bytes in all (option TIA_MAX_SCENES_BYTES)"});
   Entries made, surplus;
-  made.push_back({id, std::make_shared<const Scene>(std::move(scene)), bytes});
+  const Digest objects = digest_of_objects(scene).all;
+  made.push_back({id, {std::make_shared<const Scene>(std::move(scene)), objects}, bytes});
   const std::lock_guard lock(mutex_);
   if (const auto known = by_id_.find(id); known != by_id_.end()) {
     entries_.splice(entries_.begin(), entries_, known->second);
@@ -33,10 +34,10 @@ std::string SceneStore::keep(Scene scene) {
   return id;
 }
 
-SharedScene SceneStore::find(std::string_view id) {
+KnownScene SceneStore::find(std::string_view id) {
   const std::lock_guard lock(mutex_);
   const auto known = by_id_.find(id);
-  if (known == by_id_.end()) return nullptr;
+  if (known == by_id_.end()) return {};
   entries_.splice(entries_.begin(), entries_, known->second);
   return known->second->scene;
 }

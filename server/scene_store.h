@@ -3,18 +3,14 @@
 
 #include <cstdint>
 #include <list>
-#include <memory>
 #include <mutex>
 #include <string>
 #include <string_view>
 #include <unordered_map>
 
-#include "core/scene/scene.h"
+#include "server/scene_digest.h"
 
 namespace tia::server {
-
-/// Scenes are shared: one that is being drawn outlives its place in the store.
-using SharedScene = std::shared_ptr<const Scene>;
 
 class SceneStore {
  public:
@@ -28,7 +24,7 @@ class SceneStore {
   /// Errors: InputError (limit) for a scene that does not fit alone.
   std::string keep(Scene scene);
   /// The scene of that id, which is the one last asked for from now on; or null.
-  SharedScene find(std::string_view id);
+  KnownScene find(std::string_view id);
 
   std::size_t count() const;
   /// What all kept scenes hold in memory.
@@ -37,7 +33,7 @@ class SceneStore {
  private:
   struct Entry {
     std::string id;
-    SharedScene scene;
+    KnownScene scene;
     std::size_t bytes = 0;
   };
   using Entries = std::list<Entry>;

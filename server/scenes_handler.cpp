@@ -20,8 +20,8 @@ Response get_scenes(const Request&, const std::string&, Service& service) {
 
 Response get_scene(const Request&, const std::string& name, Service& service) {
   const Gallery& gallery = service.studio.gallery;
-  if (const Scene* scene = gallery.find(name)) return scene_text(*scene);
-  if (const SharedScene kept = service.studio.kept.find(name)) return scene_text(*kept);
+  if (const KnownScene scene = gallery.find(name)) return scene_text(*scene);
+  if (const KnownScene kept = service.studio.kept.find(name)) return scene_text(*kept);
   throw HttpError("not-found", "no scene is called that; there are: " + listed(gallery.names()) +
                                    ", and those lately sent to POST /scenes, by their ids");
 }

@@ -39,6 +39,10 @@ namespace {
 // For what lives longer than the request.
 SharedScene not_owned(const Scene& scene) { return {SharedScene(), &scene}; }
 
+KnownScene same_objects(const KnownScene& scene, Scene changed) {
+  return {std::make_shared<const Scene>(std::move(changed)), scene.objects};
+}
+
 Camera patched(const Camera& camera, const CameraPatch& patch) {
   const Place all{}, at = all.at("camera");
   return read_described<Camera>(merge_patch(write_value(camera), patch.members), at);
@@ -52,9 +56,9 @@ void ViewRequest::check(const Place& at, Faults& faults) const {
         {FaultKind::conflict, at.at("light").pointer(), write_value(*light), "key or light"});
 }
 
-SharedScene find_scene(const std::string& name, const Studio& studio) {
-  if (const Scene* scene = studio.gallery.find(name)) return not_owned(*scene);
-  if (SharedScene scene = studio.kept.find(name)) return scene;
+KnownScene find_scene(const std::string& name, const Studio& studio) {
+  if (KnownScene scene = studio.gallery.find(name)) return scene;
+  if (KnownScene scene = studio.kept.find(name)) return scene;
   const std::vector<std::string_view> known = studio.gallery.names();
   throw InputError({FaultKind::unknown_name, "/scene", Value(name),
                     "a scene's name (" + listed(known) +
@@ -62,17 +66,21 @@ SharedScene find_scene(const std::string& name, const Studio& studio) {
                     nearest_name(name, known)});
 }
 
-SharedScene scene_of(const ViewRequest& asked, const Studio& studio) {
+KnownScene scene_of(const ViewRequest& asked, const Studio& studio) {
   const auto* name = std::get_if<std::string>(&asked.scene);
-  SharedScene scene =
-      name != nullptr ? find_scene(*name, studio) : not_owned(std::get<Scene>(asked.scene));
+  KnownScene scene = name != nullptr ? find_scene(*name, studio)
+                                     : KnownScene{not_owned(std::get<Scene>(asked.scene))};
   if (asked.camera) {
     Scene changed = *scene;
     changed.camera = patched(scene->camera, *asked.camera);
-    scene = std::make_shared<const Scene>(std::move(changed));
+    scene = same_objects(scene, std::move(changed));
   }
-  if (asked.key) return std::make_shared<const Scene>(press(*scene, *asked.key));
-  if (asked.light) return std::make_shared<const Scene>(with_light(*scene, *asked.light));
+  if (asked.key) {
+    Scene pressed = press(*scene, *asked.key);
+    if (moves_light_only(*scene, *asked.key)) return same_objects(scene, std::move(pressed));
+    return {std::make_shared<const Scene>(std::move(pressed))};
+  }
+  if (asked.light) return same_objects(scene, with_light(*scene, *asked.light));
   return scene;
 }
 

@@ -83,11 +83,11 @@ struct Studio {
 };
 
 /// The scene of that name or id. Errors: InputError (unknown_name) at /scene.
-SharedScene find_scene(const std::string& name, const Studio& studio);
+KnownScene find_scene(const std::string& name, const Studio& studio);
 
 /// The scene that is asked for: with its camera patched, then its key pressed or its light moved.
 /// It may be the request's own, and lives no longer. Errors: InputError.
-SharedScene scene_of(const ViewRequest& asked, const Studio& studio);
+KnownScene scene_of(const ViewRequest& asked, const Studio& studio);
 
 /// How the scene's light is traced: as the request says, else as the scene does.
 RenderOptions options_of(const TraceRequest& asked, const Scene& scene, const Studio& studio);

@@ -24,10 +24,13 @@ class Workers {
   explicit Workers(ForEach for_each, std::stop_token stop = {})
       : for_each_(std::move(for_each)), stop_(std::move(stop)) {}
 
-  /// Errors: what a task or for_each throws.
+  /// Errors: what a task or for_each throws; Stopped between tasks once that is asked for.
   void for_each(int count, const Task& task) const {
     if (for_each_ && count > 1) return for_each_(count, task);
-    for (int i = 0; i < count; ++i) task(i);
+    for (int i = 0; i < count; ++i) {
+      end_if_asked();
+      task(i);
+    }
   }
   /// Calls work(from, to) for shares of what is numbered from 0 to count - 1, as many whoever
   /// works.

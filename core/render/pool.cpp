@@ -97,6 +97,13 @@ void Pool::for_each(int count, int max_threads, const std::stop_token& stop,
   end_if_asked(stop);
 }
 
+Workers Pool::workers(int max_threads, const std::stop_token& stop) {
+  const auto share = [this, max_threads, stop](int count, const Workers::Task& task) {
+    for_each(count, max_threads, stop, task);
+  };
+  return Workers(share, stop);
+}
+
 void Pool::serve(const std::stop_token& ending) {
   Hand hand;
   std::unique_lock lock(mutex_);

@@ -8,7 +8,7 @@
 #include <thread>
 #include <vector>
 
-#include "core/input/stopped.h"
+#include "core/input/workers.h"
 #include "core/render/turns.h"
 
 namespace tia {
@@ -31,6 +31,8 @@ class Pool {
   /// Errors: Stopped between tasks once `stop` is requested; whatever a task throws.
   void for_each(int count, int max_threads, const std::stop_token& stop,
                 const std::function<void(int)>& task);
+  /// Those threads as workers, who end once `stop` is requested. Domain: the pool outlives them.
+  Workers workers(int max_threads, const std::stop_token& stop = {});
 
  private:
   struct Job;

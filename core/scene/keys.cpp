@@ -71,6 +71,11 @@ std::vector<std::string_view> keys_of(const Scene& scene) {
   return names;
 }
 
+bool moves_light_only(const Scene& scene, std::string_view key) {
+  const auto binding = scene.keys.find(std::string(key));
+  return binding == scene.keys.end() || std::holds_alternative<Vec3d>(binding->second);
+}
+
 Scene press(const Scene& scene, std::string_view key, std::string_view pointer) {
   if (scene.keys.empty()) {
     for (const DefaultKey& each : default_keys)

@@ -15,6 +15,9 @@ std::vector<std::string_view> keys_of(const Scene& scene);
 /// or for a patch that does not leave a scene.
 Scene press(const Scene& scene, std::string_view key, std::string_view pointer = "/key");
 
+/// Whether that key moves the key light and changes nothing else. Domain: a key that it answers to.
+bool moves_light_only(const Scene& scene, std::string_view key);
+
 /// The scene with its key light at a position: the key light, else the first light, else a new
 /// point light. Errors: InputError at `pointer` where that light cannot stand there.
 Scene with_light(Scene scene, const Vec3d& position, std::string_view pointer = "/light");

@@ -2,9 +2,8 @@
 // the larger scenes, and Embree beside them.
 #include <benchmark/benchmark.h>
 
-#include <algorithm>
+#include <array>
 #include <map>
-#include <random>
 
 #include "core/accel/bvh_builder.h"
 #include "core/accel/trace.h"
@@ -17,17 +16,13 @@ namespace {
 
 using benchmark::State;
 
-// n boxes that fill a cube, whatever n.
+// Those around n spheres.
 std::vector<Box32> boxes(int n) {
-  std::mt19937 random(5);
-  const auto place = [&] { return static_cast<double>(random()) * 0x1p-31 - 1; };
-  const double reach = 1 / std::cbrt(n);
+  const std::vector<float> spheres = geometry_kinds()[0].make(n).spheres;
   std::vector<Box32> all;
-  for (int i = 0; i < n; ++i) {
-    const double x = place(), y = place(), z = place();
-    all.push_back(
-        rounded_outwards({{x - reach, y - reach, z - reach}, {x + reach, y + reach, z + reach}}));
-  }
+  for (std::size_t i = 0; i < spheres.size(); i += 4)
+    all.push_back(rounded_outwards(
+        bounds(Sphere{{spheres[i], spheres[i + 1], spheres[i + 2]}, spheres[i + 3]})));
   return all;
 }
 
@@ -58,11 +53,6 @@ const Case& case_of(std::int64_t kind, std::int64_t n) {
   if (at != cases.end()) return at->second;
   const GeometryKind& made = geometry_kinds()[static_cast<std::size_t>(kind)];
   return cases.try_emplace({kind, n}, made, static_cast<int>(n)).first->second;
-}
-
-template <class Real>
-Vec3<Real> vector_at(const std::array<std::vector<float>, 3>& from, std::size_t i) {
-  return {load<Real>(&from[0][i]), load<Real>(&from[1][i]), load<Real>(&from[2][i])};
 }
 
 // One iteration is one packet, as many rays as Real has lanes; packets of holes alone are none.

@@ -2,10 +2,10 @@
 #include <benchmark/benchmark.h>
 
 #include <ctime>
-#include <random>
 
 #include "core/core.h"
 #include "server/gallery.h"
+#include "tests/bench/rays/geometry.h"
 
 namespace tia::bench {
 namespace {
@@ -19,18 +19,9 @@ Pool& pool() {
 
 // n balls that fill a ninth of a cube, whatever n.
 Scene balls(int n) {
-  Scene scene;
+  Scene scene = scene_of(geometry_kinds()[0].make(n));
   scene.camera.location = {0, 0, 4};
   scene.camera.fov_degrees = 40;
-  std::mt19937 random(5);
-  const auto place = [&] { return static_cast<double>(random()) * 0x1p-31 - 1; };
-  for (int i = 0; i < n; ++i) {
-    const double x = place(), y = place();
-    Object ball;
-    ball.shape = Sphere{{x, y, place()}, 0.6 / std::cbrt(n)};
-    scene.objects.push_back(ball);
-  }
-  scene.lights.push_back({PointLight{Vec3d{3, 5, 6}}, {1, 1, 1}, 1});
   return scene;
 }
 

@@ -90,8 +90,7 @@ BENCHMARK(png)->ArgNames({"width", "height"})->Args({640, 480})->Args({1920, 108
 void png_in_strips(State& state) {
   const auto film = traced<ScanlineFilm>(1920, 1080);
   const int threads = static_cast<int>(state.range(0));
-  const Workers workers(
-      [&](int count, const Workers::Task& task) { pool().for_each(count, threads, {}, task); });
+  const Workers workers = pool().workers(threads);
   std::size_t bytes = 0;
   for (auto _ : state) bytes = encode_png(film.scanlines(), workers).size();
   state.counters["bytes"] = static_cast<double>(bytes);

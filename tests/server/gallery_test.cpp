@@ -14,8 +14,8 @@ TEST(Gallery, HoldsEverySceneOfWebScenes) {
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
     if (entry.path().extension() != ".json") continue;
     ++files;
-    const Scene* scene = gallery.find(entry.path().stem().string());
-    ASSERT_NE(scene, nullptr) << entry.path();
+    const KnownScene scene = gallery.find(entry.path().stem().string());
+    ASSERT_TRUE(scene) << entry.path();
     EXPECT_EQ(*scene, read_scene(file_bytes(entry.path().string())));
     EXPECT_FALSE(scene->title.empty());
     EXPECT_FALSE(scene->description.empty());
@@ -28,15 +28,15 @@ TEST(Gallery, EverySceneIsDrawnUnderEachOfItsKeys) {
   for (const auto& [name, scene] : host.gallery().scenes()) {
     const std::string picture = "/render?width=16&height=12&scene=" + url_encode(name);
     EXPECT_EQ(host.get(picture).status, 200) << name;
-    for (const std::string_view key : keys_of(scene))
+    for (const std::string_view key : keys_of(*scene))
       EXPECT_EQ(host.get(picture + "&key=" + url_encode(key)).status, 200) << name << " " << key;
   }
 }
 
 TEST(Gallery, AnUnknownNameIsNone) {
   const Gallery gallery;
-  EXPECT_EQ(gallery.find("thesi"), nullptr);
-  EXPECT_EQ(gallery.find(""), nullptr);
+  EXPECT_FALSE(gallery.find("thesi"));
+  EXPECT_FALSE(gallery.find(""));
 }
 
 TEST(Gallery, ARequestForAnUnknownNameIsToldTheNearestAndAll) {

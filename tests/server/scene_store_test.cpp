@@ -35,7 +35,7 @@ TEST(SceneStore, AnIdIsTheSha256OfTheCanonicalText) {
   const Scene scene = titled("a");
   const std::string id = store.keep(scene);
   EXPECT_EQ(id, sha256_hex(R"({"title":"a"})"));
-  ASSERT_NE(store.find(id), nullptr);
+  ASSERT_TRUE(store.find(id));
   EXPECT_EQ(*store.find(id), scene);
 }
 
@@ -50,20 +50,20 @@ TEST(SceneStore, ASceneSpelledInTwoWaysIsKeptOnce) {
 
 TEST(SceneStore, WhatIsNotKeptIsNotFound) {
   SceneStore store(plenty);
-  EXPECT_EQ(store.find(""), nullptr);
-  EXPECT_EQ(store.find(sha256_hex("")), nullptr);
+  EXPECT_FALSE(store.find(""));
+  EXPECT_FALSE(store.find(sha256_hex("")));
 }
 
 TEST(SceneStore, TheOneNotAskedForLongestFallsOutFirst) {
   SceneStore store(plenty, 3);
   const std::string a = store.keep(titled("a")), b = store.keep(titled("b")),
                     c = store.keep(titled("c"));
-  EXPECT_NE(store.find(a), nullptr);      // now b is the oldest
+  EXPECT_TRUE(store.find(a));             // now b is the oldest
   EXPECT_EQ(store.keep(titled("b")), b);  // now c is
   const std::string d = store.keep(titled("d"));
   EXPECT_EQ(store.count(), 3U);
-  EXPECT_EQ(store.find(c), nullptr);
-  for (const std::string& id : {a, b, d}) EXPECT_NE(store.find(id), nullptr);
+  EXPECT_FALSE(store.find(c));
+  for (const std::string& id : {a, b, d}) EXPECT_TRUE(store.find(id));
 }
 
 TEST(SceneStore, BytesNeverPassTheLimitAndComeBack) {
@@ -73,14 +73,14 @@ TEST(SceneStore, BytesNeverPassTheLimitAndComeBack) {
   for (std::size_t i = 0; i < 40; ++i) {
     ids.push_back(store.keep(meshed(1 + 997 * i % 1800)));
     ASSERT_LE(store.bytes(), 5 * one);
-    ASSERT_NE(store.find(ids.back()), nullptr);
+    ASSERT_TRUE(store.find(ids.back()));
   }
   // Those that are still there are the last ones, and their charge is the store's.
   std::size_t found = 0, bytes = 0;
   for (const std::string& id : ids) {
-    const SharedScene scene = store.find(id);
-    EXPECT_TRUE(scene != nullptr || found == 0) << "an older one outlived a newer one";
-    if (scene == nullptr) continue;
+    const KnownScene scene = store.find(id);
+    EXPECT_TRUE(scene || found == 0) << "an older one outlived a newer one";
+    if (!scene) continue;
     ++found;
     bytes += bytes_of(*scene);
   }
@@ -103,16 +103,16 @@ TEST(SceneStore, ASceneThatAloneIsTooMuchIsRefusedAndPushesNothingOut) {
     EXPECT_THAT(error.what(), testing::HasSubstr(std::to_string(limit)));
     EXPECT_THAT(error.what(), testing::HasSubstr("TIA_MAX_SCENES_BYTES"));
   }
-  EXPECT_NE(store.find(small), nullptr);
+  EXPECT_TRUE(store.find(small));
 }
 
 TEST(SceneStore, ASceneThatFellOutLivesAsLongAsItIsUsed) {
   SceneStore store(plenty, 1);
-  const SharedScene used = store.find(store.keep(titled("used")));
+  const KnownScene used = store.find(store.keep(titled("used")));
   store.keep(titled("other"));
-  EXPECT_EQ(store.find(sha256_hex(canonical_text(*used))), nullptr);
+  EXPECT_FALSE(store.find(sha256_hex(canonical_text(*used))));
   EXPECT_EQ(used->title, "used");
-  EXPECT_EQ(used.use_count(), 1);
+  EXPECT_EQ(used.scene.use_count(), 1);
 }
 
 TEST(SceneStore, ManyThreadsKeepAndFindAtOnce) {
@@ -123,8 +123,8 @@ TEST(SceneStore, ManyThreadsKeepAndFindAtOnce) {
     running.emplace_back([&store, t] {
       for (int i = 0; i < each; ++i) {
         const Scene scene = titled(std::to_string((t + i) % 25));
-        const SharedScene found = store.find(store.keep(scene));
-        EXPECT_TRUE(found == nullptr || *found == scene);  // another may have pushed it out
+        const KnownScene found = store.find(store.keep(scene));
+        EXPECT_TRUE(!found || *found == scene);  // another may have pushed it out
         EXPECT_LE(store.count(), 10U);
       }
     });

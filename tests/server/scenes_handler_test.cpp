@@ -16,8 +16,8 @@ TEST(Scenes, TheListNamesEverySceneOfTheGallery) {
   const Value list = at(json_of(response), "scenes");
   ASSERT_EQ(list.as<Value::Array>()->size(), host().gallery().scenes().size());
   for (const Value& entry : *list.as<Value::Array>()) {
-    const Scene* scene = host().gallery().find(text_at(entry, "name"));
-    ASSERT_NE(scene, nullptr);
+    const KnownScene scene = host().gallery().find(text_at(entry, "name"));
+    ASSERT_TRUE(scene);
     EXPECT_EQ(text_at(entry, "title"), scene->title);
     EXPECT_EQ(host().get("/scenes/" + url_encode(text_at(entry, "name"))).status, 200);
   }
@@ -34,7 +34,7 @@ TEST(Scenes, ASceneIsItsCanonicalTextWhichIsAFixedPoint) {
     EXPECT_EQ(response.content_type, "application/json");
     EXPECT_EQ(response.body, to_json(parse_json(response.body)));  // RFC 8785
     const Scene again = read_scene(response.body);
-    EXPECT_EQ(again, scene);
+    EXPECT_EQ(again, *scene);
     EXPECT_EQ(canonical_text(again), response.body);
   }
 }

@@ -14,6 +14,12 @@ enum class RayKind { primary, shadow, mirror, diffuse };
 inline constexpr std::array<std::string_view, 4> ray_kind_names{"primary", "shadow", "mirror",
                                                                 "diffuse"};
 
+/// One ray, or as many as Real has lanes, from i on.
+template <class Real>
+Vec3<Real> vector_at(const std::array<std::vector<float>, 3>& from, std::size_t i) {
+  return {load<Real>(&from[0][i]), load<Real>(&from[1][i]), load<Real>(&from[2][i])};
+}
+
 /// RaySet: rays of one kind in the packets that Tia's tracer makes of them, in its order: patches
 /// of pixels within blocks. A lane stays with its pixel, so what hits nothing leaves holes.
 struct RaySet {

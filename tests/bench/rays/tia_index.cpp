@@ -14,10 +14,6 @@ double heap_bytes() {
   return static_cast<double>(info.uordblks) + static_cast<double>(info.hblkhd);
 }
 
-Vec3<Wide> load_vector(const std::array<std::vector<float>, 3>& from, std::size_t i) {
-  return {load<Wide>(&from[0][i]), load<Wide>(&from[1][i]), load<Wide>(&from[2][i])};
-}
-
 }  // namespace
 
 TiaIndex::TiaIndex(const Geometry& geometry, Pool& pool) {
@@ -25,10 +21,7 @@ TiaIndex::TiaIndex(const Geometry& geometry, Pool& pool) {
   {
     const Scene scene = scene_of(geometry);
     const auto start = std::chrono::steady_clock::now();
-    const Workers workers([&](int count, const Workers::Task& task) {
-      pool.for_each(count, pool.threads(), {}, task);
-    });
-    world_ = std::make_unique<World>(compile(scene, workers));
+    world_ = std::make_unique<World>(compile(scene, pool.workers(pool.threads())));
     const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - start;
     built_.ms = took.count();
   }  // a service may forget the scene: what the world itself keeps is what counts
@@ -42,7 +35,7 @@ void TiaIndex::trace(const RaySet& rays, Answers& answers) const {
     const Wide t_max = load<Wide>(&rays.t_max[i]);
     const Mask<Wide> active = t_max >= Wide(0);
     if (!any(active)) continue;
-    const Ray<Wide> ray{load_vector(rays.origin, i), load_vector(rays.direction, i)};
+    const Ray<Wide> ray{vector_at<Wide>(rays.origin, i), vector_at<Wide>(rays.direction, i)};
     const Wide t = rays.any_hit()
                        ? select(occluded<Wide>(*world_, ray, t_max, lamp, active, effort), Wide(0),
                                 Wide(infinity))

@@ -50,10 +50,7 @@ TEST(PngInStrips, WhoCompressesWhichStripChangesNoByte) {
             png);
   Pool pool(5);
   for (const int threads : {1, 2, 5})
-    EXPECT_EQ(encode_png(lines, Workers([&](int count, const auto& task) {
-                           pool.for_each(count, threads, {}, task);
-                         })),
-              png);
+    EXPECT_EQ(encode_png(lines, pool.workers(threads)), png);
 }
 
 TEST(PngInStrips, AStripCostsFewBytes) {

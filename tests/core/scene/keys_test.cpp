@@ -172,6 +172,19 @@ TEST(Keys, DefaultsFollowAViewPlaneAsItsPictureShowsIt) {
   expect_default_places(scene, {0, 0, -10}, 10);
 }
 
+TEST(Keys, TellWhetherTheyMoveTheLightAlone) {
+  for (const Scene& scene : {Scene{}, test::thesis_scene()})
+    for (const std::string_view key : keys_of(scene)) {
+      EXPECT_TRUE(moves_light_only(scene, key));
+      EXPECT_EQ(press(scene, key).objects, scene.objects);
+    }
+  Scene scene;
+  scene.keys["b"] = Value(Value::Object{{"background", Value::Array{1, 1, 1}}});
+  scene.keys["l"] = Vec3d{1, 2, 3};
+  EXPECT_FALSE(moves_light_only(scene, "b"));
+  EXPECT_TRUE(moves_light_only(scene, "l"));
+}
+
 // ---- a light's position -------------------------------------------------------------------------
 
 TEST(WithLight, MovesTheKeyLightElseTheFirstLightElseAddsAPoint) {
