@@ -37,9 +37,13 @@ concept Ramped = requires(const T& form) {
   form.ramp;
 };
 
-template <class T, class Allocator>
-std::size_t heap_of(const std::vector<T, Allocator>& list) {
+template <class T>
+std::size_t heap_of(const std::vector<T>& list) {
   return list.capacity() > 0 ? block + list.capacity() * sizeof(T) : 0;
+}
+template <class T>
+std::size_t heap_of(const std::vector<T, HugePages<T>>& list) {
+  return list.capacity() > 0 ? block + HugePages<T>::bytes_for(list.capacity()) : 0;
 }
 std::size_t heap_of(const AlgebraicForm& form) { return heap_of(form.terms); }
 std::size_t heap_of(const ImageForm& form) {

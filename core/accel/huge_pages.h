@@ -23,20 +23,31 @@ struct HugePages {
   template <class Other>
   HugePages(const HugePages<Other>&) {}
 
+  /// Space/units: bytes; what a list of that capacity holds.
+  static constexpr std::size_t bytes_for(std::size_t count) {
+    const std::size_t unit = unit_for(count);
+    return (count * sizeof(T) + unit - 1) / unit * unit;
+  }
+
   T* allocate(std::size_t count) {
-    const std::size_t bytes = count * sizeof(T);
-    const bool large = bytes >= 2 * page;
-    // A size that the alignment divides is what std::aligned_alloc asks for.
-    const std::size_t unit = large ? page : alignof(T) > 32 ? alignof(T) : 32;
-    void* const memory = std::aligned_alloc(unit, (bytes + unit - 1) / unit * unit);
+    const std::size_t bytes = bytes_for(count);
+    void* const memory = std::aligned_alloc(unit_for(count), bytes);
     if (memory == nullptr) throw std::bad_alloc();
 #if defined(__linux__)
-    if (large) ::madvise(memory, bytes, MADV_HUGEPAGE);  // as good without, where it is refused
+    if (unit_for(count) == page)
+      ::madvise(memory, bytes, MADV_HUGEPAGE);  // as good without, where it is refused
 #endif
     return static_cast<T*>(memory);
   }
   void deallocate(T* memory, std::size_t) { std::free(memory); }
   bool operator==(const HugePages&) const = default;
+
+ private:
+  // Of what it asks for a multiple, as std::aligned_alloc wants it: and by what it aligns.
+  static constexpr std::size_t unit_for(std::size_t count) {
+    if (count * sizeof(T) >= 2 * page) return page;
+    return alignof(T) > 32 ? alignof(T) : 32;
+  }
 };
 
 }  // namespace tia
