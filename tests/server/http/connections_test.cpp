@@ -1,136 +1,14 @@
-// Connections under hard use: too many, in a queue, left by their clients.
-#include <sys/socket.h>
-
+// More connections, requests and bodies than there is room for.
 #include <algorithm>
 #include <atomic>
-#include <cstdlib>
 #include <memory>
-#include <mutex>
 
-#include "tests/server/http/wire.h"
+#include "tests/server/http/held.h"
 
 namespace tia::test {
 namespace {
 
 using testing::HasSubstr;
-
-const std::string asked = "GET / HTTP/1.1\r\nHost: x\r\n\r\n";
-
-Application echo_target(bool at_once) {
-  Application application = answering([](const Request& request) { return text(request.target); });
-  application.at_once = [at_once](const Request&) { return at_once; };
-  return application;
-}
-
-// ---- pipelining -----------------------------------------------------------------------------
-
-TEST(Pipelining, AHundredRequestsAtOnceGetTheirAnswersInOrder) {
-  for (const bool at_once : {true, false}) {
-    Serving serving(echo_target(at_once));
-    std::string all;
-    for (int i = 0; i < 100; ++i)
-      all += "GET /" + std::to_string(i) + " HTTP/1.1\r\nHost: x\r\n\r\n";
-    Connection connection(serving.port());
-    connection.send(all);
-    for (int i = 0; i < 100; ++i) ASSERT_EQ(connection.receive().body, "/" + std::to_string(i));
-  }
-}
-
-TEST(Pipelining, AnswersComeInOrderHoweverLongTheyTake) {
-  Latch first;
-  Serving serving(answering([&](const Request& request) {
-    if (request.target == "/first") first.wait();
-    return text(request.target);
-  }));
-  Wire wire(serving.port());
-  wire.get("/first");
-  wire.get("/second");
-  EXPECT_FALSE(wire.readable(milliseconds(100)));
-  first.open();
-  EXPECT_THAT(wire.until("/first"), HasSubstr("\r\n\r\n/first"));
-  EXPECT_THAT(wire.until("/second"), HasSubstr("\r\n\r\n/second"));
-}
-
-TEST(Pipelining, NothingIsAnsweredAfterARequestThatSaysClose) {
-  Serving serving(echo_target(false));
-  Connection connection(serving.port());
-  connection.send("GET /a HTTP/1.1\r\nHost: x\r\nConnection: close\r\n\r\n" + asked);
-  EXPECT_EQ(connection.receive().body, "/a");
-  EXPECT_TRUE(connection.closed());
-}
-
-// Whose requests were answered, in order. One to /hold keeps the connections' thread until all that
-// is to come has come.
-struct Order {
-  Latch all_have_come;
-  std::atomic<bool> holds = false;
-  std::string order;  // the connections' thread's, until the last answer has been read
-  Application application() {
-    Application application = answering([this](const Request& request) {
-      if (request.target == "/hold") {
-        holds = true;
-        all_have_come.wait();
-      } else {
-        order += request.target[1];
-      }
-      return text(request.target);
-    });
-    application.at_once = [](const Request&) { return true; };
-    return application;
-  }
-};
-
-std::string many(const std::string& target, int count, const std::string& fields = "") {
-  std::string all;
-  for (int i = 0; i < count; ++i) all += "GET " + target + " HTTP/1.1\r\nHost: x\r\n\r\n";
-  return all + "GET " + target + " HTTP/1.1\r\nHost: x\r\n" + fields + "\r\n";
-}
-
-TEST(Pipelining, ClientsThatSendManyRequestsAheadAreServedInTurn) {
-  Order asked_in;
-  Serving serving(asked_in.application());
-  Wire holder(serving.port()), a(serving.port()), b(serving.port()), lone(serving.port());
-  for (Wire* wire : {&a, &b, &lone}) {  // so that it has been let in
-    wire->get("/x");
-    wire->until("\r\n\r\n/x");
-  }
-  holder.get("/hold");
-  ASSERT_TRUE(eventually([&] { return asked_in.holds.load(); }));
-  a.send(many("/a", 99, "Connection: close\r\n"));
-  b.send(many("/b", 99, "Connection: close\r\n"));
-  lone.get("/1");
-  asked_in.all_have_come.open();
-  a.rest();
-  b.rest();
-  serving.stop(milliseconds(0), milliseconds(0));
-  ASSERT_TRUE(serving.ends());
-  const std::string order = asked_in.order.substr(3);
-  ASSERT_EQ(order.size(), 201U);
-  EXPECT_LT(order.find('1'), 8U) << order;
-  int ahead = 0;
-  for (const char who : order) {
-    ahead += who == 'a' ? 1 : who == 'b' ? -1 : 0;
-    ASSERT_LE(std::abs(ahead), 4) << order;
-  }
-}
-
-// Held: an application whose requests to /held wait, and all others are answered.
-struct Held {
-  Latch let_go;
-  std::atomic<int> at_work = 0;
-  Application application() {
-    Application application = answering([this](const Request& request) {
-      if (request.target == "/held") {
-        ++at_work;
-        let_go.wait();
-      }
-      return text("done");
-    });
-    application.at_once = [](const Request& request) { return request.target == "/at-once"; };
-    application.retry_after = [] { return 7; };
-    return application;
-  }
-};
 
 // ---- too many -------------------------------------------------------------------------------
 
@@ -272,12 +150,6 @@ TEST(Connections, TogetherHoldNoMoreThanTheLimit) {
 
 // ---- workers --------------------------------------------------------------------------------
 
-HttpOptions one_worker() {
-  HttpOptions options = any_port();
-  options.workers = 1;
-  return options;
-}
-
 TEST(Workers, WhereAllAreTakenOneIsRefusedWith429WithinTenMs) {
   Held held;
   Serving serving(held.application(), one_worker());
@@ -304,103 +176,6 @@ TEST(Workers, WhereAllAreTakenOneIsRefusedWith429WithinTenMs) {
   EXPECT_TRUE(eventually([&] {
     second.send(asked);
     return second.receive().status == 200;
-  }));
-}
-
-// ---- clients that leave ---------------------------------------------------------------------
-
-// Abandoned: an application that works until nobody wants its answer.
-struct Abandoned {
-  std::atomic<bool> works = false;
-  std::promise<Clock::time_point> stopped;
-  Application application() {
-    return answering([this](const Request& request) {
-      std::mutex mutex;
-      std::unique_lock lock(mutex);
-      std::condition_variable_any never;
-      works = true;
-      never.wait(lock, request.stop, [] { return false; });
-      stopped.set_value(Clock::now());
-      return text("too late");
-    });
-  }
-};
-
-TEST(Leaving, StopsTheWorkWithin100Ms) {
-  for (const bool resets : {false, true}) {
-    Abandoned abandoned;
-    std::atomic<int> status = 0;
-    Application application = abandoned.application();
-    application.answered = [&](const Exchange& done) { status = done.response.status; };
-    Serving serving(application);
-    Wire wire(serving.port());
-    wire.send(asked);
-    ASSERT_TRUE(eventually([&] { return abandoned.works.load(); }));
-    if (resets) {
-      const linger hard{1, 0};
-      ::setsockopt(wire.descriptor(), SOL_SOCKET, SO_LINGER, &hard, sizeof hard);
-    }
-    const auto left = Clock::now();
-    wire.leave();
-    auto stopped = abandoned.stopped.get_future();
-    ASSERT_EQ(stopped.wait_for(seconds(20)), std::future_status::ready);
-    const std::chrono::duration<double, std::milli> took = stopped.get() - left;
-    EXPECT_LT(took.count(), 100);
-    EXPECT_TRUE(eventually([&] { return status == Application::client_left; }));
-    EXPECT_TRUE(eventually([&] { return serving.connections() == 0; }));
-  }
-}
-
-TEST(Leaving, IsNoticedAlsoWhereTheNextRequestHasBeenSent) {
-  Abandoned abandoned;
-  Serving serving(abandoned.application());
-  Wire wire(serving.port());
-  wire.send(asked + asked);
-  ASSERT_TRUE(eventually([&] { return abandoned.works.load(); }));
-  wire.leave();
-  EXPECT_EQ(abandoned.stopped.get_future().wait_for(seconds(1)), std::future_status::ready);
-}
-
-// ---- the deadline ---------------------------------------------------------------------------
-
-TEST(Deadline, IsKeptWithin50MsAndSaysWhenToAskAgain) {
-  HttpOptions options = any_port();
-  options.deadline = milliseconds(300);
-  double nearest = 1e9;
-  for (int i = 0; i < 5 && nearest > 350; ++i) {
-    Abandoned abandoned;
-    Serving serving(abandoned.application(), options);
-    Connection connection(serving.port());
-    const auto started = Clock::now();
-    connection.send(asked);
-    const Response late = connection.receive();
-    const double took = ms_since(started);
-    EXPECT_EQ(late.status, 503);
-    EXPECT_EQ(problem_of(late).type, "/problems/timeout");
-    EXPECT_THAT(problem_of(late).detail, HasSubstr("TIA_DEADLINE_MS"));
-    EXPECT_EQ(header(late, "Retry-After"), "1");
-    EXPECT_GE(took, 295);
-    nearest = std::min(nearest, took);
-    EXPECT_EQ(abandoned.stopped.get_future().wait_for(seconds(1)), std::future_status::ready);
-  }
-  EXPECT_LE(nearest, 350);
-  RecordProperty("ms", static_cast<int>(nearest));
-}
-
-TEST(Deadline, LeavesTheConnectionToTheNextRequestAndTheWorkerOnceItStops) {
-  Held held;
-  HttpOptions options = one_worker();
-  options.deadline = milliseconds(100);
-  Serving serving(held.application(), options);
-  Connection connection(serving.port());
-  connection.send("GET /held HTTP/1.1\r\nHost: x\r\n\r\n");
-  EXPECT_EQ(connection.receive().status, 503);
-  connection.send(asked);
-  EXPECT_EQ(connection.receive().status, 429);  // the worker does not listen
-  held.let_go.open();
-  EXPECT_TRUE(eventually([&] {
-    connection.send(asked);
-    return connection.receive().status == 200;
   }));
 }
 
