@@ -6,6 +6,7 @@
 #include <prometheus/registry.h>
 #include <prometheus/text_serializer.h>
 
+#include <algorithm>
 #include <mutex>
 
 #include "core/version.h"
@@ -50,7 +51,8 @@ struct Metrics::Families {
              "Memory of the scenes that POST /scenes keeps.", registry);
   prometheus::Family<Counter>& lookups =
       family(prometheus::BuildCounter(), "tia_geometry_lookups_total",
-             "Compiled scenes and meshes that were looked for, by result; a miss compiles its own.",
+             "Compiled scenes and meshes that were looked for, by result; a miss compiles its own. "
+             "Nothing is looked for where none are kept.",
              registry);
   prometheus::Family<Gauge>& geometry_bytes =
       family(prometheus::BuildGauge(), "tia_geometry_bytes",
@@ -62,10 +64,10 @@ struct Metrics::Families {
   Counter& sent = bytes.Add({{"direction", "sent"}});
 
   std::mutex raising;  // between a counter's value and its increment
-  /// Raises a counter to what was counted elsewhere.
+  /// Raises a counter to what was counted elsewhere, unless who asked later has raised it further.
   void raise(const char* of, const char* result, std::int64_t count) {
     Counter& counter = lookups.Add({{"of", of}, {"result", result}});
-    counter.Increment(static_cast<double>(count) - counter.Value());
+    counter.Increment(std::max(0.0, static_cast<double>(count) - counter.Value()));
   }
   void raise(const StoreCounts& found) {
     const std::lock_guard lock(raising);

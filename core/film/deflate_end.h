@@ -18,7 +18,7 @@ struct DeflateEnd {
 inline constexpr std::size_t deflate_end_margin = 16;
 
 /// Returns: where the stream of at most `bytes` bytes ends.
-/// Errors: std::invalid_argument if it is none.
+/// Domain: what an encoder has made. Errors: std::invalid_argument if no end is found in it.
 /// Cost: its codes are read one by one, which takes about a tenth of the time that made them.
 /// Source: RFC 1951, P. Deutsch, "DEFLATE Compressed Data Format Specification", 1996, section 3.2.
 DeflateEnd deflate_end(const std::uint8_t* stream, std::size_t bytes);

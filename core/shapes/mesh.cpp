@@ -25,11 +25,10 @@ void check_length(std::size_t numbers, std::size_t each, std::size_t vertices, c
 void Mesh::check(const Place& at, Faults& faults) const {
   check_threes(positions.values.size(), at.at("positions"), faults);
   check_threes(indices.values.size(), at.at("indices"), faults);
-  constexpr std::size_t most = 1 << 24;  // a hit tells which one in a float
-  if (triangles() > most)
+  if (triangles() > most_triangles)
     faults.add({FaultKind::limit, at.at("indices").pointer(),
                 Value(count_text(indices.values.size())),
-                "at most " + std::to_string(3 * most) + " numbers"});
+                "at most " + std::to_string(3 * most_triangles) + " numbers"});
   check_length(normals.values.size(), 3, vertices(), at.at("normals"), faults);
   check_length(uvs.values.size(), 2, vertices(), at.at("uvs"), faults);
 

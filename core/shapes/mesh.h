@@ -10,6 +10,7 @@ namespace tia {
 /// Space/units: scene units, object space.
 struct Mesh {
   static constexpr std::string_view type = "mesh";
+  static constexpr std::size_t most_triangles = 1 << 24;  ///< a hit tells which one in a float
   Numbers<float> positions;
   Numbers<std::uint32_t> indices;
   Numbers<float> normals, uvs;
@@ -24,7 +25,9 @@ struct Mesh {
                .required = true,
                .min_items = 9});
     visit("indices", &Mesh::indices,
-          Spec{.about = "the three vertices of each triangle", .required = true, .min_items = 3});
+          Spec{.about = "the three vertices of each triangle, of at most 16777216",
+               .required = true,
+               .min_items = 3});
     visit("normals", &Mesh::normals,
           Spec{.about = "x, y and z of each vertex' normal, of any length but 0",
                .min = -far,
@@ -34,8 +37,8 @@ struct Mesh {
   std::size_t vertices() const { return positions.values.size() / 3; }
   std::size_t triangles() const { return indices.values.size() / 3; }
 
-  /// Lists of the wrong length, indices beyond the positions, normals of no length. A place in a
-  /// list is that of its number, however the list is written.
+  /// Too many triangles, lists of the wrong length, indices beyond the positions, normals of no
+  /// length. A place in a list is that of its number, however the list is written.
   void check(const Place& at, Faults& faults) const;
   bool operator==(const Mesh&) const = default;
 };
