@@ -51,25 +51,23 @@ SharedGeometry GeometryStore::build(const Scene& scene, const ObjectsDigest& dig
                                     const Workers& workers) {
   Meshes meshes(*this, digest);
   const auto made = std::make_shared<const Geometry>(geometry_of(scene, workers, std::ref(meshes)));
-  keep({digest.all, made, {}, entry_bytes + bytes_of(*made)}, std::move(meshes.met()));
+  keep(digest.all, {made, {}, entry_bytes + bytes_of(*made)}, std::move(meshes.met()));
   return made;
 }
 
 StoreCounts GeometryStore::counts() const {
   const std::lock_guard lock(mutex_);
   StoreCounts counts = counts_;
-  counts.geometries = entries_.size();
+  counts.geometries = geometries_.size();
   counts.meshes = meshes_.size();
   return counts;
 }
 
 SharedGeometry GeometryStore::find(const Digest& name) {
   const std::lock_guard lock(mutex_);
-  const auto known = by_name_.find(name);
-  ++(known == by_name_.end() ? counts_.geometry_misses : counts_.geometry_hits);
-  if (known == by_name_.end()) return nullptr;
-  entries_.splice(entries_.begin(), entries_, known->second);
-  return known->second->geometry;
+  const Kept* const known = geometries_.find(name);
+  ++(known == nullptr ? counts_.geometry_misses : counts_.geometry_hits);
+  return known == nullptr ? nullptr : known->geometry;
 }
 
 SharedMesh GeometryStore::find_mesh(const Digest& name) {
@@ -81,51 +79,45 @@ SharedMesh GeometryStore::find_mesh(const Digest& name) {
 
 // One that does not fit alone would only drive out the others. Whatever may fail for want of memory
 // comes before the first change.
-void GeometryStore::keep(Entry made, MeshTable meshes) {
-  for (const auto& [name, mesh] : meshes) made.meshes.push_back(name);
+void GeometryStore::keep(const Digest& name, Kept made, MeshTable meshes) {
+  for (const auto& [own, mesh] : meshes) made.meshes.push_back(own);
   made.bytes += made.meshes.capacity() * sizeof(Digest);
   std::size_t alone = made.bytes;
-  for (const auto& [name, mesh] : meshes) alone += mesh.bytes;
+  for (const auto& [own, mesh] : meshes) alone += mesh.bytes;
   if (alone > max_bytes_) return;
-  Entries entry, surplus;
-  entry.push_back(std::move(made));
-  ByName by_name{{entry.front().name, entry.begin()}};
 
+  Geometries::Entries surplus;
   const std::lock_guard lock(mutex_);
   // Somebody may have built the same meanwhile, of which one is enough.
   const auto is_second = [this](const auto& mesh) {
     const auto known = meshes_.find(mesh.first);
     return known != meshes_.end() && known->second.index != mesh.second.index;
   };
-  if (by_name_.contains(entry.front().name) || std::ranges::any_of(meshes, is_second)) return;
-  by_name_.reserve(by_name_.size() + 1);
+  if (geometries_.contains(name) || std::ranges::any_of(meshes, is_second)) return;
   meshes_.reserve(meshes_.size() + meshes.size());
-  by_name_.merge(by_name);
+  geometries_.add(name, made);
   meshes_.merge(meshes);
-  for (const Digest& name : entry.front().meshes) {
-    KeptMesh& mesh = meshes_.find(name)->second;
+  for (const Digest& own : made.meshes) {
+    KeptMesh& mesh = meshes_.find(own)->second;
     if (mesh.users++ == 0) counts_.bytes += mesh.bytes;
   }
-  counts_.bytes += entry.front().bytes;
-  entries_.splice(entries_.begin(), entry);
+  counts_.bytes += made.bytes;
   surplus = take_surplus();
 }
 
-GeometryStore::Entries GeometryStore::take_surplus() {
-  Entries surplus;
+GeometryStore::Geometries::Entries GeometryStore::take_surplus() {
+  Geometries::Entries surplus;
   while (counts_.bytes > max_bytes_) {
-    const auto last = std::prev(entries_.end());
-    let_go(*last);
-    surplus.splice(surplus.end(), entries_, last);
+    let_go(geometries_.last());
+    geometries_.take_last(surplus);
   }
   return surplus;
 }
 
 // The geometry keeps its meshes alive until the caller destroys it.
-void GeometryStore::let_go(const Entry& entry) {
-  by_name_.erase(entry.name);
-  counts_.bytes -= entry.bytes;
-  for (const Digest& name : entry.meshes) {
+void GeometryStore::let_go(const Kept& geometry) {
+  counts_.bytes -= geometry.bytes;
+  for (const Digest& name : geometry.meshes) {
     const auto kept = meshes_.find(name);
     if (--kept->second.users > 0) continue;
     counts_.bytes -= kept->second.bytes;

@@ -3,12 +3,12 @@
 #pragma once
 
 #include <cstdint>
-#include <list>
 #include <mutex>
 #include <unordered_map>
 #include <vector>
 
 #include "core/accel/world.h"
+#include "server/recent.h"
 #include "server/scene_digest.h"
 
 namespace tia::server {
@@ -39,33 +39,30 @@ class GeometryStore {
   StoreCounts counts() const;
 
  private:
-  struct Entry {
-    Digest name;
+  struct Kept {
     SharedGeometry geometry;
-    std::vector<Digest> meshes;  // the geometry's, each once
-    std::size_t bytes = 0;       // without them
+    std::vector<Digest> meshes{};  // the geometry's, each once
+    std::size_t bytes = 0;         // without them
   };
   struct KeptMesh {
     SharedMesh index;
     std::size_t bytes = 0, users = 0;  // entries that have it
   };
-  using Entries = std::list<Entry>;
-  using ByName = std::unordered_map<Digest, Entries::iterator, DigestHash>;
+  using Geometries = Recent<Digest, Kept, DigestHash>;
   using MeshTable = std::unordered_map<Digest, KeptMesh, DigestHash>;
   class Meshes;  // those of one geometry that is being built
 
   SharedGeometry build(const Scene& scene, const ObjectsDigest& digest, const Workers& workers);
   SharedGeometry find(const Digest& name);
   SharedMesh find_mesh(const Digest& name);
-  void keep(Entry made, MeshTable meshes);
-  // Takes out what is too much, for the caller to destroy without the lock.
-  Entries take_surplus();
-  void let_go(const Entry& entry);
+  void keep(const Digest& name, Kept made, MeshTable meshes);
+  // Takes out what is too much.
+  Geometries::Entries take_surplus();
+  void let_go(const Kept& geometry);
 
   const std::size_t max_bytes_;
   mutable std::mutex mutex_;
-  Entries entries_;  // the one last asked for first
-  ByName by_name_;
+  Geometries geometries_;
   MeshTable meshes_;
   StoreCounts counts_;
 };

@@ -7,7 +7,7 @@
 namespace tia::server {
 namespace {
 
-constexpr std::size_t entry_bytes = 352;  // an entry's own, with its place in list and index
+constexpr std::size_t entry_bytes = 416;  // an entry's own, with its places in list and table
 
 }  // namespace
 
@@ -19,32 +19,26 @@ std::string SceneStore::keep(Scene scene) {
                       Value("a scene of " + std::to_string(bytes) + " bytes in memory"),
                       "kept scenes of " + std::to_string(max_bytes_) +
                           " bytes in all (option TIA_MAX_SCENES_BYTES)"});
-  Entries made, surplus;
   const Digest objects = digest_of_objects(scene).all;
-  made.push_back({id, {std::make_shared<const Scene>(std::move(scene)), objects}, bytes});
+  Kept kept{{std::make_shared<const Scene>(std::move(scene)), objects}, bytes};
+  Scenes::Entries surplus;
   const std::lock_guard lock(mutex_);
-  if (const auto known = by_id_.find(id); known != by_id_.end()) {
-    entries_.splice(entries_.begin(), entries_, known->second);
-    return id;
-  }
-  by_id_.emplace(made.front().id, made.begin());
-  entries_.splice(entries_.begin(), made);
+  if (scenes_.find(id) != nullptr) return id;
+  scenes_.add(id, std::move(kept));
   bytes_ += bytes;
   surplus = take_surplus();
   return id;
 }
 
-KnownScene SceneStore::find(std::string_view id) {
+KnownScene SceneStore::find(const std::string& id) {
   const std::lock_guard lock(mutex_);
-  const auto known = by_id_.find(id);
-  if (known == by_id_.end()) return {};
-  entries_.splice(entries_.begin(), entries_, known->second);
-  return known->second->scene;
+  const Kept* const kept = scenes_.find(id);
+  return kept == nullptr ? KnownScene{} : kept->scene;
 }
 
 std::size_t SceneStore::count() const {
   const std::lock_guard lock(mutex_);
-  return entries_.size();
+  return scenes_.size();
 }
 
 std::size_t SceneStore::bytes() const {
@@ -52,13 +46,11 @@ std::size_t SceneStore::bytes() const {
   return bytes_;
 }
 
-SceneStore::Entries SceneStore::take_surplus() {
-  Entries surplus;
-  while (bytes_ > max_bytes_ || entries_.size() > max_scenes_) {
-    const auto last = std::prev(entries_.end());
-    bytes_ -= last->bytes;
-    by_id_.erase(last->id);
-    surplus.splice(surplus.end(), entries_, last);
+SceneStore::Scenes::Entries SceneStore::take_surplus() {
+  Scenes::Entries surplus;
+  while (bytes_ > max_bytes_ || scenes_.size() > max_scenes_) {
+    bytes_ -= scenes_.last().bytes;
+    scenes_.take_last(surplus);
   }
   return surplus;
 }

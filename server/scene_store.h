@@ -2,12 +2,10 @@
 #pragma once
 
 #include <cstdint>
-#include <list>
 #include <mutex>
 #include <string>
-#include <string_view>
-#include <unordered_map>
 
+#include "server/recent.h"
 #include "server/scene_digest.h"
 
 namespace tia::server {
@@ -24,26 +22,24 @@ class SceneStore {
   /// Errors: InputError (limit) for a scene that does not fit alone.
   std::string keep(Scene scene);
   /// The scene of that id, which is the one last asked for from now on; or null.
-  KnownScene find(std::string_view id);
+  KnownScene find(const std::string& id);
 
   std::size_t count() const;
   /// What all kept scenes hold in memory.
   std::size_t bytes() const;
 
  private:
-  struct Entry {
-    std::string id;
+  struct Kept {
     KnownScene scene;
     std::size_t bytes = 0;
   };
-  using Entries = std::list<Entry>;
-  // Takes out what is too much, for the caller to destroy without the lock.
-  Entries take_surplus();
+  using Scenes = Recent<std::string, Kept>;
+  // Takes out what is too much.
+  Scenes::Entries take_surplus();
 
   const std::size_t max_bytes_, max_scenes_;
   mutable std::mutex mutex_;
-  Entries entries_;                                                // the one last asked for first
-  std::unordered_map<std::string_view, Entries::iterator> by_id_;  // keys are the entries' own
+  Scenes scenes_;  // by id
   std::size_t bytes_ = 0;
 };
 

@@ -1,0 +1,55 @@
+// Values by key, in the order in which they were last asked for: what stores that are bounded keep,
+// and what they let go of first. It takes no lock and knows no bound: both are the store's.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <iterator>
+#include <list>
+#include <unordered_map>
+#include <utility>
+
+namespace tia::server {
+
+template <class Key, class Value, class Hash = std::hash<Key>>
+class Recent {
+ public:
+  struct Entry {
+    Key key;
+    Value value;
+  };
+  /// What has been taken out, for the caller to destroy when no lock is held.
+  using Entries = std::list<Entry>;
+
+  bool contains(const Key& key) const { return table_.contains(key); }
+  std::size_t size() const { return entries_.size(); }
+
+  /// The value of that key, which is the one last asked for from now on; or null.
+  Value* find(const Key& key) {
+    const auto known = table_.find(key);
+    if (known == table_.end()) return nullptr;
+    entries_.splice(entries_.begin(), entries_, known->second);
+    return &known->second->value;
+  }
+  /// Adds one as the one last asked for. Domain: a key that it does not contain.
+  /// Errors: std::bad_alloc, which leaves all as it was.
+  void add(Key key, Value value) {
+    Entries one;
+    one.push_back({std::move(key), std::move(value)});
+    table_.emplace(one.front().key, one.begin());
+    entries_.splice(entries_.begin(), one);
+  }
+  /// The one that nobody has asked for longest. Domain: there is one.
+  const Value& last() const { return entries_.back().value; }
+  /// Takes it out.
+  void take_last(Entries& into) {
+    table_.erase(entries_.back().key);
+    into.splice(into.end(), entries_, std::prev(entries_.end()));
+  }
+
+ private:
+  Entries entries_;
+  std::unordered_map<Key, typename Entries::iterator, Hash> table_;
+};
+
+}  // namespace tia::server
