@@ -29,7 +29,13 @@ void PrintTo(const Vec3<Real>& v, std::ostream* out) {
 
 }  // namespace tia
 
+/// AddressSanitizer's, where the program has it.
+extern "C" void __asan_init() __attribute__((weak));
+
 namespace tia::test {
+
+/// Whether the library that is tested has its addresses watched, which takes ten times as long.
+inline bool watched() { return __asan_init != nullptr; }
 
 /// Random numbers that are the same on every machine: the generator's bits are fixed by the
 /// standard, the distributions here by us; draw no two in one expression without an order.

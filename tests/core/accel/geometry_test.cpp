@@ -70,8 +70,7 @@ TEST(Geometry, OfLightsStandsBehindThatOfObjects) {
   EXPECT_EQ(world.lamps[2].part, 4);
 }
 
-#if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) && \
-    !defined(__clang__)
+#if defined(__GLIBC__) && !defined(__SANITIZE_THREAD__) && !defined(__clang__)
 std::size_t in_use() {
   const struct mallinfo2 heap = mallinfo2();
   return heap.uordblks + heap.hblkhd;
@@ -101,6 +100,7 @@ std::vector<Scene> heavy_scenes() {
 }
 
 TEST(Geometry, BytesAreWhatTheAllocatorHasGiven) {
+  if (test::watched()) GTEST_SKIP() << "has an allocator of its own";
   for (const Scene& scene : heavy_scenes()) {
     const std::size_t before = in_use();
     const auto geometry = std::make_unique<Geometry>(geometry_of(scene));

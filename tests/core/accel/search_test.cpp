@@ -15,11 +15,7 @@ using test::object_of;
 using test::Random;
 using test::ray_in;
 
-#if defined(__SANITIZE_ADDRESS__)
-constexpr int objects = 100, packets = 10;
-#else
-constexpr int objects = 1000, packets = 42;
-#endif
+const int objects = test::watched() ? 100 : 1000, packets = test::watched() ? 10 : 42;
 
 std::vector<Ray<float>> some_rays(Random& random, double scale, const World& world) {
   std::vector<Ray<float>> rays;
@@ -235,9 +231,9 @@ TEST(Search, WorkGrowsAsTheLogarithmOfTheBalls) {
   // log 10^4 / log 10^2 = 2 and log 10^5 / log 10^2 = 2.5; a list would grow 100 and 1000 times.
   const double few = tests_a_ray(100), many = tests_a_ray(10'000);
   EXPECT_LT(many, 3 * few);
-#if !defined(__SANITIZE_ADDRESS__)
-  EXPECT_LT(tests_a_ray(100'000), 4 * few);
-#endif
+  if (!test::watched()) {
+    EXPECT_LT(tests_a_ray(100'000), 4 * few);
+  }
 }
 
 TEST(Search, AMillionCopiesCostAsManyTestsAsTheirLogarithm) {

@@ -9,11 +9,7 @@ namespace {
 
 using namespace test;
 
-#if defined(__SANITIZE_ADDRESS__)
-constexpr int rays_a_mesh = 400;
-#else
-constexpr int rays_a_mesh = 4000;
-#endif
+const int rays_a_mesh = watched() ? 400 : 4000;
 
 // Some way along one of the mesh's edges, at one of its ends one time in three.
 Vec3d point_of_edge(const Mesh& mesh, Random& random) {
