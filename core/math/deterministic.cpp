@@ -9,8 +9,18 @@ namespace tia {
 double tan_of(double radians) { return Sleef_cinz_tand1_u10purec(radians); }
 double sin_of(double radians) { return Sleef_cinz_sind1_u10purec(radians); }
 double cos_of(double radians) { return Sleef_cinz_cosd1_u10purec(radians); }
+SineCosine<double> sincos_of(double radians) {
+  const auto both = Sleef_cinz_sincosd1_u35purec(radians);
+  return {both.x, both.y};
+}
 double atan2_of(double y, double x) { return Sleef_cinz_atan2d1_u10purec(y, x); }
+double atan_of(double x) { return Sleef_cinz_atand1_u10purec(x); }
+double asin_of(double x) { return Sleef_cinz_asind1_u10purec(x); }
 double acos_of(double x) { return Sleef_cinz_acosd1_u10purec(x); }
+double sinh_of(double x) { return Sleef_cinz_sinhd1_u10purec(x); }
+double cosh_of(double x) { return Sleef_cinz_coshd1_u10purec(x); }
+double tanh_of(double x) { return Sleef_cinz_tanhd1_u10purec(x); }
+double log_of(double x) { return Sleef_cinz_logd1_u10purec(x); }
 double log2_of(double x) { return Sleef_cinz_log2d1_u10purec(x); }
 
 // The rest to the nearest quarter turn is exact (fmod and the subtraction of nearby numbers are).
