@@ -10,6 +10,10 @@ namespace {
 constexpr double rounding_unit = std::numeric_limits<double>::epsilon() / 2;
 using Coefficients = std::span<const double>;
 
+// The last of Newton's steps to a stationary point: what is left goes with its square, and that is
+// how much a polynomial differs there from its extremum.
+constexpr double knot_unit = 0x1p-30;
+
 struct Sample {
   double value, slope;
 };
@@ -54,13 +58,13 @@ double root_in_bracket(Coefficients c, double a, double b, double sign_at_b, dou
 // roots: a change of sign is one, a run of knots at which p is 0 to rounding is touched.
 class Gatherer {
  public:
-  Gatherer(Coefficients c, double tolerance, double* out)
-      : c_(c), tolerance_(tolerance), out_(out) {}
+  Gatherer(Coefficients c, double tolerance, double* out, RootBracket* brackets)
+      : c_(c), tolerance_(tolerance), out_(out), brackets_(brackets) {}
 
   void end(double t) { visit(t, 0); }
   void stationary(double t) { visit(t, rounding_of(c_, t)); }
   int finish() {
-    if (in_run_) emit(run_last_);
+    if (in_run_) emit_touching(run_last_);
     return nan_ ? 0 : count_;
   }
 
@@ -76,20 +80,25 @@ class Gatherer {
     }
     const double sign = value > 0 ? 1 : -1;
     if (sign_ * sign < 0) {
-      emit(root_in_bracket(c_, before_, t, sign, tolerance_));
+      emit(root_in_bracket(c_, before_, t, sign, tolerance_), {before_, t});
     } else if (in_run_) {
-      emit(run_first_);
-      if (sign_ != 0) emit(run_last_);
+      emit_touching(run_first_);
+      if (sign_ != 0) emit_touching(run_last_);
     }
     in_run_ = false;
     sign_ = sign;
     before_ = t;
   }
-  void emit(double t) { out_[count_++] = t; }
+  void emit(double t, RootBracket bracket) {
+    if (brackets_ != nullptr) brackets_[count_] = bracket;
+    out_[count_++] = t;
+  }
+  void emit_touching(double t) { emit(t, {t, t}); }
 
   Coefficients c_;
   double tolerance_;
   double* out_;
+  RootBracket* brackets_;
   int count_ = 0;
   bool nan_ = false, in_run_ = false;
   double run_first_ = 0, run_last_ = 0;  // of the knots since before_ at which p is 0
@@ -117,10 +126,11 @@ int second_degree_knots(Coefficients c, double low, double high, double* out) {
 
 }  // namespace
 
-int real_roots(Coefficients c, double low, double high, std::span<double> roots) {
+int real_roots(Coefficients c, double low, double high, std::span<double> roots,
+               std::span<RootBracket> brackets) {
   while (!c.empty() && c.back() == 0) c = c.first(c.size() - 1);
   if (c.size() < 2) return 0;
-  const double tolerance = rounding_unit * std::max(std::fabs(low), std::fabs(high));
+  const double size = std::max(std::fabs(low), std::fabs(high));
   std::array<double, max_degree + 1> buffer;
   std::array<double, max_degree> knots;
   int found = 0;
@@ -130,7 +140,8 @@ int real_roots(Coefficients c, double low, double high, std::span<double> roots)
     found = second_degree_knots(derivative(c, n, buffer), low, high, knots.data());
   }
   while (n-- > 0) {
-    Gatherer gatherer(derivative(c, n, buffer), tolerance, roots.data());
+    Gatherer gatherer(derivative(c, n, buffer), (n == 0 ? rounding_unit : knot_unit) * size,
+                      roots.data(), n == 0 ? brackets.data() : nullptr);
     gatherer.end(low);
     for (int i = 0; i < found; ++i) gatherer.stationary(knots[static_cast<std::size_t>(i)]);
     gatherer.end(high);

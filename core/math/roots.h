@@ -26,6 +26,12 @@ inline QuadraticRoots quadratic_roots(double a, double half_b, double c) {
   return one < other ? QuadraticRoots{2, one, other} : QuadraticRoots{2, other, one};
 }
 
+/// RootBracket: where a root was searched for, between the interval's ends and the stationary
+/// points that are not roots; low = high where the polynomial only touches zero.
+struct RootBracket {
+  double low, high;
+};
+
 /// The highest degree that real_roots takes.
 inline constexpr int max_degree = 64;
 
@@ -36,10 +42,12 @@ inline constexpr int max_degree = 64;
 /// have made of it, the root stands twice (p keeps its sign) or once (it changes it). So whatever
 /// is touched or missed by rounding, the number of roots is odd only if p(low) and p(high) differ
 /// in sign.
-/// Domain: finite low <= high, at most max_degree + 1 coefficients, and as many roots less one.
+/// Domain: finite low <= high, at most max_degree + 1 coefficients, and as many roots less one;
+/// brackets for as many roots, or none, where nobody asks.
 /// Returns: how many roots there are; 0 for a constant and where a coefficient is NaN.
 /// Source: Yuksel, "High-Performance Polynomial Root Finding for Graphics", HPG 2022: between the
 /// roots of its derivative a polynomial is monotone, so that Newton in brackets finds each root.
-int real_roots(std::span<const double> c, double low, double high, std::span<double> roots);
+int real_roots(std::span<const double> c, double low, double high, std::span<double> roots,
+               std::span<RootBracket> brackets = {});
 
 }  // namespace tia

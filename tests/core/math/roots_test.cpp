@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <vector>
 
 #include "tests/core/support.h"
@@ -158,6 +159,38 @@ TEST(RealRoots, OfThirdAndFourthOrderStandOnceAndTwice) {
   expect_roots(roots_of(product({0.3, 0.3, 0.3}), -1, 1), {0.3}, 1e-4);
   expect_roots(roots_of(product({0.3, 0.3, 0.3, 0.3}), -1, 1), {0.3, 0.3}, 1e-3);
   expect_roots(roots_of({0, 0, 0, 0, 1}, -1, 1), {0, 0}, 0);
+}
+
+// Each alone in its bracket: a bracket ends where the next begins at the latest, p differs in sign
+// at its ends, and one that touches is a point.
+TEST(RealRoots, StandInTheirBrackets) {
+  Random random(18);
+  int touching = 0;
+  for (int i = 0; i < 500; ++i) {
+    std::vector<double> made(static_cast<std::size_t>(1 + random.below(8)));
+    for (double& root : made) root = random.in(-0.9, 0.9);
+    if (random.chance(0.3)) made.push_back(made.front());
+    const std::vector<double> c = product(made);
+    std::array<double, max_degree> t;
+    std::array<RootBracket, max_degree> brackets;
+    const auto count = static_cast<std::size_t>(real_roots(c, -1, 1, t, brackets));
+    const auto value = [&](double at) {
+      Long sum = 0;
+      for (std::size_t k = c.size(); k-- > 0;) sum = sum * at + static_cast<Long>(c[k]);
+      return sum;
+    };
+    for (std::size_t k = 0; k < count; ++k) {
+      const auto& [low, high] = brackets[k];
+      EXPECT_TRUE(low <= t[k] && t[k] <= high);
+      EXPECT_GE(low, k == 0 ? -1 : brackets[k - 1].high);
+      EXPECT_LE(high, 1);
+      touching += low == high;
+      if (low < high) {
+        EXPECT_LT(value(low) * value(high), 0);
+      }
+    }
+  }
+  EXPECT_GT(touching, 50);
 }
 
 TEST(RealRoots, LeadingZerosLowerTheDegree) {
