@@ -66,6 +66,7 @@ Value error_entry(const Fault& fault) {
   Value::Object entry{{"pointer", fault.pointer}, {"allowed", fault.allowed}};
   if (fault.got) entry.emplace_back("got", excerpt(*fault.got));
   if (!fault.nearest.empty()) entry.emplace_back("nearest", fault.nearest);
+  if (fault.column) entry.emplace_back("column", static_cast<double>(*fault.column));
   return entry;
 }
 

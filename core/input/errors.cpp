@@ -50,9 +50,10 @@ void Faults::raise() const {
   if (!list_.empty()) throw InputError(list_);
 }
 
-bool Faults::take_pixels(std::int64_t pixels) {
-  if (pixels > pixels_left_) return false;
-  pixels_left_ -= pixels;
+bool Faults::take(Bulk bulk, std::int64_t count) {
+  std::int64_t& left = left_[static_cast<std::size_t>(bulk)];
+  if (count > left) return false;
+  left -= count;
   return true;
 }
 
@@ -111,7 +112,7 @@ std::string nearest_name(std::string_view name, const std::vector<std::string_vi
 }
 
 std::string listed(const std::vector<std::string_view>& names) {
-  constexpr std::size_t most = 20, longest = 64;
+  constexpr std::size_t most = 40, longest = 64;
   std::string text;
   for (std::size_t i = 0; i < names.size() && i < most; ++i) {
     if (!text.empty()) text += ", ";

@@ -2,6 +2,7 @@
 // server's business.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <exception>
@@ -28,10 +29,11 @@ enum class FaultKind {
 /// Fault: one thing wrong at one place.
 struct Fault {
   FaultKind kind = FaultKind::malformed;
-  std::string pointer;       ///< RFC 6901 pointer into the input; "" is the whole
-  std::optional<Value> got;  ///< what stood there; none where something is missing
-  std::string allowed;       ///< in words, with units
-  std::string nearest = {};  ///< for an unknown name: the nearest known one, else ""
+  std::string pointer;                     ///< RFC 6901 pointer into the input; "" is the whole
+  std::optional<Value> got;                ///< what stood there; none where something is missing
+  std::string allowed;                     ///< in words, with units
+  std::string nearest = {};                ///< for an unknown name: the nearest known one, else ""
+  std::optional<std::size_t> column = {};  ///< inside a formula: where, from 1, in bytes
 };
 
 /// Place: a spot in a JSON text while it is read, linked to its parent; costs nothing until asked.
@@ -50,12 +52,17 @@ struct Place {
 /// What came, cut short where its text is longer than 120 bytes: an answer must not echo a mesh.
 Value excerpt(const Value& got);
 
+/// Bulk: things of which a few bytes of an input can hold millions: its pictures' pixels, its
+/// grids' cells.
+enum class Bulk { pixels, cells };
+/// The most that a whole input may hold.
+constexpr std::int64_t most_of(Bulk bulk) { return bulk == Bulk::pixels ? 1 << 24 : 1 << 25; }
+
 /// Faults: collects all faults of an input, keeps the first 20, each with an excerpt of what came.
-/// It also counts the pixels of the input's pictures, of which a few bytes can hold millions.
+/// It also counts what comes in bulk.
 class Faults {
  public:
   static constexpr std::size_t most = 20;
-  static constexpr std::int64_t most_pixels = 1 << 24;  ///< of all pictures together
   void add(Fault fault);
   /// How many were added, those that were not kept included.
   std::size_t count() const { return count_; }
@@ -70,14 +77,14 @@ class Faults {
   /// Errors: throws InputError if anything was added.
   void raise() const;
 
-  /// Takes the pixels of a picture from those that the whole input may hold. Returns: whether so
-  /// many were left; else none are taken.
-  bool take_pixels(std::int64_t pixels);
+  /// Takes so many from those that the whole input may hold. Returns: whether so many were left;
+  /// else none are taken.
+  bool take(Bulk bulk, std::int64_t count);
 
  private:
   std::vector<Fault> list_;
   std::size_t count_ = 0;
-  std::int64_t pixels_left_ = most_pixels;
+  std::array<std::int64_t, 2> left_{most_of(Bulk::pixels), most_of(Bulk::cells)};
 };
 
 /// InputError: an input that cannot be used, with every fault found in it.
@@ -100,7 +107,7 @@ std::string describe(const Fault& fault);
 /// The known name nearest to the one given (fewest edits), or "" where none is near.
 std::string nearest_name(std::string_view name, const std::vector<std::string_view>& known);
 
-/// The names as a list in words, "a, d, s, w": of many names the first 20, of long ones the start.
+/// The names as a list in words, "a, d, s, w": of many names the first 40, of long ones the start.
 std::string listed(const std::vector<std::string_view>& names);
 
 }  // namespace tia

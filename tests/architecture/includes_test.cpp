@@ -17,8 +17,9 @@ namespace fs = std::filesystem;
 
 // Core's folders from top to bottom: each may include itself and what stands above it. Core's own
 // few files (core.h, version.h) stand below them all.
-const std::vector<std::string> layers = {"math",   "input", "film",  "shapes",      "materials",
-                                         "lights", "scene", "accel", "integrators", "render"};
+const std::vector<std::string> layers = {"math",   "input",       "film",   "formulas",
+                                         "shapes", "materials",   "lights", "scene",
+                                         "accel",  "integrators", "render"};
 
 // Libraries, by the start of their headers' names, and the only places that may include them.
 struct Wrapped {
@@ -26,11 +27,16 @@ struct Wrapped {
   std::vector<std::string_view> places;
 };
 const std::vector<Wrapped> libraries = {
-    {"nlohmann/", {"core/input/"}},       {"stb", {"core/film/"}},
-    {"libdeflate", {"core/film/"}},       {"sleef", {"core/math/"}},
-    {"xsimd", {"core/math/registers.h"}}, {"immintrin", {"core/math/lanes.h", "core/math/wide.h"}},
-    {"httplib", {"server/http/"}},        {"CLI/", {"server/main.cpp", "server/config."}},
-    {"asio", {"server/http/"}},           {"prometheus/", {"server/metrics.cpp"}},
+    {"nlohmann/", {"core/input/"}},
+    {"stb", {"core/film/"}},
+    {"libdeflate", {"core/film/"}},
+    {"sleef", {"core/math/"}},
+    {"xsimd", {"core/math/registers.h"}},
+    {"immintrin", {"core/math/lanes.h", "core/math/wide.h", "core/math/octet.h"}},
+    {"httplib", {"server/http/"}},
+    {"CLI/", {"server/main.cpp", "server/config."}},
+    {"asio", {"server/http/"}},
+    {"prometheus/", {"server/metrics.cpp"}},
 };
 
 // What core must not know: sockets, clocks, the environment, logs, files, chance.
