@@ -61,6 +61,7 @@ template <class T>
 std::size_t heap(const Numbers<T>& numbers) {
   return heap_of(numbers.values);
 }
+std::size_t heap(const Occupied& occupied) { return heap_of(occupied.numbers); }
 std::size_t heap(const PictureFile& file) {
   return heap_of(file.base64) +
          (file.pixels ? 2 * block + sizeof(Image8) + heap_of(file.pixels->rgb) : 0);

@@ -57,16 +57,32 @@ class Collector {
       case Item::copies: return meet(geometry_.copies[at], packet);
     }
   }
-  void add(double t, int part, int element, const Packet<double>& packet) {
+  void add(double t, int part, int element, const Packet<double>& packet,
+           const std::optional<Bracket>& bracket = {}) {
     if (!(t > 0 && t < Aabb::far)) return;
     if (found_.size() == most_hits)
-      fail("a ray that crosses at most " + std::to_string(most_hits) + " surfaces");
+      fail(std::string("a ray that crosses at most ")
+               .append(std::to_string(most_hits))
+               .append(" surfaces"));
     found_.push_back({.t = t, .part = part, .element = element, .copy = packet.copy});
+    found_.back().bracket = bracket;
   }
   void meet(const Solid& solid, Packet<double>& packet) {
     effort_.test(solid.work);
-    for (const Boundary& each : spans(solid, geometry_.parts, Lines<double>(packet.root)[0]))
-      add(each.t, each.part, each.element, packet);
+    const Line line = Lines<double>(packet.root)[0];
+    for (const Boundary& each : spans(solid, geometry_.parts, line, effort_))
+      add(each.t, each.part, each.element, packet, bracket_of(each, line));
+  }
+  // A solid's boundary is a crossing of one of its parts: the very same t.
+  std::optional<Bracket> bracket_of(const Boundary& at, const Line& line) {
+    const Part& part = geometry_.part(at.part);
+    effort_.test(part.work);
+    std::optional<Bracket> found;
+    effort_.add(
+        spans(part, line, [&](double t, int element, const std::optional<Bracket>& bracket = {}) {
+          if (t == at.t && element == at.element) found = bracket;
+        }));
+    return found;
   }
   void meet(const Ball& ball, Packet<double>& packet) {
     if (ball.grid < 0) return meet_part(ball.part, packet);
@@ -76,9 +92,12 @@ class Collector {
     meet_part(ball.part, inside);
   }
   void meet_part(int part, Packet<double>& packet) {
-    effort_.test(geometry_.part(part).work);
-    crossings(geometry_.part(part), Lines<double>(packet.root)[0],
-              [&](double t, int element) { add(t, part, element, packet); });
+    const Part& own = geometry_.part(part);
+    effort_.test(own.work);
+    effort_.add(crossings(own, Lines<double>(packet.root)[0],
+                          [&](double t, int element, const std::optional<Bracket>& bracket = {}) {
+                            add(t, part_of(own, part, element), element, packet, bracket);
+                          }));
   }
   void meet_mesh(int part, Packet<double>& packet) {
     const Part& own = geometry_.part(part);

@@ -1,6 +1,7 @@
 // Everything that a line meets, in double: what an explanation shows.
 #pragma once
 
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -16,7 +17,8 @@ struct Meeting {
   std::int64_t copy = 0;
   Vec3d point{}, normal{};
   Vec2d uv{};
-  bool front = false;  ///< whether the ray meets the outer side
+  bool front = false;                ///< whether the ray meets the outer side
+  std::optional<Bracket> bracket{};  ///< of its root, where that was one of an equation's
 };
 
 inline constexpr std::size_t most_hits = 10'000;

@@ -48,14 +48,14 @@ class Compiler {
     if (finish.texture) matter.texture = pushed(geometry_.textures, prepare(*finish.texture));
     return matter;
   }
-  int matter_index(const Object& object, int inherited) {
-    if (!object.material) return inherited;
-    if (const auto* name = std::get_if<std::string>(&*object.material)) return named_.at(*name);
-    return pushed(geometry_.matters, matter_of(std::get<Material>(*object.material)));
+  int matter_index(const MaterialRef& material) {
+    if (const auto* name = std::get_if<std::string>(&material)) return named_.at(*name);
+    return pushed(geometry_.matters, matter_of(std::get<Material>(material)));
   }
   Setting below(const Object& object, const Setting& above) {
-    return {above.place * object.transform.affine(), matter_index(object, above.matter),
-            above.space, above.inverted};
+    return {above.place * object.transform.affine(),
+            object.material ? matter_index(*object.material) : above.matter, above.space,
+            above.inverted};
   }
 
   void add(const Object& object, const Setting& above) {
@@ -67,6 +67,14 @@ class Compiler {
           else add_kind(kind, own);
         },
         object.shape);
+    add_numbered(object);
+  }
+  // After its one part.
+  void add_numbered(const Object& object) {
+    if (object.materials.empty()) return;
+    std::vector<int> matters;
+    for (const MaterialRef& material : object.materials) matters.push_back(matter_index(material));
+    builder_.add_numbered(matters);
   }
 
   // ---- surfaces -------------------------------------------------------------------------------
@@ -145,6 +153,7 @@ class Compiler {
             solid.steps.push_back({builder_.add_part(prepare(kind), own, object), {}});
         },
         child.shape);
+    add_numbered(child);
   }
 
   const Scene& scene_;

@@ -20,6 +20,10 @@ void BallIndex::pack(const std::vector<Ball>& all, const Workers& workers) {
             }};
 }
 
+Affine to_object(const Geometry& geometry, const Part& part, std::int64_t copy) {
+  return part.space == 0 ? part.to_object : part.to_object * geometry.to_space(part.space, copy);
+}
+
 SharedMesh indexed(const Mesh& mesh, const Workers& workers) {
   return std::make_shared<const MeshIndex>(mesh, workers);
 }
@@ -45,9 +49,21 @@ template <class T>
 std::size_t heap_of(const std::vector<T, HugePages<T>>& list) {
   return list.capacity() > 0 ? block + HugePages<T>::bytes_for(list.capacity()) : 0;
 }
-std::size_t heap_of(const AlgebraicForm& form) { return heap_of(form.terms); }
 std::size_t heap_of(const ImageForm& form) {
   return form.pixels ? 2 * block + sizeof(Image8) + heap_of(form.pixels->rgb) : 0;
+}
+std::size_t heap_of(const FieldForm& form) {
+  return heap_of(form.field.instructions) + heap_of(form.field.results) + 2 * block +
+         sizeof(FieldCells) + heap_of(form.cells->tree.nodes) + heap_of(form.cells->cells);
+}
+std::size_t heap_of(const AlgebraicForm& form) { return form.polynomial.heap(); }
+std::size_t heap_of(const ParametricForm& form) {
+  return heap_of(form.surface.instructions) + heap_of(form.surface.results) + 2 * block +
+         sizeof(SurfacePatches) + heap_of(form.patches->tree.nodes) +
+         heap_of(form.patches->patches);
+}
+std::size_t heap_of(const VoxelsForm& form) {
+  return form.grid ? 2 * block + sizeof(VoxelGrid) + heap_of(form.grid->cells) : 0;
 }
 template <Ramped T>
 std::size_t heap_of(const T& form) {
@@ -62,7 +78,8 @@ std::size_t heap_of(const std::variant<T...>& value) {
   return std::visit([](const auto& is) { return heap_of(is); }, value);
 }
 std::size_t heap_of(const Bvh& bvh) { return heap_of(bvh.nodes) + heap_of(bvh.order); }
-std::size_t heap_of(const Part& part) { return heap_of(part.form); }
+// Those of one object share their form.
+std::size_t heap_of(const Part& part) { return part.numbers < 0 ? 0 : heap_of(part.form); }
 std::size_t heap_of(const TextureForm& texture) { return heap_of(texture.kind); }
 std::size_t heap_of(const Solid& solid) { return heap_of(solid.steps); }
 std::size_t heap_of(const Space& space) {
@@ -85,6 +102,8 @@ std::size_t bytes_of(const Geometry& g) {
          heap_of(g.flats) + heap_of(g.meshes) + deep_heap_of(g.solids) + heap_of(g.copies) +
          heap_of(g.matters) + deep_heap_of(g.textures) + heap_of(g.lamps);
 }
+
+std::size_t heap_of_form(const Form& form) { return heap_of(form); }
 
 std::size_t bytes_of(const MeshIndex& mesh) {
   return sizeof(MeshIndex) + heap_of(mesh.positions) + heap_of(mesh.normals) + heap_of(mesh.uvs) +

@@ -139,5 +139,10 @@ Geometry geometry_of(const Scene& scene, const Workers& workers = {},
 /// shared. Pictures of textures, which the scene shares, count in full.
 std::size_t bytes_of(const Geometry& geometry);
 std::size_t bytes_of(const MeshIndex& mesh);
+/// What a form owns on the heap.
+std::size_t heap_of_form(const Form& form);
+
+/// From the world's space to a part's own, by way of the copy of its group.
+Affine to_object(const Geometry& geometry, const Part& part, std::int64_t copy);
 
 }  // namespace tia

@@ -41,6 +41,11 @@ int GeometryBuilder::add_part(Form form, const Setting& at, int object) {
   const Aabb box = bounds_of(form);
   if (box.bounded()) part.middle = box.center();
   part.work = work_of_form(form);
+  forms_bytes_ += heap_of_form(form);
+  if (forms_bytes_ > most_forms_bytes)
+    throw InputError({FaultKind::limit, "/objects", std::nullopt,
+                      "surfaces that are found with less: their cells, patches and voxels take at "
+                      "most 256 MiB together"});
   part.form = std::move(form);
   part.matter = at.matter;
   part.object = object;
@@ -70,6 +75,16 @@ int GeometryBuilder::add(SharedMesh mesh, const Setting& at) {
   geometry_.parts.back().mesh = pushed(geometry_.meshes, std::move(mesh));
   put({Item::mesh, part}, box, at.space);
   return part;
+}
+
+void GeometryBuilder::add_numbered(const std::vector<int>& matters) {
+  Part part = geometry_.parts.back();
+  geometry_.parts.back().numbers = static_cast<int>(matters.size());
+  part.numbers = -1;
+  for (const int matter : matters) {
+    part.matter = matter;
+    geometry_.parts.push_back(part);
+  }
 }
 
 void GeometryBuilder::add(Solid solid, const Aabb& box, int space) {

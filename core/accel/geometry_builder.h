@@ -39,6 +39,8 @@ class GeometryBuilder {
   int add(SharedMesh mesh, const Setting& at);
   /// A surface that belongs to an object, and that nothing meets but the object's solid.
   int add_part(Form form, const Setting& at, int object);
+  /// Gives the last part that was added one more for each of its numbered materials.
+  void add_numbered(const std::vector<int>& matters);
   /// Its parts are there already. Space/units: the box is in that space.
   void add(Solid solid, const Aabb& box, int space);
   /// A grid, whose inside takes what comes until it ends. Space/units: the box of one copy is in
@@ -58,8 +60,11 @@ class GeometryBuilder {
   void index(BallIndex& index) const;
   void index(Space& space, const std::vector<Aabb>& boxes) const;
 
+  static constexpr std::size_t most_forms_bytes = std::size_t{256} << 20;
+
   Geometry& geometry_;
   const Workers& workers_;
+  std::size_t forms_bytes_ = 0;
   std::map<int, std::vector<Aabb>> boxes_;  // one an item, space by space
 };
 

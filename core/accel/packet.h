@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 
+#include "core/math/octet.h"
 #include "core/math/ray.h"
 #include "core/math/transform.h"
 #include "core/shapes/crossing.h"
@@ -104,6 +105,11 @@ class Lines {
   Line operator[](std::size_t lane) const {
     return {{parts_[0][lane], parts_[1][lane], parts_[2][lane]},
             {parts_[3][lane], parts_[4][lane], parts_[5][lane]}};
+  }
+  /// Eight of them, from a lane on.
+  Ray<Octet> eight(std::size_t lane) const {
+    const auto of = [&](std::size_t i) { return Octet::load_unaligned(&parts_[i][lane]); };
+    return {{of(0), of(1), of(2)}, {of(3), of(4), of(5)}};
   }
 
  private:

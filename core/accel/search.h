@@ -2,8 +2,7 @@
 // kinds of things in them. What is searched for is the query's business.
 #pragma once
 
-#include <array>
-
+#include "core/accel/lane_hits.h"
 #include "core/accel/queries.h"
 #include "core/accel/trace.h"
 
@@ -61,9 +60,6 @@ class Search {
   }
 
  private:
-  static constexpr auto n = static_cast<std::size_t>(lanes<Real>);
-  using Lanes = std::array<LaneOf<Real>, n>;
-
   template <class Leaf, class Below>
   void through(const Bvh& bvh, Packet<Real>& packet, Mask<Real> active, Leaf leaf, Below below) {
     if constexpr (!quick) {
@@ -162,40 +158,33 @@ class Search {
     query_.offer(t, number(flat.part), Real(0), packet.copy, here);
   }
 
-  // Lane by lane in double; `work` is what each costs.
-  template <class F>
-  void meet_lanes(Packet<Real>& packet, Mask<Real> here, std::int64_t work, F crossing_of) {
-    effort_.test(count(here) * work);
-    Lanes t, part, element;
-    t.fill(infinity);
-    part.fill(0);
-    element.fill(0);
-    const Lines<Real> lines(packet.root);
-    for (unsigned left = bits(here); left != 0; left &= left - 1) {
-      const auto lane = static_cast<std::size_t>(std::countr_zero(left));
-      const Boundary hit = crossing_of(lines[lane]);
-      t[lane] = static_cast<LaneOf<Real>>(hit.t);
-      part[lane] = static_cast<LaneOf<Real>>(hit.part);
-      element[lane] = static_cast<LaneOf<Real>>(hit.element);
-    }
-    const Real at = load<Real>(t.data());
-    query_.offer(at, load<Real>(part.data()), load<Real>(element.data()), packet.copy,
-                 here && at > Real(0));
+  void offer(const LaneHits<Real>& hits, const Packet<Real>& packet, Mask<Real> here) {
+    query_.offer(hits.t, hits.part, hits.element, packet.copy, here && hits.t > Real(0));
   }
   void meet_part(int part, Packet<Real>& packet, Mask<Real> here) {
     if (query_.skips(part, packet.copy)) return;
     const Part& own = geometry_.part(part);
-    meet_lanes(packet, here, own.work, [&](const Line& line) -> Boundary {
-      const Crossing hit = nearest_crossing(own, line);
-      return {hit.t, part, hit.element};
-    });
+    effort_.test(count(here) * own.work);
+    if constexpr ((lanes<Real>) > 1) {
+      if (goes_in_eights(own))
+        return offer(hits_in_eights(own, part, packet.root, here, query_.limit(), effort_), packet,
+                     here);
+    }
+    const auto nearest = [&](const Line& line, double t_max) -> Boundary {
+      const auto [hit, more] = nearest_crossing(own, line, t_max);
+      effort_.add(more);
+      return {hit.t, part_of(own, part, hit.element), hit.element};
+    };
+    offer(hits_by_lanes(packet.root, here, query_.limit(), nearest), packet, here);
   }
   void meet(const Solid& solid, Packet<Real>& packet, Mask<Real> here) {
-    meet_lanes(packet, here, solid.work, [&](const Line& line) -> Boundary {
-      for (const Boundary& each : spans(solid, geometry_.parts, line))
+    effort_.test(count(here) * solid.work);
+    const auto first = [&](const Line& line, double) -> Boundary {
+      for (const Boundary& each : spans(solid, geometry_.parts, line, effort_))
         if (each.t > 0) return each;
       return {Aabb::far, 0, 0};
-    });
+    };
+    offer(hits_by_lanes(packet.root, here, query_.limit(), first), packet, here);
   }
 
   void meet_mesh(int part, Packet<Real>& packet, Mask<Real> here) {

@@ -14,7 +14,8 @@ double same_distance(const Line& line) {
 
 }  // namespace
 
-const Spans& spans(const Solid& solid, const std::vector<Part>& parts, const Line& line) {
+const Spans& spans(const Solid& solid, const std::vector<Part>& parts, const Line& line,
+                   Effort& effort) {
   thread_local std::vector<Spans> stack;
   thread_local Spans result;
   std::size_t top = 0;
@@ -24,9 +25,10 @@ const Spans& spans(const Solid& solid, const std::vector<Part>& parts, const Lin
       if (top == stack.size()) stack.emplace_back();
       Spans& own = stack[top++];
       own.clear();
-      spans(parts[static_cast<std::size_t>(step.part)], line, [&](double t, int element) {
-        own.push_back({t, step.part, element});
-      });
+      const Part& part = parts[static_cast<std::size_t>(step.part)];
+      effort.add(spans(part, line, [&](double t, int element) {
+        own.push_back({t, part_of(part, step.part, element), element});
+      }));
     } else {
       --top;
       merge(step.operation, stack[top - 1], stack[top], same, result);

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "core/accel/effort.h"
 #include "core/accel/part.h"
 
 namespace tia {
@@ -19,6 +20,8 @@ struct Solid {
 };
 
 /// What the line runs through in the solid. The reference is good until this thread's next call.
-const Spans& spans(const Solid& solid, const std::vector<Part>& parts, const Line& line);
+/// The effort takes what it costs beyond solid.work. Errors: what the effort's report throws.
+const Spans& spans(const Solid& solid, const std::vector<Part>& parts, const Line& line,
+                   Effort& effort);
 
 }  // namespace tia

@@ -58,9 +58,9 @@ std::shared_ptr<const Image8> read_pixels(const Bytes& file, const Place& at, Fa
   const auto size = measure_picture(file);
   if (const auto* fault = std::get_if<PictureFault>(&size)) return add(*fault, at, faults), nullptr;
   const std::int64_t pixels = std::get<PictureSize>(size).pixels();
-  if (!faults.take_pixels(pixels)) {
+  if (!faults.take(Bulk::pixels, pixels)) {
     add_limit(at, std::to_string(pixels) + " pixels more",
-              "pictures of at most " + std::to_string(Faults::most_pixels) + " pixels together",
+              "pictures of at most " + std::to_string(most_of(Bulk::pixels)) + " pixels together",
               faults);
     return nullptr;
   }

@@ -41,7 +41,8 @@ Explanation explain(const Scene& scene, World world, const Ray<double>& ray,
 Explanation explain(const Scene& scene, World world, const View& view, int x, int y, int sample,
                     const RenderOptions& options, const std::stop_token& stop = {});
 
-/// {"pixel", "sample", "hits": [{"t", "object", "type", "point", "normal", "uv", "front"}],
+/// {"pixel", "sample", "hits": [{"t", "object", "type", "point", "normal", "uv", "front",
+/// and of an equation's root "root": {"bracket": [from, to], "how", "degree"}}],
 /// "tree": {"ray", "depth", "winner", "point", "normal", "terms", "color"}}.
 Value::Object value_of(const Explanation& explanation);
 

@@ -20,13 +20,15 @@ class Writer {
     Value::Array hits;
     for (const Meeting& at : all_.hits) {
       const ObjectLabel& object = label_of(at.part);
-      hits.push_back(Value::Object{{"t", at.t},
-                                   {"object", object.name},
-                                   {"type", object.type},
-                                   {"point", write_value(at.point)},
-                                   {"normal", write_value(at.normal)},
-                                   {"uv", Value::Array{at.uv.u, at.uv.v}},
-                                   {"front", at.front}});
+      Value::Object hit{{"t", at.t},
+                        {"object", object.name},
+                        {"type", object.type},
+                        {"point", write_value(at.point)},
+                        {"normal", write_value(at.normal)},
+                        {"uv", Value::Array{at.uv.u, at.uv.v}},
+                        {"front", at.front}};
+      if (at.bracket) hit.emplace_back("root", root(*at.bracket));
+      hits.push_back(std::move(hit));
     }
     return hits;
   }
@@ -52,6 +54,12 @@ class Writer {
   }
 
  private:
+  static Value::Object root(const Bracket& bracket) {
+    Value::Object root{{"bracket", Value::Array{bracket.from, bracket.to}},
+                       {"how", std::string(bracket.how)}};
+    if (bracket.degree > 0) root.emplace_back("degree", bracket.degree);
+    return root;
+  }
   static int part_of(const Hit<float>& hit) { return static_cast<int>(hit.part); }
   const ObjectLabel& label_of(int part) const {
     return all_.labels[static_cast<std::size_t>(all_.world.part(part).object)];

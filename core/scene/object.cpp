@@ -39,6 +39,42 @@ bool Csg::operator==(const Csg& other) const {
   return operation == other.operation && children == other.children;
 }
 
+namespace {
+
+/// A kind whose parts wear several materials, told apart by numbers.
+template <class Kind>
+concept IsNumbered = requires(const Kind& kind, const Place& at, Faults& faults) {
+  kind.check_materials(std::size_t{}, at, faults);
+};
+
+// Calls f with each kind of the list.
+template <class F>
+void for_each_kind(F f) {
+  const Shape* list = nullptr;
+  for (std::size_t i = 0; i < std::variant_size_v<Shape>; ++i) detail::with_kind(list, i, f);
+}
+
+std::string numbered_names() {
+  std::string names;
+  for_each_kind([&]<class Kind>(std::in_place_type_t<Kind>) {
+    if constexpr (IsNumbered<Kind>) names += (names.empty() ? "" : ", ") + std::string(Kind::type);
+  });
+  return names;
+}
+
+}  // namespace
+
+void Object::check(const Place& at, Faults& faults) const {
+  std::visit(
+      [&]<class Kind>(const Kind& kind) {
+        if constexpr (IsNumbered<Kind>) kind.check_materials(materials.size(), at, faults);
+        else if (!materials.empty())
+          faults.add({FaultKind::conflict, at.at("materials").pointer(), write_value(materials),
+                      "one `material`; several only of " + numbered_names()});
+      },
+      shape);
+}
+
 const std::vector<Object>* children_of(const Object& object) {
   if (const auto* group = std::get_if<Group>(&object.shape)) return &group->children;
   if (const auto* csg = std::get_if<Csg>(&object.shape)) return &csg->children;
@@ -56,18 +92,17 @@ bool is_solid(const Shape& shape) {
 
 std::string solid_names() {
   std::string names;
-  const auto add = [&]<class Kind>(std::in_place_type_t<Kind>) {
+  for_each_kind([&]<class Kind>(std::in_place_type_t<Kind>) {
     if (is_solid(Kind{})) names += std::string(Kind::type) + ", ";
-  };
-  const Shape* list = nullptr;
-  for (std::size_t i = 0; i < std::variant_size_v<Shape>; ++i) detail::with_kind(list, i, add);
+  });
   return names;
 }
 
 Aabb bounds_of(const Object& object) {
   const Aabb box = std::visit(
       []<class Kind>(const Kind& kind) {
-        if constexpr (IsSurface<Kind>) return bounds(prepare(kind));
+        if constexpr (requires { bounds(kind); }) return bounds(kind);  // with less than a form
+        else if constexpr (IsSurface<Kind>) return bounds(prepare(kind));
         else return bounds_of(kind);
       },
       object.shape);

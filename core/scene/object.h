@@ -22,6 +22,7 @@ struct Object {
   Shape shape;
   Placement transform;
   std::optional<MaterialRef> material;
+  std::vector<MaterialRef> materials{};  ///< those that the shape's own numbers mean, from 1 on
 
   template <class Visitor>
   static void fields(Visitor&& visit) {
@@ -31,7 +32,13 @@ struct Object {
           Spec{.about = "steps that place it, the first step first"});
     visit("material", &Object::material,
           Spec{.about = "a name from materials, or a material; else its nearest ancestor's"});
+    visit(
+        "materials", &Object::materials,
+        Spec{.about = "those that the numbers of voxels mean, each a name or a material; number 1 "
+                      "is the first"});
   }
+  /// Numbers beyond `materials`; materials of a shape that has no numbers.
+  void check(const Place& at, Faults& faults) const;
   bool operator==(const Object&) const = default;
 };
 

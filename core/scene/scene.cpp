@@ -35,6 +35,7 @@ class TreeCheck {
 
  private:
   static constexpr std::int64_t most_lights = 4096;
+  static constexpr std::size_t most_numbered = 1 << 16;
 
   bool emits(const Object& object, bool inherited) const {
     if (!object.material) return inherited;
@@ -55,6 +56,7 @@ class TreeCheck {
     if (own.luminous && own.copies > 1 && std::holds_alternative<Sphere>(object.shape))
       count_lights(own.copies, at);
     if (own.operand) check_operand(object, at);
+    count_materials(object, at);
     if (const auto* csg = std::get_if<Csg>(&object.shape)) {
       Inherited child = own;
       child.operand = true;
@@ -76,6 +78,15 @@ class TreeCheck {
         std::visit([]<class Kind>(const Kind&) { return Kind::type; }, object.shape);
     faults_.add({FaultKind::out_of_range, at.at("type").pointer(), Value(type),
                  "in a csg a solid (" + solid_names() + "or a group of them)"});
+  }
+
+  // Each is a part of its own to the tracer: a few bytes would cost hundreds.
+  void count_materials(const Object& object, const Place& at) {
+    numbered_ += object.materials.size();
+    if (!object.materials.empty() && numbered_ > most_numbered)
+      faults_.add({FaultKind::limit, at.at("materials").pointer(), std::nullopt,
+                   "at most " + std::to_string(most_numbered) +
+                       " numbered materials of all objects together"});
   }
 
   void count_lights(std::int64_t copies, const Place& at) {
@@ -120,6 +131,7 @@ class TreeCheck {
   const Scene& scene_;
   Faults& faults_;
   std::int64_t lights_ = 0;
+  std::size_t numbered_ = 0;
 };
 
 }  // namespace
@@ -170,15 +182,22 @@ void Scene::check_material_names(const std::vector<Object>& list, const Place& a
     const Place object = at.at(i);
     if (const auto* children = children_of(list[i]))
       check_material_names(*children, object.at("children"), faults);
-    const auto& material = list[i].material;
-    const auto* name = material ? std::get_if<std::string>(&*material) : nullptr;
-    if (name == nullptr || materials.contains(*name)) continue;
-    std::vector<std::string_view> known;
-    for (const auto& [each, its_material] : materials) known.push_back(each);
-    faults.add({FaultKind::unknown_name, object.at("material").pointer(), Value(*name),
-                known.empty() ? "a material; the scene names none" : "one of " + listed(known),
-                nearest_name(*name, known)});
+    if (list[i].material) check_material_name(*list[i].material, object.at("material"), faults);
+    const Place numbered = object.at("materials");
+    for (std::size_t k = 0; k < list[i].materials.size() && !faults.full(); ++k)
+      check_material_name(list[i].materials[k], numbered.at(k), faults);
   }
+}
+
+void Scene::check_material_name(const MaterialRef& material, const Place& at,
+                                Faults& faults) const {
+  const auto* name = std::get_if<std::string>(&material);
+  if (name == nullptr || materials.contains(*name)) return;
+  std::vector<std::string_view> known;
+  for (const auto& [each, its_material] : materials) known.push_back(each);
+  faults.add({FaultKind::unknown_name, at.pointer(), Value(*name),
+              known.empty() ? "a material; the scene names none" : "one of " + listed(known),
+              nearest_name(*name, known)});
 }
 
 }  // namespace tia

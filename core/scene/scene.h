@@ -100,6 +100,7 @@ struct Scene {
  private:
   void check_material_names(const std::vector<Object>& objects, const Place& at,
                             Faults& faults) const;
+  void check_material_name(const MaterialRef& material, const Place& at, Faults& faults) const;
 };
 
 template <>

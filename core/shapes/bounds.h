@@ -4,6 +4,7 @@
 #include <optional>
 #include <variant>
 
+#include "core/math/octet.h"
 #include "core/shapes/box.h"
 #include "core/shapes/chord.h"
 #include "core/shapes/sphere.h"
@@ -63,5 +64,11 @@ static_assert(IsForm<Region>);
 /// What the bounds hold of a line, all of it where there are none. Its ends' elements are the
 /// region's from 1 up: 0 is the surface that is clipped.
 Chord chord(const std::optional<Region>& bounds, const Line& line);
+
+/// EightChords: the stretch of each lane's line, its ends those of chord(); empty where out < in.
+struct EightChords {
+  Octet in, out;
+};
+EightChords chords(const Region& bounds, const Ray<Octet>& line);
 
 }  // namespace tia

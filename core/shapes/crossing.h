@@ -2,6 +2,8 @@
 #pragma once
 
 #include <concepts>
+#include <cstdint>
+#include <string_view>
 
 #include "core/math/aabb.h"
 #include "core/math/ray.h"
@@ -19,10 +21,36 @@ struct Crossing {
   int element = 0;
 };
 
+/// FirstCrossing: the first one found, its t infinite where there is none, and what finding it cost
+/// beyond the form's work_of. Space/units: work in tests of a sphere.
+struct FirstCrossing {
+  Crossing at;
+  std::int64_t work = 0;
+};
+
+/// Bracket: the stretch of a line in which exactly this root lies, and what says so; a point where
+/// no search was needed. It explains a crossing, and nothing is computed from it.
+struct Bracket {
+  double from = 0, to = 0;
+  std::string_view how;  ///< of static storage
+  int degree = 0;        ///< of the polynomial along the line; 0 where there is none
+};
+
+/// Calls emit(t, element, bracket) where emit takes a bracket, else emit(t, element).
+template <class Emit>
+void emit_root(Emit& emit, double t, int element, const Bracket& bracket) {
+  if constexpr (std::invocable<Emit&, double, int, const Bracket&>) emit(t, element, bracket);
+  else emit(t, element);
+}
+
 struct Vec2d {
   double u = 0, v = 0;
   bool operator==(const Vec2d&) const = default;
 };
+
+/// What a function may return that counts its work, or does not.
+template <class Returned>
+concept IsWork = std::same_as<Returned, void> || std::same_as<Returned, std::int64_t>;
 
 /// A form is a kind of shape with its numbers prepared for tracing.
 ///   solid      whether it has an inside; only such may be an operand of CSG
@@ -31,17 +59,28 @@ struct Vec2d {
 ///   crossings  calls emit(t, element) for every crossing, whatever the sign of t. A solid emits in
 ///              ascending order and in pairs, in and out (Roth 1982), -inf and +inf included where
 ///              the line starts or ends inside; a line that grazes emits t twice. NaN is no
-///              crossing
+///              crossing. Of a root that was searched for it may call emit_root
 ///   normal     unit, outward; at a point of that element
 ///   uv         surface coordinates, in [0,1] where the shape is bounded
 ///   work_of    optional: how many times a sphere's test trying a line on it costs, roughly
+///   material_number  optional, where an object has numbered materials: which of them an element
+///              wears, 0 the object's own
+///   spans      optional: as crossings, of a solid whose surface is open where bounds cut it
+///   first_crossing  optional, where it is found with less than all: first_crossing(form, line,
+///              after, before), the first crossing with after < t < before. Its t and element are
+///              the same to the bit whatever `before` is, and those that crossings emits, whose t
+///              a search from `after` on may round otherwise; a line that has NaN has none
+///   normals    optional: normal of eight points of element 0 at once, the same to the bit
+///   first_crossings  optional: first_crossing of eight lines at once, the same to the bit
+/// What a line costs is hardly known before where it is searched step by step: so crossings and
+/// spans may return the work beyond work_of that they did, as first_crossing does.
 template <class F>
 concept IsForm = requires(const F& form, const Line& line, const Vec3d& p, int element,
                           void (*emit)(double, int)) {
   { F::solid } -> std::convertible_to<bool>;
   { elements(form) } -> std::same_as<int>;
   { bounds(form) } -> std::same_as<Aabb>;
-  { crossings(form, line, emit) } -> std::same_as<void>;
+  { crossings(form, line, emit) } -> IsWork;
   { normal(form, p, element) } -> std::same_as<Vec3d>;
   { uv(form, p, element) } -> std::same_as<Vec2d>;
 };

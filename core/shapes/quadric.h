@@ -50,6 +50,7 @@ struct QuadricSpans {
   int count = 0;
   std::array<double, 4> ends{};  ///< in, out, in, out; ascending
 };
+inline Bracket in_closed_form(double t) { return {t, t, "closed form: a quadratic's root", 2}; }
 QuadricSpans spans_of(const QuadricForm& quadric, const Line& line);
 
 /// The surface's crossings, those within the bounds. Where there are bounds they make no pairs:
@@ -60,7 +61,7 @@ void crossings(const QuadricForm& quadric, const Line& line, Emit&& emit) {
   const QuadricSpans spans = spans_of(quadric, line);
   for (int i = 0; i < 2 * spans.count; ++i) {
     const double t = spans.ends[static_cast<std::size_t>(i)];
-    if (within.in.t <= t && t <= within.out.t) emit(t, 0);
+    if (within.in.t <= t && t <= within.out.t) emit_root(emit, t, 0, in_closed_form(t));
   }
 }
 
@@ -74,7 +75,11 @@ void spans(const QuadricForm& quadric, const Line& line, Emit&& emit) {
                {inside.ends[static_cast<std::size_t>(2 * i + 1)], 0}};
     if (within.in.t > both.in.t) both.in = within.in;
     if (within.out.t < both.out.t) both.out = within.out;
-    emit_ends(both, emit);
+    if (both.empty()) continue;
+    for (const auto& [t, element] : {both.in, both.out}) {
+      if (element == 0) emit_root(emit, t, element, in_closed_form(t));
+      else emit(t, element);
+    }
   }
 }
 

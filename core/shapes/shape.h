@@ -6,18 +6,25 @@
 #include <variant>
 
 #include "core/shapes/algebraic.h"
+#include "core/shapes/blend.h"
 #include "core/shapes/box.h"
+#include "core/shapes/capsule.h"
+#include "core/shapes/classics.h"
 #include "core/shapes/cone.h"
 #include "core/shapes/crossing.h"
 #include "core/shapes/csg.h"
 #include "core/shapes/disc.h"
+#include "core/shapes/explicit.h"
 #include "core/shapes/group.h"
+#include "core/shapes/implicit.h"
 #include "core/shapes/mesh.h"
+#include "core/shapes/parametric.h"
 #include "core/shapes/plane.h"
 #include "core/shapes/quadric.h"
 #include "core/shapes/sphere.h"
 #include "core/shapes/torus.h"
 #include "core/shapes/triangle.h"
+#include "core/shapes/voxels.h"
 
 namespace tia {
 
@@ -43,8 +50,9 @@ concept IsShape = Described<S> &&
 template <IsShape... Kinds>
 using ShapeList = std::variant<Kinds...>;
 
-using Shape = ShapeList<Sphere, Plane, Disc, Box, Cylinder, Cone, Triangle, Mesh, Torus, Quadric,
-                        Algebraic, Csg, Group>;
+using Shape = ShapeList<Sphere, Plane, Disc, Box, Cylinder, Cone, Capsule, Triangle, Mesh, Torus,
+                        Quadric, Algebraic, Steiner, BarthSextic, Chmutov, Heart, Clebsch, Cayley,
+                        Implicit, Explicit, Parametric, Blend, Voxels, Csg, Group>;
 
 namespace detail {
 

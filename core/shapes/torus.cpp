@@ -71,8 +71,10 @@ TorusRoots roots(const TorusForm& torus, const Line& line) {
   const double start = (s.low + s.high) / 2, reach = (s.high - s.low) / 2;
   scaled.origin = scaled.at(start);
   TorusRoots found;
-  found.count = real_roots(quartic(torus.tube, scaled), -reach, reach, found.t);
-  for (double& t : found.t) t = (t + start) * torus.major_radius;
+  found.count = real_roots(quartic(torus.tube, scaled), -reach, reach, found.t, found.brackets);
+  const auto placed = [&](double& t) { t = (t + start) * torus.major_radius; };
+  for (double& t : found.t) placed(t);
+  for (RootBracket& each : found.brackets) placed(each.low), placed(each.high);
   return found;
 }
 

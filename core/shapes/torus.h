@@ -6,7 +6,7 @@
 
 #include "core/input/errors.h"
 #include "core/input/fields.h"
-#include "core/shapes/crossing.h"
+#include "core/shapes/roots_along.h"
 
 namespace tia {
 
@@ -52,13 +52,15 @@ Aabb bounds(const TorusForm& torus);
 struct TorusRoots {
   int count = 0;
   std::array<double, 4> t{};
+  std::array<RootBracket, 4> brackets{};
 };
 TorusRoots roots(const TorusForm& torus, const Line& line);
 
 template <class Emit>
 void crossings(const TorusForm& torus, const Line& line, Emit&& emit) {
   const TorusRoots found = roots(torus, line);
-  for (int i = 0; i < found.count; ++i) emit(found.t[static_cast<std::size_t>(i)], 0);
+  for (std::size_t i = 0; i < static_cast<std::size_t>(found.count); ++i)
+    emit_root(emit, found.t[i], 0, explained(found.brackets[i], 4));
 }
 
 Vec3d normal(const TorusForm& torus, const Vec3d& p, int element);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "core/shapes/shape.h"
 #include "tests/core/support.h"
@@ -22,6 +23,11 @@ struct Reach {
 ///   reach     a ball that holds it, or the interesting part of it
 ///   distance  in scene units near the surface; of a solid below 0 inside
 ///   convex    whether it lies on one side of each of its tangent planes
+/// and where they apply:
+///   fixed_size  it has no length of its own to scale: make takes no notice of scale
+///   searches    its roots are searched for from where a ray starts, and rounded accordingly
+///   regular     whether a point is clear of the surface's singular ones: there roots are multiple
+///               and lose digits, and normals mean nothing
 template <class S>
 struct Specimen;
 
@@ -119,6 +125,24 @@ struct Specimen<Cylinder> {
 };
 
 template <>
+struct Specimen<Capsule> {
+  static constexpr bool convex = true;
+  static Capsule make(Random& random, double scale) {
+    const Vec3d base = random.point(3) * scale;
+    const Vec3d cap = base + random.vector(0, 3) * scale;
+    return {base, cap, random.in(0.2, 2) * scale};
+  }
+  static Reach reach(const Capsule& c) {
+    return {(c.base + c.cap) * 0.5, c.radius + length(c.cap - c.base) / 2};
+  }
+  static double distance(const Capsule& c, const Vec3d& p) {
+    const Vec3d axis = c.cap - c.base, w = p - c.base;
+    const double share = std::clamp(dot(w, axis) / dot(axis, axis), 0.0, 1.0);
+    return length(w - axis * share) - c.radius;
+  }
+};
+
+template <>
 struct Specimen<Triangle> {
   static constexpr bool convex = true;
   static Triangle make(Random& random, double scale) {
@@ -156,6 +180,51 @@ struct Specimen<Torus> {
   }
 };
 
+/// Grids of up to 4 cells along each axis, most of them filled.
+template <>
+struct Specimen<Voxels> {
+  static constexpr bool convex = false;
+  static Voxels make(Random& random, double scale) {
+    Voxels v;
+    for (int& n : v.size) n = 1 + random.below(4);
+    v.origin = random.point(2) * scale;
+    const double x = random.in(0.2, 1) * scale, y = random.in(0.2, 1) * scale;
+    v.cell = Vec3d{x, y, random.in(0.2, 1) * scale};
+    v.occupied.width = 3;
+    for (int k = 0; k < v.size[2]; ++k)
+      for (int j = 0; j < v.size[1]; ++j)
+        for (int i = 0; i < v.size[0]; ++i)
+          if (random.chance(0.6)) v.occupied.numbers.insert(v.occupied.numbers.end(), {i, j, k});
+    if (v.occupied.numbers.empty()) v.occupied.numbers = {0, 0, 0};
+    return v;
+  }
+  static Reach reach(const Voxels& v) {
+    const Aabb box = bounds(v);
+    return {box.center(), length(box.size()) / 2};
+  }
+  // By the nearest cell of the other kind, the empty ones around the grid included.
+  static double distance(const Voxels& v, const Vec3d& p) {
+    double to_filled = Aabb::far, to_empty = Aabb::far;
+    for (int k = -1; k <= v.size[2]; ++k)
+      for (int j = -1; j <= v.size[1]; ++j)
+        for (int i = -1; i <= v.size[0]; ++i) {
+          double& nearest = is_filled(v, i, j, k) ? to_filled : to_empty;
+          nearest = std::min(nearest, to_cell(v, {double(i), double(j), double(k)}, p));
+        }
+    return to_filled <= 0 ? -to_empty : to_filled;
+  }
+  static bool is_filled(const Voxels& v, int i, int j, int k) {
+    const auto& n = v.occupied.numbers;
+    for (std::size_t at = 0; at < n.size(); at += 3)
+      if (n[at] == i && n[at + 1] == j && n[at + 2] == k) return true;
+    return false;
+  }
+  static double to_cell(const Voxels& v, const Vec3d& index, const Vec3d& p) {
+    const Vec3d cell = std::get<Vec3d>(v.cell), low = v.origin + cell * index;
+    return Specimen<Box>::distance({low, low + cell}, p);
+  }
+};
+
 /// Ellipsoids along the axes: ((x - c) / s)^2 + ... - 1, written out.
 template <>
 struct Specimen<Quadric> {
@@ -183,7 +252,7 @@ struct Specimen<Quadric> {
 /// Superellipsoids around the origin: (x / a)^4 + (y / b)^4 + (z / c)^4 = 1.
 template <>
 struct Specimen<Algebraic> {
-  static constexpr bool convex = true;
+  static constexpr bool convex = true, searches = true;
   static Algebraic make(Random& random, double scale) {
     const auto fourth = [&] {
       const double half = random.in(0.5, 2) * scale;
@@ -204,5 +273,122 @@ struct Specimen<Algebraic> {
     return (dot(cubes, p) - 1) / length(cubes) / 4;
   }
 };
+
+// ---- the named algebraic surfaces, as their books write them ------------------------------------
+
+/// Slope: a number with its gradient, to differentiate what is written in it.
+struct Slope {
+  double value = 0;
+  Vec3d gradient{};
+  Slope(double constant) : value(constant) {}
+  Slope(double at, const Vec3d& way) : value(at), gradient(way) {}
+
+  friend Slope operator+(const Slope& a, const Slope& b) {
+    return {a.value + b.value, a.gradient + b.gradient};
+  }
+  friend Slope operator-(const Slope& a, const Slope& b) {
+    return {a.value - b.value, a.gradient - b.gradient};
+  }
+  friend Slope operator*(const Slope& a, const Slope& b) {
+    return {a.value * b.value, a.gradient * b.value + b.gradient * a.value};
+  }
+};
+inline Slope squared(const Slope& a) { return a * a; }
+inline Slope cubed(const Slope& a) { return a * a * a; }
+
+/// What the specimens of named surfaces share: Left::of is the left side of the equation.
+template <class S, class Left>
+struct Classic {
+  static constexpr bool convex = false, fixed_size = true, searches = true;
+  static S make(Random&, double) { return {}; }
+  static Reach reach(const S&) { return {{}, Left::radius}; }
+  static double distance(const S& s, const Vec3d& p) {
+    const Slope at =
+        Left::of(s, Slope(p.x, {1, 0, 0}), Slope(p.y, {0, 1, 0}), Slope(p.z, {0, 0, 1}));
+    return at.value / length(at.gradient);
+  }
+};
+
+struct SteinerLeft {
+  static constexpr double radius = 0.6;
+  static Slope of(const Steiner&, const Slope& x, const Slope& y, const Slope& z) {
+    return squared(x * y) + squared(y * z) + squared(z * x) - x * y * z;
+  }
+};
+template <>
+struct Specimen<Steiner> : Classic<Steiner, SteinerLeft> {
+  // Two of its sheets meet along each axis.
+  static bool regular(const Steiner&, const Vec3d& p) {
+    const double x = p.x * p.x, y = p.y * p.y, z = p.z * p.z;
+    return std::min({x + y, y + z, z + x}) > 0.02 * 0.02;
+  }
+};
+
+struct BarthLeft {
+  static constexpr double radius = 1.5;
+  static Slope of(const BarthSextic&, const Slope& x, const Slope& y, const Slope& z) {
+    const double p = (1 + std::sqrt(5.0)) / 2;
+    const auto factor = [&](const Slope& a, const Slope& b) { return (p * a - b) * (p * a + b); };
+    return 4 * factor(x, y) * factor(y, z) * factor(z, x) -
+           (1 + 2 * p) * squared(squared(x) + squared(y) + squared(z) - 1.0);
+  }
+};
+template <>
+struct Specimen<BarthSextic> : Classic<BarthSextic, BarthLeft> {};
+
+struct ChmutovLeft {
+  static constexpr double radius = 1.3;
+  static Slope of(const Chmutov& s, const Slope& x, const Slope& y, const Slope& z) {
+    Slope sum(0);
+    for (const Slope& t : {x, y, z}) {
+      Slope before(1), now = t;
+      for (int i = 1; i < s.order; ++i) before = std::exchange(now, 2 * t * now - before);
+      sum = sum + now;
+    }
+    return sum;
+  }
+};
+/// Of low orders: those that keep nearly all of a double's digits.
+template <>
+struct Specimen<Chmutov> : Classic<Chmutov, ChmutovLeft> {
+  static Chmutov make(Random& random, double) { return {2 + random.below(4), {}}; }
+};
+
+struct HeartLeft {
+  static constexpr double radius = 1.4;
+  static Slope of(const Heart&, const Slope& x, const Slope& y, const Slope& z) {
+    return cubed(squared(x) + squared(1.5 * y) + squared(z) - 1) -
+           (squared(x) + 0.1125 * squared(y)) * cubed(z);
+  }
+};
+template <>
+struct Specimen<Heart> : Classic<Heart, HeartLeft> {
+  // Where both sides are 0, around its waist and at its two tips, they are so to the third order.
+  static bool regular(const Heart&, const Vec3d& p) {
+    return std::fabs(p.z) > 0.05 && p.x * p.x + p.y * p.y > 0.05 * 0.05;
+  }
+};
+
+/// As the sum of five cubes, of numbers whose sum is 0.
+struct ClebschLeft {
+  static constexpr double radius = 1.5;
+  static Slope of(const Clebsch&, const Slope& x, const Slope& y, const Slope& z) {
+    const Slope sum = 3 * (x + y + z);
+    return (cubed(12 * x - sum - 1) + cubed(12 * y - sum - 1) + cubed(12 * z - sum - 1) +
+            cubed(2 - 2 * sum) + cubed(sum + 1)) *
+           (1.0 / 6);
+  }
+};
+template <>
+struct Specimen<Clebsch> : Classic<Clebsch, ClebschLeft> {};
+
+struct CayleyLeft {
+  static constexpr double radius = 1.5;
+  static Slope of(const Cayley&, const Slope& x, const Slope& y, const Slope& z) {
+    return squared(2 * x) + squared(2 * y) + squared(2 * z) + 16 * x * y * z - 1;
+  }
+};
+template <>
+struct Specimen<Cayley> : Classic<Cayley, CayleyLeft> {};
 
 }  // namespace tia::test

@@ -133,6 +133,87 @@ TEST(Explain, AFreeRayHasADirectionOfLengthOneAndNoPixel) {
   EXPECT_EQ(find(*answer.as<Value::Object>(), "sample"), nullptr);
 }
 
+// Where `root` of each hit says the root was: from <= t <= to.
+std::vector<Value> roots_of(const std::string& objects, const Vec3d& from, const Vec3d& way) {
+  const Value answer =
+      answer_to({{"scene", parse_json(R"({"objects":[)" + objects + "]}")},
+                 {"ray", Value::Object{{"origin", array(from)}, {"direction", array(way)}}}});
+  std::vector<Value> roots;
+  for (const Value& hit : *at(answer, "hits").as<Value::Array>()) {
+    const Value* root = find(*hit.as<Value::Object>(), "root");
+    if (root == nullptr) continue;
+    const auto& bracket = *at(*root, "bracket").as<Value::Array>();
+    EXPECT_EQ(bracket.size(), 2U);
+    EXPECT_LE(*bracket.at(0).as<double>(), number_at(hit, "t"));
+    EXPECT_GE(*bracket.at(1).as<double>(), number_at(hit, "t"));
+    roots.push_back(*root);
+  }
+  return roots;
+}
+double end_of(const Value& root, std::size_t i) {
+  return *at(root, "bracket").as<Value::Array>()->at(i).as<double>();
+}
+
+// (y + 2) (y + 3) (y + 6) along y = -t in half of the scene's units: its stationary points, where
+// 3 y^2 + 22 y + 36 = 0, part the roots at t = 4, 6 and 12.
+TEST(Explain, ARootOfAFormulaIsShownBetweenTheStationaryPointsAroundIt) {
+  const std::string cubic =
+      R"({"type":"algebraic","transform":[{"scale":2}],"terms":[[0,3,0,1],[0,2,0,11],[0,1,0,36],
+          [0,0,0,36]],"bounds":{"min":[-9,-9,-9],"max":[9,9,9]}})";
+  const auto roots = roots_of(cubic, {0, 0, 0}, {0, -1, 0});
+  ASSERT_EQ(roots.size(), 3U);
+  const double middle = 22.0 / 3, apart = std::sqrt(22.0 * 22 - 12 * 36) / 3;
+  const double ends[] = {-18, middle - apart, middle + apart, 18};
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_NEAR(end_of(roots[i], 0), ends[i], 1e-9);
+    EXPECT_NEAR(end_of(roots[i], 1), ends[i + 1], 1e-9);
+    EXPECT_EQ(text_at(roots[i], "how"), "the polynomial is monotone between stationary points");
+    EXPECT_EQ(number_at(roots[i], "degree"), 3);
+  }
+}
+
+// Through the middle of a ring the quartic ((x - 4)^2 - 1) ((x + 4)^2 - 1) is stationary at 0 and
+// where x^2 = 4^2 + 1; on its plane of symmetry y = 1 it only touches.
+TEST(Explain, ARootOfATorusIsShownWithItsBracketOrWhereItTouches) {
+  const std::string torus = R"({"type":"torus","major_radius":4,"minor_radius":1})";
+  const auto roots = roots_of(torus, {-10, 0, 0}, {1, 0, 0});
+  ASSERT_EQ(roots.size(), 4U);
+  const double turn = std::sqrt(17.0);
+  EXPECT_NEAR(end_of(roots[0], 1), 10 - turn, 1e-9);
+  EXPECT_NEAR(end_of(roots[1], 0), 10 - turn, 1e-9);
+  EXPECT_NEAR(end_of(roots[1], 1), 10, 1e-9);
+  EXPECT_NEAR(end_of(roots[3], 0), 10 + turn, 1e-9);
+  const auto touching = roots_of(torus, {-10, 1, 0}, {1, 0, 0});
+  ASSERT_EQ(touching.size(), 4U);
+  for (const Value& root : touching) {
+    EXPECT_EQ(end_of(root, 0), end_of(root, 1));
+    EXPECT_EQ(text_at(root, "how"), "a stationary point where the polynomial is 0 to rounding");
+  }
+}
+
+TEST(Explain, ARootInClosedFormIsItsOwnBracket) {
+  const auto roots = roots_of(R"({"type":"quadric","coefficients":[1,1,1,0,0,0,0,0,0,-1]})",
+                              {0, 0, 5}, {0, 0, -1});
+  ASSERT_EQ(roots.size(), 2U);
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_NEAR(end_of(roots[i], 0), i == 0 ? 4 : 6, 1e-12);
+    EXPECT_EQ(end_of(roots[i], 0), end_of(roots[i], 1));
+    EXPECT_EQ(text_at(roots[i], "how"), "closed form: a quadratic's root");
+  }
+}
+
+// A ring less a box: the ring's two boundaries that are left have their roots, the box's has none.
+TEST(Explain, ARootWithinASolidIsShownToo) {
+  EXPECT_EQ(roots_of(R"({"type":"csg","operation":"difference","children":[
+      {"type":"torus","major_radius":3,"minor_radius":1},
+      {"type":"box","min":[-9,-9,-9],"max":[-3,9,9]}]})",
+                     {-10, 0, 0}, {1, 0, 0})
+                .size(),
+            3U);
+  EXPECT_TRUE(
+      roots_of(R"({"type":"sphere","center":[0,0,0],"radius":1})", {0, 0, 5}, {0, 0, -1}).empty());
+}
+
 // 3000 copies in a row are crossed 6000 times, 6000 of them more often than an answer may say.
 TEST(Explain, ARayThatCrossesTooMuchIsRefused) {
   const auto row = [](const std::string& count) {

@@ -56,6 +56,10 @@ constexpr const char* rare = R"({"objects": [
     {"type": "sphere", "center": [1, 2, 3], "radius": 2, "transform": [{"matrix":
       [[1, 0.5, 0.25, 3], [0, 2, 0.125, 4], [0, 0, 3, 5], [0, 0, 0, 1]]}]},
     {"type": "algebraic", "terms": [[2, 0, 0, 1], [0, 3, 0, 2], [0, 0, 0, -1]]},
+    {"type": "capsule", "base": [1, 2, 3], "cap": [4, 5, 6], "radius": 2},
+    {"type": "voxels", "size": [2, 3, 4], "occupied": [[3, 1], [2, 0], [4, 2]], "cell": [1, 2, 3],
+      "materials": [{"color": 0.5}, {"color": 0.25}]},
+    {"type": "voxels", "size": [4, 3, 4], "occupied": [[1, 2, 3], [3, 2, 1]]},
     {"type": "triangle", "a": [0, 0, 0], "b": [1, 0, 0], "c": [0, 1, 0], "transform":
       [{"translate": [1, 2, 3]}, {"rotate_degrees": [1, 2, 3]}, {"scale": [1, 2, 3]}]},
     {"type": "mesh", "positions": [0, 0, 0, 1, 0, 0, 0, 1, 0], "indices": [0, 1, 2],

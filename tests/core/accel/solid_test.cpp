@@ -43,10 +43,12 @@ double volume(const Object& solid, double reach, int n = 200) {
   const World world = world_of(any({object_of(all, turned({31, 17, 58}))}));
   const Geometry& geometry = *world.of_objects;
   const double side = 2 * reach / n;
+  Effort effort;
   double sum = 0;
   for (int i = 0; i < n * n; ++i) {
     const double x = (i % n + 0.5) * side - reach, y = (i / n + 0.5) * side - reach;
-    const Spans& held = spans(geometry.solids[0], geometry.parts, {{x, y, 10 * reach}, {0, 0, -1}});
+    const Spans& held =
+        spans(geometry.solids[0], geometry.parts, {{x, y, 10 * reach}, {0, 0, -1}}, effort);
     for (std::size_t k = 0; k + 1 < held.size(); k += 2) sum += held[k + 1].t - held[k].t;
   }
   return sum * side * side;
@@ -141,9 +143,10 @@ TEST(Solid, NestedTwentyDeepHoldsJustWhatTheOperationsKeep) {
       }
       return inside;
     };
+    Effort effort;
     for (int k = 0; k < 20; ++k) {
       const Ray<double> ray{random.point(3), random.direction()};
-      const Spans& held = spans(geometry.solids[0], geometry.parts, ray);
+      const Spans& held = spans(geometry.solids[0], geometry.parts, ray, effort);
       for (double t = -9.987; t < 10; t += 0.0371) {
         bool inside = false, near = false;
         for (const Boundary& each : held) {

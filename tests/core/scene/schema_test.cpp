@@ -143,6 +143,13 @@ const std::vector<std::string> beyond_schema = {
     "above min in every component", "a point other than base", "above 0 where base_radius is 0",
     "more than a constant", "total degree", "below major_radius", "not on the line through a and b",
     "min and max, or", "or center and radius",
+    // voxels: what lies in the grid, whose numbers are materials
+    "cells of the grid are left", "below the size", "named with before", "at least one filled cell",
+    "a grid of at most", "cells together", "has no materials", "of one of the materials",
+    "one `material`", "numbered materials",
+    // formulas
+    "at column", "a name: a letter", "a name that means", "from below to", "something in common",
+    "children that cost less",
     // meshes: lists that belong together, numbers inside of base64
     "bytes of numbers", "numbers of 4 bytes", "a multiple of 3 numbers", "for each of the",
     "the index of a position", "a normal of some length",

@@ -1,6 +1,7 @@
 #include "core/shapes/algebraic.h"
 
 #include <map>
+#include <utility>
 
 #include "core/shapes/quadric.h"
 #include "core/shapes/torus.h"
@@ -168,7 +169,7 @@ TEST(Algebraic, QuarticIsMetLikeTheTorus) {
 TEST(Algebraic, SecondDegreeIsMetLikeTheQuadricAloneAndClipped) {
   Random random(102);
   int seen = 0;
-  for (int i = 0; i < 200; ++i) {
+  for (int i = 0; i < 60; ++i) {
     std::array<double, 10> k{};
     for (double& each : k) each = random.in(-1, 1);
     const Poly parts[] = {x2, y2, z2, x * y, x * z, y * z, x, y, z, 1};
@@ -189,7 +190,7 @@ TEST(Algebraic, SecondDegreeIsMetLikeTheQuadricAloneAndClipped) {
       seen += static_cast<int>(all.size());
     }
   }
-  EXPECT_GT(seen, 500);
+  EXPECT_GT(seen, 150);
 }
 
 // ---- the surfaces of the books --------------------------------------------------------------
@@ -229,10 +230,10 @@ TEST(Algebraic, FamousSurfacesAreMetWhereTheirSumChangesSign) {
 
 TEST(Algebraic, RandomSurfacesOfEveryDegreeAreMetWhereTheirSumChangesSign) {
   Random random(104);
-  for (int degree = 1; degree <= 12; ++degree) {
+  for (int degree = 1; degree <= 12; degree += degree < 4 ? 1 : 4) {
     int seen = 0;
     for (const double s : scales) {
-      for (int i = 0; i < 3; ++i) {
+      {
         Poly f(random.in(-0.5, 0.5));
         f.c[{degree, 0, 0}] = random.in(-1, 1);
         for (int n = 0; n < 12; ++n) {
@@ -242,16 +243,56 @@ TEST(Algebraic, RandomSurfacesOfEveryDegreeAreMetWhereTheirSumChangesSign) {
         seen += expect_clipped(f, 1.5, s, random, 10);
       }
     }
-    EXPECT_GT(seen, 20) << "degree " << degree;
+    EXPECT_GT(seen, 5) << "degree " << degree;
   }
 }
 
-// T_32 has the 32 roots cos((2 k - 1) pi / 64), and there is no higher degree.
-TEST(Algebraic, HighestDegreeHasAllItsRoots) {
+// T_32 has the 32 roots cos((2 k - 1) pi / 64).
+TEST(Algebraic, HighDegreeHasAllItsRoots) {
   const AlgebraicForm form = form_of(chebyshev(32, y));
   std::vector<double> expected;
   for (int k = 32; k > 0; --k) expected.push_back(cos_of((2 * k - 1) * pi / 64));
   expect_near(roots_along(form, {{0.3, 0, 7}, {0, 1, 0}}), expected, 1e-5);
+}
+
+// x^64 + y^64 + z^64 = 1, of the highest degree: along (1, 1, 1) 3 x^64 = 1.
+TEST(Algebraic, HighestDegreeIsACubeWithRoundEdges) {
+  const AlgebraicForm form = form_of(power(x, 64) + power(y, 64) + power(z, 64) - 1);
+  expect_near(roots_along(form, {{-2, 0, 0}, {1, 0, 0}}), {1, 3}, 1e-14);
+  double corner = 1.0 / 3;
+  for (int i = 0; i < 6; ++i) corner = std::sqrt(corner);
+  expect_near(roots_along(form, {{-2, -2, -2}, {1, 1, 1}}), {2 - corner, 2 + corner}, 1e-14);
+  expect_near(roots_along(form, {{-2, 1.01, 0}, {1, 0, 0}}), {}, 0);
+}
+
+// Written out around the middle of a chord, far from the origin, T_n(x) + T_n(y) + T_n(z) loses
+// digits by the factor (|o| + |d|)^n or so; a root keeps those that the sum has at its own point.
+TEST(Algebraic, RootsKeepTheDigitsOfTheSumAtTheirPoint) {
+  Random random(110);
+  int seen = 0;
+  for (const int n : {8, 14, 20}) {
+    const Vec3d middle{0.6, 0.6, -0.6};
+    const AlgebraicForm form = prepare(Algebraic{chmutov(n).terms(), ball(middle, 1.5)});
+    const auto sum = [&](const Vec3l& p) {
+      Long all = 0;
+      for (const Long at : {p.x, p.y, p.z}) {
+        Long before = 1, now = at;
+        for (int i = 1; i < n; ++i) before = std::exchange(now, 2 * at * now - before);
+        all += now;
+      }
+      return all;
+    };
+    for (int i = 0; i < 100; ++i) {
+      SceneLine line = line_near(random, middle, 1);
+      line.direction = normalize(line.direction);
+      for (const double t : roots_along(form, line)) {
+        const Long slope = (sum(line.at(t + 1e-7L)) - sum(line.at(t - 1e-7L))) / 2e-7L;
+        EXPECT_LT(std::fabs(sum(line.at(t))), 1e-9L * std::max<Long>(std::fabs(slope), 1)) << n;
+        ++seen;
+      }
+    }
+  }
+  EXPECT_GT(seen, 1000);
 }
 
 // ---- multiple roots, the ends of a line -----------------------------------------------------
@@ -443,7 +484,8 @@ TEST(Algebraic, CrossesNothingOfNan) {
 
 TEST(Algebraic, ElementsNormalsAndUvFollowTheBounds) {
   EXPECT_EQ(elements(form_of(heart)), 1);
-  EXPECT_EQ(bounds(form_of(heart)), Aabb::everything());
+  EXPECT_EQ(bounds(form_of(x2 * x2 - y2 * y2)), Aabb::everything());
+  EXPECT_TRUE(bounds(form_of(heart)).bounded());
   Bounds box;
   box.min = Vec3d{-2, -3, -2};
   box.max = Vec3d{2, 5, 2};
@@ -460,16 +502,16 @@ TEST(Algebraic, FaultsAreNamedAtTheirTerm) {
   const auto faults = [](const std::string& terms) {
     return faults_in<Algebraic>(R"({"terms":)" + terms + "}");
   };
-  expect_faults(faults("[[2,0,0,1],[0,1.5,0,1],[0,0,-1,1],[33,0,0,2e30]]"),
-                {{FaultKind::wrong_type, "/terms/1/1", "1.5", "an integer from 0 to 32"},
-                 {out_of_range, "/terms/2/2", "-1", "an integer from 0 to 32"},
-                 {out_of_range, "/terms/3/0", "33", "an integer from 0 to 32"},
+  expect_faults(faults("[[2,0,0,1],[0,1.5,0,1],[0,0,-1,1],[65,0,0,2e30]]"),
+                {{FaultKind::wrong_type, "/terms/1/1", "1.5", "an integer from 0 to 64"},
+                 {out_of_range, "/terms/2/2", "-1", "an integer from 0 to 64"},
+                 {out_of_range, "/terms/3/0", "65", "an integer from 0 to 64"},
                  {out_of_range, "/terms/3/3", "2e+30", "1e+30"}});
   expect_faults(faults("[[2,0,1],5]"),
                 {{FaultKind::wrong_type, "/terms/0", "[2,0,1]", "[i, j, k, c]"},
                  {FaultKind::wrong_type, "/terms/1", "5", "[i, j, k, c]"}});
-  expect_faults(faults("[[1,0,0,1],[16,16,1,1]]"),
-                {{out_of_range, "/terms/1", "[16,16,1,1]", "a total degree of at most 32"}});
+  expect_faults(faults("[[1,0,0,1],[32,32,1,1]]"),
+                {{out_of_range, "/terms/1", "[32,32,1,1]", "a total degree of at most 64"}});
   for (const char* constant : {"[[0,0,0,1]]", "[[1,2,0,0],[0,0,0,1]]", "[[1,0,0,2],[1,0,0,-2]]"})
     expect_faults(faults(constant), {{out_of_range, "/terms", constant, "more than a constant"}});
   EXPECT_EQ(faults("[]").size(), 1u);

@@ -42,5 +42,41 @@ TEST(Bounds, InBothSpellingsHalfOrEmptyAreRefused) {
                 {{FaultKind::out_of_range, "/radius", "0", "above 0"}});
 }
 
+// Lines through a face's plane, along an axis, beside it and with NaN among them.
+TEST(Bounds, OfEightLinesHoldWhatTheyHoldOfEach) {
+  Random random(78);
+  const Region regions[] = {Region{Box{{-1, -2, 0.5}, {1, 0, 3}}}, Region{Sphere{{1, 2, 3}, 2}}};
+  int held = 0, missed = 0;
+  for (int round = 0; round < 2000; ++round) {
+    std::array<std::array<double, 8>, 6> parts;
+    std::array<Line, 8> lines;
+    for (std::size_t i = 0; i < 8; ++i) {
+      Line& line = lines[i];
+      line = {random.vector(0, 5), normalize(random.vector(0.1, 1))};
+      if (random.chance(0.2)) line.direction = {0, random.chance(0.5) ? 1.0 : -1.0, 0};
+      if (random.chance(0.2)) line.origin.x = random.chance(0.5) ? -1 : 1;
+      if (random.chance(0.02)) line.origin.y = std::numeric_limits<double>::quiet_NaN();
+      const double all[] = {line.origin.x,    line.origin.y,    line.origin.z,
+                            line.direction.x, line.direction.y, line.direction.z};
+      for (std::size_t k = 0; k < 6; ++k) parts[k][i] = all[k];
+    }
+    const auto of = [&](std::size_t k) { return Octet::load_unaligned(parts[k].data()); };
+    for (const Region& region : regions) {
+      const EightChords eight = chords(region, {{of(0), of(1), of(2)}, {of(3), of(4), of(5)}});
+      for (int i = 0; i < 8; ++i) {
+        const Chord one = chord(region, lines[static_cast<std::size_t>(i)]);
+        const double in = lane(eight.in, i), out = lane(eight.out, i);
+        EXPECT_EQ(one.empty(), !(in <= out));
+        (one.empty() ? missed : held) += 1;
+        if (one.empty()) continue;
+        EXPECT_EQ(in, one.in.t);
+        EXPECT_EQ(out, one.out.t);
+      }
+    }
+  }
+  EXPECT_GT(held, 5000);
+  EXPECT_GT(missed, 5000);
+}
+
 }  // namespace
 }  // namespace tia
