@@ -3,16 +3,18 @@
 # between runs and machines. Takes two minutes; run it on a machine that does nothing else.
 # Embree, where it is installed (apt-get install libembree-dev), traces the same rays beside Tia's
 # index, and gnuplot (gnuplot-nox) draws that, into build/release/rays.svg: two minutes. POV-Ray and
-# Tachyon (povray tachyon) trace the scenes of peers/ beside it, which takes ten minutes more.
+# Tachyon (povray tachyon) trace the scenes of peers/ beside it, which takes ten minutes more, and
+# POV-Ray surfaces from formulas: three minutes.
 # Options: --quick: fewer repetitions, smaller pictures; --no-peers: Tia alone.
 set -euo pipefail
 rounds=9
 peers=(tests/bench/peers/compare.py)
+formulas=(tests/bench/peers/formulas.py)
 rays=(tests/bench/peers/rays.py --svg build/release/rays.svg)
 for option in "$@"; do
   case $option in
-    --quick) rounds=3 peers+=(--quick) rays+=(--quick) ;;
-    --no-peers) peers=(true) rays=(true) ;;
+    --quick) rounds=3 peers+=(--quick) formulas+=(--quick) rays+=(--quick) ;;
+    --no-peers) peers=(true) formulas=(true) rays=(true) ;;
     *) echo "unknown option $option; there are --quick and --no-peers" >&2 && exit 2 ;;
   esac
 done
@@ -125,3 +127,5 @@ echo
 "${rays[@]}" || echo "No comparison with Embree, or not with equal hits."
 echo
 "${peers[@]}" || echo "No comparison with POV-Ray and Tachyon, or not with equal pictures."
+echo
+"${formulas[@]}" || echo "No comparison of formulas, or unequal pictures, or a target missed."

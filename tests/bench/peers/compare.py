@@ -46,8 +46,8 @@ def all_scenes(chosen):
 class Row:
     """One scene in all programs: their times, and how far the peers' pictures are from Tia's."""
 
-    def __init__(self, name, scene, programs, size):
-        self.name, self.scene, self.size = name, scene, size
+    def __init__(self, name, scene, programs, size, tolerance=TOLERANCE):
+        self.name, self.scene, self.size, self.tolerance = name, scene, size, tolerance
         self.programs, self.notes = list(programs), []
         self.times, self.differences = {}, {}
 
@@ -65,7 +65,7 @@ class Row:
             picture = ours.picture()
             for peer in peers:
                 self.differences[peer.name] = difference(peer.shown_part(picture), peer.picture(),
-                                                         TOLERANCE)
+                                                         self.tolerance)
         return self
 
     def prepare(self, folder):

@@ -10,6 +10,7 @@ DEFAULT_MATERIAL = {
     "color": [1, 1, 1], "ambient": 0, "diffuse": 1, "brilliance": 1, "specular": 0,
     "roughness": 0.05, "reflection": 0, "transmission": 0, "ior": 1.5,
 }
+FORMULAS = ("implicit", "explicit", "parametric", "algebraic", "quadric")
 
 
 class CannotExpress(Exception):
@@ -76,6 +77,8 @@ def moved(kind, fields, m):
         return box_by(m, fields)
     if kind == "mesh":
         return mesh_by(m, fields)
+    if kind in FORMULAS:  # which stay in object space
+        return {**fields, "place": m}
     ways = {"center": point_by, "point": point_by, "base": point_by, "cap": point_by,
             "a": point_by, "b": point_by, "c": point_by, "normal": vector_by,
             "radius": lambda transform, r: r * similarity_scale(transform)}

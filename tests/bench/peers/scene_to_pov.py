@@ -1,12 +1,14 @@
-"""Writes a Tia scene as POV-Ray 3.7 reads it. POV-Ray is left-handed: z is turned round."""
+"""Writes a Tia scene as POV-Ray 3.7 reads it. POV-Ray's space is left-handed only by its camera,
+whose vectors are all given here: points stay as they are, and formulas, too."""
 
-from primitives import CannotExpress, primitives, rgb
+from formulas_to_pov import formula
+from primitives import FORMULAS, CannotExpress, primitives, rgb
 from vectors import dot, scaled, unit
 from views import eye, lamps
 
 
 def vector(v):
-    return f"<{v[0]:.9g}, {v[1]:.9g}, {-v[2]:.9g}>"
+    return f"<{v[0]:.9g}, {v[1]:.9g}, {v[2]:.9g}>"
 
 
 def color(c):
@@ -56,8 +58,9 @@ def mesh(fields):
     return "mesh2", " ".join(parts)
 
 
-def shape(kind, f):
-    """Returns: POV-Ray's word for a primitive, and what stands between the braces."""
+def shape(kind, f, share=1):
+    """Returns: POV-Ray's word for a primitive, and what stands between the braces; for the share,
+    see formula()."""
     if kind == "sphere":
         return kind, f"{vector(f['center'])}, {f['radius']:.9g}"
     if kind == "plane":  # POV-Ray's second argument is a distance
@@ -72,11 +75,13 @@ def shape(kind, f):
         return kind, ", ".join(vector(f[name]) for name in "abc")
     if kind == "mesh":
         return mesh(f)
+    if kind in FORMULAS:
+        return formula(kind, f, share)
     raise CannotExpress(kind)
 
 
-def to_pov(scene, aspect):
-    """A whole scene file, in linear light."""
+def to_pov(scene, aspect, share=1):
+    """A whole scene file, in linear light; for the share, see formula()."""
     surfaces = primitives(scene)
     depth = scene.get("options", {}).get("max_depth", 5)
     lines = ["#version 3.7;",
@@ -89,7 +94,7 @@ def to_pov(scene, aspect):
         if look not in names:
             names[look] = f"M{len(names)}"
             lines.append(f"#declare {names[look]} = {look}")
-        word, body = shape(p.kind, p.fields)
+        word, body = shape(p.kind, p.fields, share)
         interior = f"interior {{ ior {p.material['ior']:.9g} }}"
         lines.append(f"{word} {{ {body} texture {{ {names[look]} }} "
                      f"{interior if p.material['transmission'] else ''} }}")
