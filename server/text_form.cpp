@@ -1,5 +1,7 @@
 #include "server/text_form.h"
 
+#include "server/http/message.h"
+
 namespace tia::server {
 namespace {
 
@@ -9,11 +11,6 @@ std::optional<Value> try_json(std::string_view text) {
   } catch (const InputError&) {
     return std::nullopt;
   }
-}
-
-std::string_view trimmed(std::string_view text) {
-  const auto start = text.find_first_not_of(' ');
-  return start == text.npos ? "" : text.substr(start, text.find_last_not_of(' ') - start + 1);
 }
 
 }  // namespace

@@ -5,15 +5,13 @@
 namespace tia {
 namespace {
 
-Vec3d rgb(const Color& c) { return {c.r, c.g, c.b}; }
-
 Matter matter_of(const Finish& finish, const Vec3d& ambient_light) {
-  const Vec3d color = finish.texture ? Vec3d{1, 1, 1} : rgb(finish.color);
+  const Vec3d color = finish.texture ? Vec3d{1, 1, 1} : rgb_of(finish.color);
   Matter matter;
   matter.albedo = color * finish.diffuse;
   matter.ambient = color * ambient_light * finish.ambient;
-  matter.emission = rgb(finish.emission);
-  matter.absorption = rgb(finish.absorption);
+  matter.emission = rgb_of(finish.emission);
+  matter.absorption = rgb_of(finish.absorption);
   matter.brilliance = finish.brilliance;
   matter.specular = finish.specular;
   matter.exponent = 1 / finish.roughness;
@@ -44,7 +42,7 @@ class Compiler {
  private:
   Matter matter_of(const Material& material) {
     const auto& finish = std::get<Finish>(material.kind);
-    Matter matter = tia::matter_of(finish, rgb(scene_.ambient_light));
+    Matter matter = tia::matter_of(finish, rgb_of(scene_.ambient_light));
     if (finish.texture) matter.texture = pushed(geometry_.textures, prepare(*finish.texture));
     return matter;
   }

@@ -8,11 +8,9 @@
 namespace tia {
 namespace {
 
-Vec3d rgb(const Color& c) { return {c.r, c.g, c.b}; }
-
 // ---- few balls --------------------------------------------------------------------------------
 
-constexpr std::size_t few = 16;
+constexpr std::size_t few_balls = 16;
 
 // A point as seen from anywhere, whose light does not fade.
 bool is_plain_point(const Lamp& lamp) {
@@ -29,7 +27,7 @@ bool is_plain(const Matter& matter) {
 
 bool is_plain_balls(const Geometry& geometry) {
   return geometry.balls.size() == geometry.parts.size() && geometry.copies.empty() &&
-         geometry.balls.size() <= few && std::ranges::all_of(geometry.matters, is_plain);
+         geometry.balls.size() <= few_balls && std::ranges::all_of(geometry.matters, is_plain);
 }
 
 // Lists all balls, if they are so few and plain that they are tried in turn.
@@ -39,7 +37,7 @@ void list_few_balls(World& world) {
     if (!is_plain_balls(*each)) return;
     all.insert(all.end(), each->balls.begin(), each->balls.end());
   }
-  world.few_balls = all.size() <= few && std::ranges::all_of(world.lamps, is_plain_point);
+  world.few_balls = all.size() <= few_balls && std::ranges::all_of(world.lamps, is_plain_point);
   if (world.few_balls) world.balls = std::move(all);
 }
 
@@ -49,7 +47,7 @@ class Lighting {
  public:
   Lighting(const Scene& scene, SharedGeometry objects, const Workers& workers)
       : scene_(scene), workers_(workers) {
-    world_.background = rgb(scene.background);
+    world_.background = rgb_of(scene.background);
     world_.transparent_shadows = scene.options.transparent_shadows;
     world_.lamps = objects->lamps;
     lights_.first_part = static_cast<int>(objects->parts.size());
@@ -72,7 +70,7 @@ class Lighting {
     bool sky = false;
     const auto add = [&](const Light& light, const std::string& name) {
       if (light.awaited() != nullptr) return;  // a key light that no key has lit yet
-      const Vec3d color = rgb(light.color) * light.intensity;
+      const Vec3d color = rgb_of(light.color) * light.intensity;
       if (std::holds_alternative<SkyLight>(light.kind)) {
         skies = skies + color;
         sky = true;

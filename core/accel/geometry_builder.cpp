@@ -164,11 +164,12 @@ void GeometryBuilder::put(const Ball& ball, int space) {
 }
 
 namespace {
-constexpr std::size_t few = 4;  // so few things are tried in turn: an index costs what it saves
+constexpr std::size_t few_things =
+    4;  // so few things are tried in turn: an index costs what it saves
 }
 
 void GeometryBuilder::index(BallIndex& index) const {
-  if (index.balls.size() <= few) return;
+  if (index.balls.size() <= few_things) return;
   std::vector<Box32> boxes;
   boxes.reserve(index.balls.size());
   for (const std::uint32_t i : index.balls)
@@ -184,7 +185,7 @@ void GeometryBuilder::index(Space& space, const std::vector<Aabb>& boxes) const 
   for (std::size_t i = 0; i < boxes.size(); ++i) {
     space.boxes.push_back(rounded_outwards(boxes[i]));
     const auto item = static_cast<std::uint32_t>(i);
-    if (boxes.size() <= few || !boxes[i].bounded()) {
+    if (boxes.size() <= few_things || !boxes[i].bounded()) {
       space.rest.push_back(item);
       continue;
     }

@@ -92,10 +92,10 @@ std::string Codec<PictureFile>::allowed(const Spec&) { return std::string(text_w
 
 namespace {
 
-using Light = std::array<double, 256>;
+using LightOf = std::array<double, 256>;
 
-Light light_of(Transfer transfer) {
-  Light light{};
+LightOf light_of(Transfer transfer) {
+  LightOf light{};
   for (std::size_t code = 0; code < light.size(); ++code) {
     const double signal = static_cast<double>(code) / 255;
     light[code] = transfer == Transfer::srgb ? srgb_to_linear(signal) : signal;
@@ -118,7 +118,7 @@ Vec3d light_at(const ImageForm& form, int column, int row_from_below) {
   const int y = image.height - 1 - wrapped(row_from_below, image.height);
   const auto at = 3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) +
                        static_cast<std::size_t>(x));
-  const Light& light = *form.light;
+  const LightOf& light = *form.light;
   return {light[image.rgb[at]], light[image.rgb[at + 1]], light[image.rgb[at + 2]]};
 }
 
@@ -138,7 +138,7 @@ Vec3d bilinear(const ImageForm& form, double x, double y) {
 }  // namespace
 
 ImageForm prepare(const ImageTexture& image) {
-  static const Light srgb = light_of(Transfer::srgb), linear = light_of(Transfer::linear);
+  static const LightOf srgb = light_of(Transfer::srgb), linear = light_of(Transfer::linear);
   return {image.data.pixels, image.transfer == Transfer::srgb ? &srgb : &linear, image.filter,
           image.repeat};
 }

@@ -5,15 +5,15 @@
 namespace tia {
 namespace {
 
-struct Turn {
+struct Rotation {
   double c, s;
-  explicit Turn(double degrees) : c(cos_degrees(degrees)), s(sin_degrees(degrees)) {}
+  explicit Rotation(double degrees) : c(cos_degrees(degrees)), s(sin_degrees(degrees)) {}
 };
 
 }  // namespace
 
 Affine Affine::rotation_degrees(const Vec3d& by) {
-  const Turn a(by.x), b(by.y), c(by.z);
+  const Rotation a(by.x), b(by.y), c(by.z);
   const Affine about_x{{1, 0, 0}, {0, a.c, a.s}, {0, -a.s, a.c}, {}};
   const Affine about_y{{b.c, 0, -b.s}, {0, 1, 0}, {b.s, 0, b.c}, {}};
   const Affine about_z{{c.c, c.s, 0}, {-c.s, c.c, 0}, {0, 0, 1}, {}};

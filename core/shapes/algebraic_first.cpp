@@ -10,8 +10,6 @@
 namespace tia {
 namespace {
 
-constexpr std::size_t most_coefficients = most_algebraic_degree + 1;
-
 // Rounded from about 2^53 on.
 constexpr auto pascals_triangle() {
   std::array<std::array<double, most_coefficients>, most_coefficients> rows{};

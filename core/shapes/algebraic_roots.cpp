@@ -9,8 +9,6 @@
 namespace tia {
 namespace {
 
-constexpr std::size_t most_coefficients = most_algebraic_degree + 1;
-
 // AlongLine: a Sum at origin + s direction, a polynomial in s; and the same with every number
 // replaced by its magnitude, which says how much its coefficients are rounded.
 class AlongLine {

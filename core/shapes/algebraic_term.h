@@ -11,6 +11,7 @@ namespace tia {
 
 /// The highest total degree i + j + k of a term.
 inline constexpr int most_algebraic_degree = 64;
+inline constexpr std::size_t most_coefficients = most_algebraic_degree + 1;
 
 /// AlgebraicTerm: coefficient * x^i y^j z^k. In JSON [i, j, k, coefficient].
 struct AlgebraicTerm {

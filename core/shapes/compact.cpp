@@ -9,8 +9,8 @@ namespace tia {
 namespace {
 
 // The sizes of the terms of each degree, summed.
-std::array<double, most_algebraic_degree + 1> sizes_of(const std::vector<AlgebraicTerm>& terms) {
-  std::array<double, most_algebraic_degree + 1> sizes{};
+std::array<double, most_coefficients> sizes_of(const std::vector<AlgebraicTerm>& terms) {
+  std::array<double, most_coefficients> sizes{};
   for (const AlgebraicTerm& term : terms)
     sizes[static_cast<std::size_t>(term.degree())] += std::fabs(term.coefficient);
   return sizes;
@@ -70,7 +70,7 @@ class Definite {
 
 // Beyond which size of its largest coordinate least * size^n outweighs all lower terms: by
 // Descartes' rule they are equal at one size alone.
-double outermost(const std::array<double, most_algebraic_degree + 1>& sizes, int n, double least) {
+double outermost(const std::array<double, most_coefficients>& sizes, int n, double least) {
   const auto outweighed = [&](double size) {
     double sum = 0, power = least;
     for (int k = n - 1; k >= 0; --k) {
