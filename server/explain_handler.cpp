@@ -89,7 +89,7 @@ Explanation explanation_of(const ExplainRequest& asked, const Service& service,
   return explain(*scene, std::move(world), view, *asked.x, *asked.y, asked.sample, options, stop);
 }
 
-ExplainRequest asked_in_body(const Request& request, Service& service) {
+ExplainRequest asked_of_body(const Request& request, Service& service) {
   const auto ticket = service.admission.read(request.body.size(), request.stop);
   const char* const what = "the parameters as a JSON object, such as {\"x\":320,\"y\":240}";
   return read_described<ExplainRequest>(body_json(request, what, service.config.json_limits()));
@@ -111,7 +111,7 @@ Response get_explain(const Request& request, const std::string&, Service& servic
 }
 
 Response post_explain(const Request& request, const std::string&, Service& service) {
-  return explained(asked_in_body(request, service), request, service);
+  return explained(asked_of_body(request, service), request, service);
 }
 
 }  // namespace tia::server

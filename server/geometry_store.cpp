@@ -10,7 +10,7 @@ namespace tia::server {
 namespace {
 
 // An entry's own, with its places in list and tables; a mesh's in its table.
-constexpr std::size_t entry_bytes = 256, mesh_bytes = 128;
+constexpr std::size_t geometry_entry_bytes = 256, mesh_bytes = 128;
 
 }  // namespace
 
@@ -51,7 +51,7 @@ SharedGeometry GeometryStore::build(const Scene& scene, const ObjectsDigest& dig
                                     const Workers& workers) {
   Meshes meshes(*this, digest);
   const auto made = std::make_shared<const Geometry>(geometry_of(scene, workers, std::ref(meshes)));
-  keep(digest.all, {made, {}, entry_bytes + bytes_of(*made)}, std::move(meshes.met()));
+  keep(digest.all, {made, {}, geometry_entry_bytes + bytes_of(*made)}, std::move(meshes.met()));
   return made;
 }
 

@@ -39,7 +39,7 @@ Address start_of(Address address, int prefix) {
   return address;
 }
 
-bool is_port(std::string_view text) {
+bool is_real_port(std::string_view text) {
   const auto port = bits_of(text, 65535);
   return port && *port > 0;
 }
@@ -63,7 +63,7 @@ std::optional<Origin> Origin::parse(const std::string& text) {
   if (colon == place.npos) return Origin{text};
   const std::string_view port = place.substr(colon + 1);
   const bool silent = port == (secure ? "443" : "80");  // which browsers leave out
-  return is_port(port) && !silent ? std::optional(Origin{text}) : std::nullopt;
+  return is_real_port(port) && !silent ? std::optional(Origin{text}) : std::nullopt;
 }
 
 std::optional<Network> Network::parse(const std::string& text) {

@@ -7,13 +7,13 @@
 namespace tia::server {
 namespace {
 
-constexpr std::size_t entry_bytes = 416;  // an entry's own, with its places in list and table
+constexpr std::size_t scene_entry_bytes = 416;  // an entry's own, with its places in list and table
 
 }  // namespace
 
 std::string SceneStore::keep(Scene scene) {
   const std::string id = sha256_hex(canonical_text(scene));
-  const std::size_t bytes = entry_bytes + bytes_of(scene);
+  const std::size_t bytes = scene_entry_bytes + bytes_of(scene);
   if (bytes > max_bytes_)
     throw InputError({FaultKind::limit, "",
                       Value("a scene of " + std::to_string(bytes) + " bytes in memory"),

@@ -55,12 +55,12 @@ struct Run {
   Extent box = Extent::nothing(), centers = Extent::nothing();
 };
 
-/// Scale: where centres fall among the bins of an axis.
-struct Scale {
+/// BinScale: where centres fall among the bins of an axis.
+struct BinScale {
   float low = 0, bins_per_length = 0;
   bool parts = false;  // whether it tells anything apart
 
-  Scale(const Extent& centers, std::size_t axis) : low(centers.least[axis]) {
+  BinScale(const Extent& centers, std::size_t axis) : low(centers.least[axis]) {
     bins_per_length = static_cast<float>(bins) / centers.size(axis);
     parts = centers.size(axis) > 0 && std::isfinite(bins_per_length) &&
             std::isfinite(centers.size(axis)) && std::isfinite(low);
@@ -70,9 +70,9 @@ struct Scale {
     return static_cast<std::size_t>(std::clamp(at, 0, bins - 1));
   }
 };
-using Scales = std::array<Scale, 3>;
+using Scales = std::array<BinScale, 3>;
 inline Scales scales_of(const Extent& centers) {
-  return {Scale(centers, 0), Scale(centers, 1), Scale(centers, 2)};
+  return {BinScale(centers, 0), BinScale(centers, 1), BinScale(centers, 2)};
 }
 
 /// Bins: what falls in each bin of each axis.

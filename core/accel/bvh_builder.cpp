@@ -11,10 +11,10 @@ namespace tia {
 namespace {
 
 using detail::Bins;
+using detail::BinScale;
 using detail::Eight;
 using detail::Extent;
 using detail::Run;
-using detail::Scale;
 using detail::Scales;
 using detail::Split;
 
@@ -157,7 +157,7 @@ class Builder {
   }
   // Nobody can foretell on which side the next one falls: each is written to both, without a
   // branch.
-  void part(const Run& run, const Split& split, const Scale& scale, Children& children) {
+  void part(const Run& run, const Split& split, const BinScale& scale, Children& children) {
     Extent* const list = &list_[run.first];
     Extent* const spare = &spare_[run.first];
     std::size_t low = 0, high = 0;

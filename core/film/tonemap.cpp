@@ -15,9 +15,9 @@ Real scaled(Real light) {
 }
 
 // Drops the fourth byte of each of four pixels.
-using Bytes [[gnu::vector_size(16)]] = std::uint8_t;
-void store_rgb(Bytes rgbx, std::uint8_t* to) {
-  const Bytes rgb =
+using FourPixels [[gnu::vector_size(16)]] = std::uint8_t;
+void store_rgb(FourPixels rgbx, std::uint8_t* to) {
+  const FourPixels rgb =
       __builtin_shufflevector(rgbx, rgbx, 0, 1, 2, 4, 5, 6, 8, 9, 10, 12, 13, 14, 0, 0, 0, 0);
   std::memcpy(to, &rgb, sizeof rgb);
 }
@@ -29,7 +29,7 @@ void develop_linear(const float* r, const float* g, const float* b, std::uint8_t
       return to_int(scaled(Wide::load_unaligned(plane + x)));
     };
     const WideInt rgbx = code(r) | (code(g) << 8) | (code(b) << 16);
-    std::array<Bytes, n / 4> pixels;
+    std::array<FourPixels, n / 4> pixels;
     std::memcpy(&pixels, &rgbx, sizeof pixels);
     for (std::size_t i = 0; i < n / 4; ++i) store_rgb(pixels[i], to + 3 * (x + 4 * i));
   }

@@ -13,7 +13,7 @@ constexpr std::string_view key = std::is_floating_point_v<T> ? "float32" : "uint
 
 // Base64 of whole 4-byte numbers: 16 digits are three of them; then one (the sixth digit has two
 // bits left), two (the eleventh four) or none.
-constexpr std::string_view pattern =
+constexpr std::string_view words_pattern =
     "^([A-Za-z0-9+/]{16})*([A-Za-z0-9+/]{5}[AQgw]==|[A-Za-z0-9+/]{10}[AEIMQUYcgkosw048]=)?$";
 
 template <class T>
@@ -124,7 +124,7 @@ Value Codec<Numbers<T>>::schema(const Spec& spec, Definitions& named) {
   using List = std::vector<typename Numbers<T>::Number>;
   const Value text = Value::Object{{"type", "string"},
                                    {"contentEncoding", "base64"},
-                                   {"pattern", pattern},
+                                   {"pattern", words_pattern},
                                    {"examples", Value::Array{"", "AAAAAA==", "AAAAAAEAAAACAAAA"}}};
   const Value typed = Value::Object{{"type", "object"},
                                     {"properties", Value::Object{{std::string(key<T>), text}}},

@@ -15,9 +15,9 @@ namespace {
 
 using Json = nlohmann::json;
 
-class Builder final : public nlohmann::json_sax<Json> {
+class ValueBuilder final : public nlohmann::json_sax<Json> {
  public:
-  explicit Builder(const JsonLimits& limits) : limits_(limits) {}
+  explicit ValueBuilder(const JsonLimits& limits) : limits_(limits) {}
 
   Value take() { return std::move(root_); }
 
@@ -124,7 +124,7 @@ class Builder final : public nlohmann::json_sax<Json> {
 Value parse_json(std::string_view text, const JsonLimits& limits) {
   if (text.find('\0') != text.npos)  // where the library would take the text for ended
     throw InputError({FaultKind::malformed, "", std::nullopt, "JSON text: no NUL byte"});
-  Builder builder(limits);
+  ValueBuilder builder(limits);
   Json::sax_parse(text.begin(), text.end(), &builder);
   return builder.take();
 }

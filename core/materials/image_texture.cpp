@@ -18,7 +18,7 @@ constexpr std::size_t most_digits = (most_picture_bytes + 2) / 3 * 4;
 constexpr std::string_view text_words = "a PNG or JPEG file in base64 (RFC 4648)";
 
 // Whole groups of four digits, the last padded, its unused bits 0.
-constexpr std::string_view pattern =
+constexpr std::string_view file_pattern =
     "^([A-Za-z0-9+/]{4})*([A-Za-z0-9+/][AQgw]==|[A-Za-z0-9+/]{2}[AEIMQUYcgkosw048]=)?$";
 // A PNG of one white pixel.
 constexpr std::string_view example =
@@ -82,7 +82,7 @@ void Codec<PictureFile>::read(const Value& v, const Place& at, const Spec&, Faul
 Value Codec<PictureFile>::schema(const Spec&) {
   return Value::Object{{"type", "string"},
                        {"contentEncoding", "base64"},
-                       {"pattern", pattern},
+                       {"pattern", file_pattern},
                        {"examples", Value::Array{example}}};
 }
 

@@ -1,5 +1,5 @@
 // BoxTree: boxes in a tree of eight children a node, walked along a line from near to far. Formulas
-// keep in it where their surface may be (implicit_cells.h, parametric_patches.h).
+// keep in it where their surface may be (field_cells.h, patches.h).
 #pragma once
 
 #include <algorithm>
@@ -30,6 +30,14 @@ struct BoxTree {
 };
 
 namespace detail {
+
+// What the making of a tree may take: the cost of all evaluations, each of eight pieces at once,
+// and levels, each of which halves three times.
+inline constexpr double most_tree_cost = 4e6;
+inline constexpr int most_tree_levels = 10;
+// A piece is flat enough, and parted no more, where its slopes differ from the middle ones by no
+// more than this part of them.
+inline constexpr double flat_enough = 0.2;
 
 /// Eight floats that are computed together, however many registers that takes.
 using EightFloats = Registers<FloatRegister, 8 / FloatRegister::size>;

@@ -12,15 +12,10 @@ using Box8 = std::array<Interval<Octet>, 3>;
 using Slopes = Dual<Interval<Octet>, 3>;
 
 constexpr std::size_t most_cells = 1 << 16;
-constexpr double most_cost = 4e6;  // of all evaluations, each of eight boxes at once
-constexpr int most_levels = 10;    // each halves three times
 // By what part of the whole region's size every box is walked beyond itself, and by twice that
 // proven: so neighbours overlap, a node by no more than its children, and rounding leads no line
 // out of what is proven.
 constexpr double walked_room = 0x1p-19;
-// A cell is flat enough where its slopes differ from the middle one by no more than this part of
-// it.
-constexpr double flat = 0.2;
 
 struct Pending {
   Aabb box;  // around the middle
@@ -66,7 +61,7 @@ bool beyond(const Region& region, const Aabb& box) {
 }
 
 /// What eight boxes hold of the field.
-struct Eight {
+struct EightBoxes {
   Octet low, high;     // f
   Octet value, error;  // f at the middles
   std::array<Octet, 3> slope, spread, reach;
@@ -100,7 +95,7 @@ class CellBuilder {
   void split(const Pending& from) {
     const std::array<Aabb, 8> parts = eighths(from.box);
     cost_ += field_.cost;
-    const Eight eight = proven(parts);
+    const EightBoxes eight = proven(parts);
     const unsigned some = bits(eight.where.some), whole = bits(eight.where.whole);
     const unsigned above = bits(eight.low > Octet(0)), below = bits(eight.high < Octet(0));
     // What is below 0 where it is defined and undefined elsewhere has an edge, for solids.
@@ -117,7 +112,7 @@ class CellBuilder {
   void put(const Aabb& box, const FieldCell& cell, const Pending& from, std::size_t i) {
     std::int32_t what = 0;
     const bool is_one = is_flat(cell);
-    if (is_one || from.level + 1 == most_levels || full()) {
+    if (is_one || from.level + 1 == detail::most_tree_levels || full()) {
       what = ~static_cast<std::int32_t>(all_.cells.size());
       all_.cells.push_back(cell);
       all_.flat += is_one ? 1 : 0;
@@ -131,21 +126,22 @@ class CellBuilder {
   bool full() const {
     const std::size_t to_come = 8 * (pending_.size() + 1);
     const double cost = cost_ + field_.cost * static_cast<double>(pending_.size() + 1);
-    return all_.cells.size() + to_come > most_cells || cost > most_cost;
+    return all_.cells.size() + to_come > most_cells || cost > detail::most_tree_cost;
   }
   static bool is_flat(const FieldCell& cell) {
     // Their squares might vanish or overflow.
     const Vec3d spread = static_cast<Vec3d>(cell.spread), g = cell.gradient;
     const double steepest = std::max({std::fabs(g.x), std::fabs(g.y), std::fabs(g.z)});
     const double scale = 1 / steepest;
-    return cell.smooth && steepest > 0 && length(spread * scale) <= flat * length(g * scale);
+    return cell.smooth && steepest > 0 &&
+           length(spread * scale) <= detail::flat_enough * length(g * scale);
   }
 
   // The field over boxes, by its own intervals and by those of its slopes around the middle.
-  Eight proven(const std::array<Aabb, 8>& parts) const {
+  EightBoxes proven(const std::array<Aabb, 8>& parts) const {
     std::array<Slopes, 3> variables;
     Box8 middles;
-    Eight eight;
+    EightBoxes eight;
     for (int axis = 0; axis < 3; ++axis) {
       std::array<double, 8> from, to, mid;
       for (std::size_t i = 0; i < 8; ++i) {
@@ -180,7 +176,7 @@ class CellBuilder {
     return eight;
   }
 
-  FieldCell cell_of(const Eight& eight, std::size_t lane_number, bool whole,
+  FieldCell cell_of(const EightBoxes& eight, std::size_t lane_number, bool whole,
                     const Aabb& box) const {
     const int i = static_cast<int>(lane_number);
     const auto of = [&](const std::array<Octet, 3>& each) {

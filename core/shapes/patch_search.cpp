@@ -9,9 +9,9 @@ namespace tia::detail {
 namespace {
 
 // What one line may take, in evaluations of eight patches: a patch a share of what is left, and
-// enough for a pole, until all
-// is spent.
-constexpr int most_eights = 400, patch_share = 4, least_eights = 16, last_eights = 1600;
+// enough for a pole, until all is spent.
+constexpr int most_evaluations = 400, patch_share = 4, least_evaluations = 16,
+              last_evaluations = 1600;
 // A patch that is parted no further, as a share of the whole domain's sides, or of the whole
 // surface's size: at a pole any u is the same point.
 constexpr double least_share = 0x1p-30, least_size = 0x1p-36;
@@ -181,8 +181,9 @@ void PatchSearch::solve(const SurfacePatch& patch, const Projected& p) {
 void PatchSearch::accept_alone(double t) { accept(t, {t, t, alone}); }
 
 void PatchSearch::part(const SurfacePatch& patch) {
-  if (eights_ >= last_eights) return accept(patch);
-  const int most = eights_ + std::max(least_eights, (most_eights - eights_) / patch_share);
+  if (eights_ >= last_evaluations) return accept(patch);
+  const int most =
+      eights_ + std::max(least_evaluations, (most_evaluations - eights_) / patch_share);
   thread_local std::vector<SurfacePiece> waiting;
   waiting.clear();
   part_once(patch, waiting);

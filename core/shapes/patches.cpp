@@ -8,14 +8,10 @@ namespace tia {
 namespace {
 
 constexpr std::size_t most_patches = 1 << 15;
-constexpr double most_cost = 4e6;  // of all evaluations, each of eight rectangles at once
-constexpr int most_levels = 10;    // each halves three times
-// Flat enough is a patch whose slopes differ from the middle ones by no more than this part.
-constexpr double flat = 0.2;
 // Small enough is one of this part of the whole, flat or not, such as at a pole.
 constexpr double smallest = 0x1p-14;
 
-using Slopes = Dual<Interval<Octet>, 2>;
+using PatchSlopes = Dual<Interval<Octet>, 2>;
 
 double square(const Vec3d& v) { return dot(v, v); }
 double longest(const Aabb& box) {
@@ -27,7 +23,7 @@ double longest(const Aabb& box) {
 struct Coordinate {
   Octet low, high, middle, by_u, by_v, spread_u, spread_v;
 
-  Coordinate(const Slopes& over, const Interval<Octet>& at, const Octet& half_u,
+  Coordinate(const PatchSlopes& over, const Interval<Octet>& at, const Octet& half_u,
              const Octet& half_v, const OctetMask& smooth) {
     middle = at.middle();
     by_u = over.slope[0].middle();
@@ -97,7 +93,7 @@ class PatchBuilder {
       if (!pieces[i].box.empty()) put(pieces[i], from, i);
   }
   void put(const SurfacePiece& piece, const Pending& from, std::size_t i) {
-    const bool last = from.level + 1 == most_levels || full();
+    const bool last = from.level + 1 == detail::most_tree_levels || full();
     const bool bounded = piece.box.bounded();
     if (last && !bounded) return;
     Node& node = nodes_[from.node];
@@ -115,15 +111,16 @@ class PatchBuilder {
   bool full() const {
     const std::size_t to_come = 8 * (pending_.size() + 1);
     const double cost = cost_ + surface_.cost * static_cast<double>(pending_.size() + 1);
-    return patches_.size() + to_come > most_patches || cost > most_cost;
+    return patches_.size() + to_come > most_patches || cost > detail::most_tree_cost;
   }
   bool small_enough(const SurfacePiece& piece) const {
     const SurfacePatch& p = piece.patch;
     if (longest(piece.box) <= smallest * size_) return true;
     // Nor may the two slopes be nearly one.
+    constexpr double most = detail::flat_enough * detail::flat_enough;
     const double area = square(cross(p.by_u, p.by_v));
-    return p.smooth && square(p.spread_u) <= flat * flat * square(p.by_u) &&
-           square(p.spread_v) <= flat * flat * square(p.by_v) &&
+    return p.smooth && square(p.spread_u) <= most * square(p.by_u) &&
+           square(p.spread_v) <= most * square(p.by_v) &&
            area > 0.05 * square(p.by_u) * square(p.by_v);
   }
 
@@ -178,10 +175,10 @@ std::array<SurfacePiece, 8> pieces_of(const Program& surface,
   const I* const slots = run(surface, at.data(), in_the_middle);
   std::array<I, 3> middles;
   for (std::size_t k = 0; k < 3; ++k) middles[k] = slots[surface.results[k]];
-  const std::array<Slopes, 2> box{
-      Slopes::variable(interval::outwards(Octet(u - half_u), Octet(u + half_u)), 0),
-      Slopes::variable(interval::outwards(Octet(v - half_v), Octet(v + half_v)), 1)};
-  const Slopes* const over = run(surface, box.data(), everywhere);
+  const std::array<PatchSlopes, 2> box{
+      PatchSlopes::variable(interval::outwards(Octet(u - half_u), Octet(u + half_u)), 0),
+      PatchSlopes::variable(interval::outwards(Octet(v - half_v), Octet(v + half_v)), 1)};
+  const PatchSlopes* const over = run(surface, box.data(), everywhere);
   const OctetMask smooth = everywhere.whole && in_the_middle.whole;
   const auto coordinate = [&](std::size_t k) {
     return Coordinate(over[surface.results[k]], middles[k], half_u, half_v, smooth);

@@ -6,7 +6,7 @@
 namespace tia::server {
 namespace {
 
-bool is_port(std::string_view text) {
+bool has_form_of_port(std::string_view text) {
   return !text.empty() && text.size() <= 5 && text.find_first_not_of("0123456789") == text.npos;
 }
 
@@ -30,7 +30,7 @@ std::string_view address_in(std::string_view text) {
   const std::size_t end = text.find_last_of("]:");
   if (end == text.npos) return {};
   const bool has_port = text[end] == ':';
-  if (has_port && !is_port(text.substr(end + 1))) return {};
+  if (has_port && !has_form_of_port(text.substr(end + 1))) return {};
   if (!has_port && end + 1 < text.size()) return {};
   const std::string_view host = text.substr(0, has_port ? end : end + 1);
   if (is_v4(host)) return host;
