@@ -13,9 +13,10 @@ void Scanlines::filter(int y) {
   std::size_t end = row_bytes() - 1;
   for (; end >= chunk + pixel; end -= chunk) {
     std::uint8_t* const to = row + end - chunk;
+    const std::uint8_t* const before = to - pixel;
     std::array<std::uint8_t, chunk> differences;
     for (std::size_t i = 0; i < chunk; ++i)
-      differences[i] = static_cast<std::uint8_t>(to[i] - to[i - pixel]);
+      differences[i] = static_cast<std::uint8_t>(to[i] - before[i]);
     for (std::size_t i = 0; i < chunk; ++i) to[i] = differences[i];
   }
   for (; end > pixel; --end)

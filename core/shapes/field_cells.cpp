@@ -11,7 +11,7 @@ namespace {
 using Box8 = std::array<Interval<Octet>, 3>;
 using Slopes = Dual<Interval<Octet>, 3>;
 
-constexpr std::size_t most_cells = 1 << 16;
+constexpr std::size_t most_field_cells = 1 << 16;
 // By what part of the whole region's size every box is walked beyond itself, and by twice that
 // proven: so neighbours overlap, a node by no more than its children, and rounding leads no line
 // out of what is proven.
@@ -126,7 +126,7 @@ class CellBuilder {
   bool full() const {
     const std::size_t to_come = 8 * (pending_.size() + 1);
     const double cost = cost_ + field_.cost * static_cast<double>(pending_.size() + 1);
-    return all_.cells.size() + to_come > most_cells || cost > detail::most_tree_cost;
+    return all_.cells.size() + to_come > most_field_cells || cost > detail::most_tree_cost;
   }
   static bool is_flat(const FieldCell& cell) {
     // Their squares might vanish or overflow.

@@ -8,7 +8,8 @@ namespace tia::test {
 /// Ellipsoids along the axes, written as a formula.
 template <>
 struct Specimen<Implicit> {
-  static constexpr bool convex = true, searches = true;
+  static constexpr bool convex = true, rounds_at_start = true;
+  static constexpr int share = 50;
   static Implicit make(Random& random, double scale) {
     const Vec3d c = random.point(3) * scale;
     const auto half = [&] { return random.in(0.4, 2) * scale; };
@@ -40,7 +41,8 @@ struct Specimen<Implicit> {
 /// Hills that are solid below, paraboloids, within bounds that no test's march comes to.
 template <>
 struct Specimen<Explicit> {
-  static constexpr bool convex = true, searches = true;
+  static constexpr bool convex = true, rounds_at_start = true;
+  static constexpr int share = 50;
   static Explicit make(Random& random, double scale) {
     const Vec3d top = random.point(3) * scale;
     const double steep = random.in(0.2, 1) / scale, size = random.in(0.5, 2) * scale;
@@ -62,7 +64,8 @@ struct Specimen<Explicit> {
 /// Tori by two angles, with two seams.
 template <>
 struct Specimen<Parametric> {
-  static constexpr bool convex = false, searches = true;
+  static constexpr bool convex = false, rounds_at_start = true;
+  static constexpr int share = 50;
   static Parametric make(Random& random, double scale) {
     const Vec3d c = random.point(3) * scale;
     const double r = random.in(0.6, 2) * scale, s = r * random.in(0.3, 0.7);
@@ -87,7 +90,8 @@ struct Specimen<Parametric> {
 /// Two balls that have grown together: their distances joined as Blend's comment says.
 template <>
 struct Specimen<Blend> {
-  static constexpr bool convex = false, searches = true, dear = true;
+  static constexpr bool convex = false, rounds_at_start = true;
+  static constexpr int share = 100;
   static Blend make(Random& random, double scale) {
     Blend blend;
     blend.radius = random.in(0.1, 0.6) * scale;

@@ -25,7 +25,8 @@ struct Reach {
 ///   convex    whether it lies on one side of each of its tangent planes
 /// and where they apply:
 ///   fixed_size  it has no length of its own to scale: make takes no notice of scale
-///   searches    its roots are searched for from where a ray starts, and rounded accordingly
+///   rounds_at_start  its roots are searched for from where a ray starts, and rounded accordingly
+///   share       of the contract's rounds a share of this many, where a member is costly to compile
 ///   regular     whether a point is clear of the surface's singular ones: there roots are multiple
 ///               and lose digits, and normals mean nothing
 template <class S>
@@ -252,7 +253,7 @@ struct Specimen<Quadric> {
 /// Superellipsoids around the origin: (x / a)^4 + (y / b)^4 + (z / c)^4 = 1.
 template <>
 struct Specimen<Algebraic> {
-  static constexpr bool convex = true, searches = true;
+  static constexpr bool convex = true, rounds_at_start = true;
   static Algebraic make(Random& random, double scale) {
     const auto fourth = [&] {
       const double half = random.in(0.5, 2) * scale;
@@ -299,7 +300,7 @@ inline Slope cubed(const Slope& a) { return a * a * a; }
 /// What the specimens of named surfaces share: Left::of is the left side of the equation.
 template <class S, class Left>
 struct Classic {
-  static constexpr bool convex = false, fixed_size = true, searches = true;
+  static constexpr bool convex = false, fixed_size = true, rounds_at_start = true;
   static S make(Random&, double) { return {}; }
   static Reach reach(const S&) { return {{}, Left::radius}; }
   static double distance(const S& s, const Vec3d& p) {

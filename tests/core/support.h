@@ -2,6 +2,7 @@
 // its picture. No expectation lives here.
 #pragma once
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -36,6 +37,9 @@ namespace tia::test {
 
 /// Whether the library that is tested has its addresses watched, which takes ten times as long.
 inline bool watched() { return __asan_init != nullptr; }
+
+/// So many rounds of a test, or a share of them where the library's addresses are watched.
+inline int rounds(int n, int share = 20) { return watched() ? std::max(1, n / share) : n; }
 
 /// Random numbers that are the same on every machine: the generator's bits are fixed by the
 /// standard, the distributions here by us; draw no two in one expression without an order.

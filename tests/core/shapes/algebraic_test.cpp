@@ -169,7 +169,7 @@ TEST(Algebraic, QuarticIsMetLikeTheTorus) {
 TEST(Algebraic, SecondDegreeIsMetLikeTheQuadricAloneAndClipped) {
   Random random(102);
   int seen = 0;
-  for (int i = 0; i < 60; ++i) {
+  for (int i = 0; i < 200; ++i) {
     std::array<double, 10> k{};
     for (double& each : k) each = random.in(-1, 1);
     const Poly parts[] = {x2, y2, z2, x * y, x * z, y * z, x, y, z, 1};
@@ -190,7 +190,7 @@ TEST(Algebraic, SecondDegreeIsMetLikeTheQuadricAloneAndClipped) {
       seen += static_cast<int>(all.size());
     }
   }
-  EXPECT_GT(seen, 150);
+  EXPECT_GT(seen, 500);
 }
 
 // ---- the surfaces of the books --------------------------------------------------------------
@@ -230,10 +230,10 @@ TEST(Algebraic, FamousSurfacesAreMetWhereTheirSumChangesSign) {
 
 TEST(Algebraic, RandomSurfacesOfEveryDegreeAreMetWhereTheirSumChangesSign) {
   Random random(104);
-  for (int degree = 1; degree <= 12; degree += degree < 4 ? 1 : 4) {
+  for (int degree = 1; degree <= 12; ++degree) {
     int seen = 0;
     for (const double s : scales) {
-      {
+      for (int i = 0; i < 3; ++i) {
         Poly f(random.in(-0.5, 0.5));
         f.c[{degree, 0, 0}] = random.in(-1, 1);
         for (int n = 0; n < 12; ++n) {
@@ -243,7 +243,7 @@ TEST(Algebraic, RandomSurfacesOfEveryDegreeAreMetWhereTheirSumChangesSign) {
         seen += expect_clipped(f, 1.5, s, random, 10);
       }
     }
-    EXPECT_GT(seen, 5) << "degree " << degree;
+    EXPECT_GT(seen, 20) << "degree " << degree;
   }
 }
 

@@ -30,7 +30,7 @@ std::vector<double> crossings_of(const FieldForm& form, const Vec3d& from, const
 // Two walls at right angles, x <= 0 and y <= 0: the round is the circle of radius r around (r, r).
 TEST(Blend, TwoWallsAtRightAnglesAreJoinedByAQuarterOfACircle) {
   Random random(1);
-  for (int i = 0; i < 20; ++i) {
+  for (int i = 0; i < rounds(20); ++i) {
     const double r = random.in(0.05, 1.5);
     const Box floor{{-4, -4, -4}, {0, 4, 4}}, wall{{-4, -4, -4}, {4, 0, 4}};
     const FieldForm form = prepare(blend_of(Operation::union_, r, {placed(floor), placed(wall)}));
@@ -50,7 +50,7 @@ TEST(Blend, TwoWallsAtRightAnglesAreJoinedByAQuarterOfACircle) {
 // What is left of the block x, y <= 0 has its edge rounded within: the circle around (-r, -r).
 TEST(Blend, AnIntersectionRoundsItsEdgeOff) {
   Random random(2);
-  for (int i = 0; i < 20; ++i) {
+  for (int i = 0; i < rounds(20); ++i) {
     const double r = random.in(0.05, 1.5);
     const Box floor{{-4, -4, -4}, {0, 4, 4}}, wall{{-4, -4, -4}, {4, 0, 4}};
     const FieldForm form =
@@ -65,7 +65,7 @@ TEST(Blend, AnIntersectionRoundsItsEdgeOff) {
 
 TEST(Blend, FarFromTheOthersAChildIsItself) {
   Random random(3);
-  for (int i = 0; i < 12; ++i) {
+  for (int i = 0; i < rounds(12); ++i) {
     const Sphere one{{-3, 0, 0}, random.in(0.3, 1)}, other{{3, 0, 0}, random.in(0.3, 1)};
     const FieldForm form =
         prepare(blend_of(Operation::union_, random.in(0.1, 1), {placed(one), placed(other)}));
@@ -85,7 +85,7 @@ TEST(Blend, FarFromTheOthersAChildIsItself) {
 // Ball and ball with a radius of 0: the boundaries are those of csg.
 TEST(Blend, WithoutARadiusItIsCsg) {
   Random random(4);
-  for (int i = 0; i < 12; ++i) {
+  for (int i = 0; i < rounds(12); ++i) {
     const Sphere a{random.point(0.6), random.in(0.5, 1)}, b{random.point(0.6), random.in(0.5, 1)};
     for (const Operation operation :
          {Operation::union_, Operation::intersection, Operation::difference}) {
@@ -111,7 +111,7 @@ TEST(Blend, WithoutARadiusItIsCsg) {
 // The length of the vector of depths knows no order.
 TEST(Blend, ManyChildrenJoinInAnyOrder) {
   Random random(5);
-  for (int i = 0; i < 6; ++i) {
+  for (int i = 0; i < rounds(6); ++i) {
     std::vector<Blended> children;
     for (int k = 0; k < 4; ++k) {
       const Vec3d center = random.point(0.8);
@@ -138,7 +138,7 @@ void expect_itself(const Kind& kind, Random& random) {
                {placed(kind, {Scale{scale}, RotateDegrees{{20, 30, 40}}, Translate{moved}})}));
   const Affine place =
       Placement{{Scale{scale}, RotateDegrees{{20, 30, 40}}, Translate{moved}}}.affine();
-  for (int i = 0; i < 30; ++i) {
+  for (int i = 0; i < rounds(30); ++i) {
     const Vec3d from = random.vector(4, 6), d = normalize(random.point(0.8) - from);
     std::vector<double> expected;
     crossings(own, Line{from, d}, [&](double at, int) { expected.push_back(at * scale); });

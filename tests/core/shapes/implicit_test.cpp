@@ -17,7 +17,7 @@ using namespace test;
 template <class A, class B>
 int expect_same_roots(const A& a, const B& b, const Vec3d& center, double size, Random& random) {
   int roots = 0;
-  for (int i = 0; i < 100; ++i) {
+  for (int i = 0; i < rounds(100); ++i) {
     const SceneLine line = line_near(random, center, size);
     std::vector<double> expected = roots_along(b, line);
     const double pace = length(line.direction);
@@ -34,7 +34,7 @@ int expect_same_roots(const A& a, const B& b, const Vec3d& center, double size, 
 TEST(Implicit, SphereIsTheSphere) {
   Random random(1);
   int roots = 0;
-  for (int i = 0; i < 60; ++i) {
+  for (int i = 0; i < rounds(60); ++i) {
     const double scale = std::ldexp(1.0, random.below(41) - 20);
     const Vec3d c = random.point(3) * scale;
     const double r = random.in(0.2, 2) * scale;
@@ -43,33 +43,33 @@ TEST(Implicit, SphereIsTheSphere) {
                                {{"a", c.x}, {"b", c.y}, {"c", c.z}, {"r", r}});
     roots += expect_same_roots(form, Sphere{c, r}, c, r, random);
   }
-  EXPECT_GT(roots, 6000);
+  EXPECT_GT(roots, rounds(6000, 500));
 }
 
 TEST(Implicit, EllipsoidIsTheQuadric) {
   Random random(2);
   int roots = 0;
-  for (int i = 0; i < 20; ++i) {
+  for (int i = 0; i < rounds(20); ++i) {
     const double a = random.in(0.3, 2), b = random.in(0.3, 2), c = random.in(0.3, 2);
     const Parameters halves{{"a", a}, {"b", b}, {"c", c}};
     const auto form = implicit("(x/a)^2 + (y/b)^2 + (z/c)^2 - 1", cube_of(2.1), halves);
     const Quadric quadric{{1 / (a * a), 1 / (b * b), 1 / (c * c), 0, 0, 0, 0, 0, 0, -1}, {}};
     roots += expect_same_roots(form, prepare(quadric), {}, 2, random);
   }
-  EXPECT_GT(roots, 1000);
+  EXPECT_GT(roots, rounds(1000, 500));
 }
 
 TEST(Implicit, TorusIsTheTorus) {
   Random random(3);
   int roots = 0;
-  for (int i = 0; i < 20; ++i) {
+  for (int i = 0; i < rounds(20); ++i) {
     const double major = random.in(0.5, 2), minor = major * random.in(0.1, 0.9);
     const std::string text = random.chance(0.5) ? "(sqrt(x^2+z^2)-a)^2 + y^2 - b^2"
                                                 : "(x^2+y^2+z^2+a^2-b^2)^2 - 4*a^2*(x^2+z^2)";
     const auto form = implicit(text, cube_of(major + 1.1 * minor), {{"a", major}, {"b", minor}});
     roots += expect_same_roots(form, prepare(Torus{major, minor}), {}, major + minor, random);
   }
-  EXPECT_GT(roots, 1500);
+  EXPECT_GT(roots, rounds(1500, 500));
 }
 
 TEST(Implicit, FactorsMoveNoRoot) {
@@ -115,19 +115,19 @@ TEST(Implicit, FlatBoundsAreSearchedAsWell) {
 TEST(Implicit, SmallBallInALongBoxKeepsItsShape) {
   Random random(11);
   int roots = 0;
-  for (int i = 0; i < 5; ++i) {
+  for (int i = 0; i < rounds(5); ++i) {
     const Vec3d c{random.in(0.6e6, 1e6), 0, 0};
     const double r = random.in(0.05, 0.5);
     const auto form = implicit("sqrt((x-a)^2+y^2+z^2)-r", box_of({-1e6, -1, -1}, {1e6, 1, 1}),
                                {{"a", c.x}, {"r", r}});
-    for (int k = 0; k < 40; ++k) {
+    for (int k = 0; k < rounds(40, 5); ++k) {
       const Vec3d target = c + random.vector(0, 0.9 * r), d = random.direction();
       const SceneLine line{target - d * 3.0, d};
       expect_near(roots_along(form, line), roots_along(Sphere{c, r}, line), 1e-7);
       roots += 2;
     }
   }
-  EXPECT_GT(roots, 300);
+  EXPECT_GT(roots, rounds(300, 30));
 }
 
 // ---- double roots, thin sheets ---------------------------------------------------------------

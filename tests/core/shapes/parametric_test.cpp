@@ -79,7 +79,7 @@ TEST(Parametric, SeamsAndPolesHaveNoCracks) {
   const ParametricForm form = prepare(sphere);
   int missed = 0, doubled = 0;
   std::int64_t most = 0;
-  for (int i = 0; i < 10'000; ++i) {
+  for (int i = 0; i < rounds(10'000); ++i) {
     const double v = random.in(-pi / 2, pi / 2);
     // The seam is where u is pi; patches meet at its eighths, too.
     const double u = pi * random.below(9) / 4 - pi;
@@ -172,7 +172,7 @@ TEST(Parametric, HitsAreAsManyAsTrianglesAreMet) {
   for (const Known& known : surfaces()) {
     const ParametricForm form = prepare(known.surface);
     int unlike = 0, hits = 0;
-    for (int i = 0; i < 150; ++i) {
+    for (int i = 0; i < rounds(150, 10); ++i) {
       const Vec3d origin = random.vector(2, 4), target = random.point(0.9);
       const SceneLine line{origin, normalize(target - origin)};
       const int own = static_cast<int>(crossings_along(form, line).size());
@@ -181,7 +181,7 @@ TEST(Parametric, HitsAreAsManyAsTrianglesAreMet) {
     }
     // Near a silhouette the triangles may be wrong.
     EXPECT_LE(unlike, 2) << known.name;
-    EXPECT_GT(hits, 60) << known.name;
+    EXPECT_GT(hits, rounds(60)) << known.name;
   }
 }
 
@@ -190,7 +190,7 @@ TEST(Parametric, HitPointsAreTheSurfaceAtTheirUv) {
   for (const Known& known : surfaces()) {
     const ParametricForm form = prepare(known.surface);
     const auto &u = known.surface.u, &v = known.surface.v;
-    for (int i = 0; i < 2000; ++i) {
+    for (int i = 0; i < rounds(2000); ++i) {
       const Vec3d origin = random.vector(2, 4), target = random.point(0.9);
       const SceneLine line{origin, normalize(target - origin)};
       for (const Crossing& each : crossings_along(form, line)) {
