@@ -66,13 +66,13 @@ build() {
 fixed_addresses=()
 if setarch -R true 2>/dev/null; then fixed_addresses=(setarch -R); fi
 
-# googletest PRESET PROGRAM [FILTER]: as many shares of the tests at once as there are processors.
+# googletest PRESET PROGRAM: as many shares of the tests at once as there are processors.
 googletest() {
   local shards shard total good skipped
   shards=$(nproc)
   title "$1 $2"
   for ((shard = 0; shard < shards; ++shard)); do
-    GTEST_FILTER=${3:-*} GTEST_TOTAL_SHARDS=$shards GTEST_SHARD_INDEX=$shard timeout 600 \
+    GTEST_TOTAL_SHARDS=$shards GTEST_SHARD_INDEX=$shard timeout 600 \
       "${fixed_addresses[@]}" "build/$1/tests/$2" > "$scratch/shard$shard" 2>&1 &
     running[shard]=$!
   done
@@ -143,13 +143,13 @@ old_processor() {
   if cmp "$scratch/old.png" "$scratch/new.png"; then pass; else fail "old processor: same bytes"; fi
 }
 
-# fuzz: each fuzzer for FUZZ_SECONDS, from the seeds on. What breaks it stays in build/fuzz.
+# fuzz: each fuzzer for FUZZ_SECONDS, from the seeds on. What breaks it stays in build/asan.
 fuzz() {
   local name
   for name in request scene query; do
     mkdir -p "$scratch/$name"
-    run "fuzz $name" "build/fuzz/tests/${name}_fuzz" -max_total_time="${FUZZ_SECONDS:-10}" \
-      -max_len=4096 -timeout=5 -rss_limit_mb=2048 -verbosity=0 -artifact_prefix=build/fuzz/ \
+    run "fuzz $name" "build/asan/tests/${name}_fuzz" -max_total_time="${FUZZ_SECONDS:-10}" \
+      -max_len=4096 -timeout=5 -rss_limit_mb=2048 -verbosity=0 -artifact_prefix=build/asan/ \
       "$scratch/$name" "tests/fuzz/corpus/$name"
     if [ "$status" = 0 ]; then pass; else fail "fuzz $name"; fi
   done
@@ -186,18 +186,15 @@ if build portable -DTIA_WERROR=ON -- tia && [ $release = yes ]; then
     old_processor
   fi
 fi
-# Whose subject is numbers, by the million: the contract of shapes leads through the same code.
-numbers_apart='-Implicit*:Explicit*:Blend*:Parametric*:Interval*'
 # The tests of core are those that release has compiled: what they watch is core.
-if build asan -DTIA_core_tests_OF="$ROOT/build/release" -- core_tests server_tests; then
-  googletest asan core_tests "$numbers_apart"
+if build asan -DTIA_core_tests_OF="$ROOT/build/release" -- core_tests server_tests \
+  request_fuzz scene_fuzz query_fuzz; then
+  googletest asan core_tests
   googletest asan server_tests
+  fuzz
 fi
 if build tsan -- server_tests; then
   googletest tsan server_tests
-fi
-if build fuzz -- request_fuzz scene_fuzz query_fuzz; then
-  fuzz
 fi
 
 title "done"
