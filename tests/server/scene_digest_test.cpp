@@ -6,7 +6,7 @@
 #include "core/film/png.h"
 #include "core/scene/read_scene.h"
 #include "tests/core/film/files.h"
-#include "tests/core/schema_corpus.h"
+#include "tests/core/schema/corpus.h"
 #include "tests/server/support.h"
 
 namespace tia::test {

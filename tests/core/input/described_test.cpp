@@ -5,7 +5,7 @@
 #include "core/input/numbers.h"
 #include "core/input/placement.h"
 #include "tests/core/faults.h"
-#include "tests/core/schema_corpus.h"
+#include "tests/core/schema/corpus.h"
 
 namespace tia {
 namespace {

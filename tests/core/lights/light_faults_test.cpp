@@ -6,7 +6,7 @@
 
 #include "core/scene/read_scene.h"
 #include "tests/core/faults.h"
-#include "tests/core/schema_corpus.h"
+#include "tests/core/schema/corpus.h"
 
 namespace tia {
 namespace {

@@ -4,7 +4,7 @@
 #include "core/scene/read_scene.h"
 #include "tests/core/film/files.h"
 #include "tests/core/materials/textures.h"
-#include "tests/core/schema_corpus.h"
+#include "tests/core/schema/corpus.h"
 
 namespace tia {
 namespace {

@@ -1,7 +1,7 @@
 // How textures stand in JSON: round trips, faults, the schema against the reader.
 #include "core/materials/material.h"
 #include "tests/core/materials/textures.h"
-#include "tests/core/schema_corpus.h"
+#include "tests/core/schema/corpus.h"
 
 namespace tia {
 namespace {

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "core/scene/read_scene.h"
-#include "tests/core/schema_corpus.h"
+#include "tests/core/schema/corpus.h"
 
 namespace tia {
 namespace {
