@@ -51,7 +51,7 @@ void expect_an_answer(const Request& request) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view bytes(reinterpret_cast<const char*>(data), size);
   const test::ReadOut whole = test::read_whole(bytes, most_body);
-  must(test::read_pieces(test::bytes_of(bytes), most_body) == whole);
+  must(test::read_pieces(test::single_bytes(bytes), most_body) == whole);
   std::mt19937 random(static_cast<unsigned>(std::hash<std::string_view>{}(bytes)));
   for (int i = 0; i < 4; ++i)
     must(test::read_pieces(test::random_pieces(bytes, random), most_body) == whole);

@@ -121,25 +121,25 @@ TEST(ChooseFormat, RefusesWhoAcceptsNone) {
 }
 
 constexpr const char* pfm_type = "image/x-portable-floatmap";
-constexpr const char* small = "/render?width=8&height=8";
+constexpr const char* small_render = "/render?width=8&height=8";
 
 TEST(AcceptOfRender, GivesThePictureThatTheFormatWouldForGetHeadAndPost) {
   const Headers headers{{"Accept", pfm_type}};
-  const std::string pfm = host().get(std::string(small) + "&format=pfm").body;
-  const Response get = host().get(small, headers);
+  const std::string pfm = host().get(std::string(small_render) + "&format=pfm").body;
+  const Response get = host().get(small_render, headers);
   const Response post = host().ask("POST", "/render", R"({"width":8,"height":8})", headers);
   EXPECT_EQ(get.content_type, pfm_type);
   EXPECT_TRUE(get.body == pfm);
   EXPECT_TRUE(post.body == pfm);
-  EXPECT_EQ(host().ask("HEAD", small, "", headers).content_type, pfm_type);
+  EXPECT_EQ(host().ask("HEAD", small_render, "", headers).content_type, pfm_type);
   for (const char* accept : {"", "*/*", "image/png"})
-    EXPECT_EQ(host().get(small, {{"Accept", accept}}).content_type, "image/png") << accept;
+    EXPECT_EQ(host().get(small_render, {{"Accept", accept}}).content_type, "image/png") << accept;
 }
 
 TEST(AcceptOfRender, VariesTheAnswerOnlyWhereNoFormatIsAskedFor) {
-  EXPECT_EQ(header(host().get(small), "Vary"), "Accept");
-  EXPECT_EQ(header(host().head(small), "Vary"), "Accept");
-  const std::string asked = std::string(small) + "&format=png";
+  EXPECT_EQ(header(host().get(small_render), "Vary"), "Accept");
+  EXPECT_EQ(header(host().head(small_render), "Vary"), "Accept");
+  const std::string asked = std::string(small_render) + "&format=png";
   EXPECT_FALSE(header(host().get(asked), "Vary"));
   EXPECT_EQ(host().get(asked, {{"Accept", pfm_type}}).content_type, "image/png");
 }

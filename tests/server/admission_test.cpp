@@ -10,8 +10,8 @@
 namespace tia::test {
 namespace {
 
-constexpr double light = 1, heavy = 2.0 * Admission::most_light_rays;
-constexpr std::int64_t many = Admission::most_light_rays + 1;
+constexpr double light_rays = 1, heavy_rays = 2.0 * Admission::most_light_rays;
+constexpr std::int64_t many_rays = Admission::most_light_rays + 1;
 using Ticket = Admission::Ticket;
 
 /// Someone who enters on a thread of their own.
@@ -44,10 +44,10 @@ void wait_until_waiting(const Admission& admission, int count) {
 
 TEST(Admission, LetsInAsManyAsThereAreTickets) {
   Admission admission(3);
-  Guest a(admission, light), b(admission, light), c(admission, light);
+  Guest a(admission, light_rays), b(admission, light_rays), c(admission, light_rays);
   EXPECT_TRUE(a.gets_in() && b.gets_in() && c.gets_in());
   EXPECT_EQ(admission.at_work(), 3);
-  Guest d(admission, light);
+  Guest d(admission, light_rays);
   wait_until_waiting(admission, 1);
   EXPECT_FALSE(d.is_in(milliseconds(20)));
   b.leave();
@@ -58,11 +58,11 @@ TEST(Admission, LetsInAsManyAsThereAreTickets) {
 
 TEST(Admission, HeavyWorkLeavesRoomForLight) {
   Admission admission(4);
-  Guest a(admission, heavy), b(admission, heavy);
+  Guest a(admission, heavy_rays), b(admission, heavy_rays);
   ASSERT_TRUE(a.gets_in() && b.gets_in());
-  Guest c(admission, heavy);
+  Guest c(admission, heavy_rays);
   wait_until_waiting(admission, 1);
-  Guest small(admission, light);
+  Guest small(admission, light_rays);
   EXPECT_TRUE(small.gets_in());  // past the heavy one that waits
   EXPECT_FALSE(c.is_in());
   a.leave();
@@ -71,11 +71,11 @@ TEST(Admission, HeavyWorkLeavesRoomForLight) {
 
 TEST(Admission, OfThoseThatWaitLightGoesFirst) {
   Admission admission(2);
-  Guest poster(admission, heavy), small(admission, light);
+  Guest poster(admission, heavy_rays), small(admission, light_rays);
   ASSERT_TRUE(poster.gets_in() && small.gets_in());
-  Guest later_poster(admission, heavy);
+  Guest later_poster(admission, heavy_rays);
   wait_until_waiting(admission, 1);
-  Guest later_small(admission, light);
+  Guest later_small(admission, light_rays);
   wait_until_waiting(admission, 2);
   small.leave();
   EXPECT_TRUE(later_small.gets_in());
@@ -86,11 +86,11 @@ TEST(Admission, OfThoseThatWaitLightGoesFirst) {
 
 TEST(Admission, AStreamOfLightWorkDoesNotKeepHeavyWorkOut) {
   Admission admission(2);
-  Guest a(admission, light), b(admission, light);
+  Guest a(admission, light_rays), b(admission, light_rays);
   ASSERT_TRUE(a.gets_in() && b.gets_in());
-  Guest small(admission, light);
+  Guest small(admission, light_rays);
   wait_until_waiting(admission, 1);
-  Guest poster(admission, heavy);
+  Guest poster(admission, heavy_rays);
   wait_until_waiting(admission, 2);
   a.leave();
   EXPECT_TRUE(poster.gets_in());  // as none of its kind is at work
@@ -101,11 +101,11 @@ TEST(Admission, AStreamOfLightWorkDoesNotKeepHeavyWorkOut) {
 
 TEST(Admission, WhoComesFirstGoesFirst) {
   Admission admission(1);
-  Guest inside(admission, light);
+  Guest inside(admission, light_rays);
   ASSERT_TRUE(inside.gets_in());
-  Guest first(admission, light);
+  Guest first(admission, light_rays);
   wait_until_waiting(admission, 1);
-  Guest second(admission, light);
+  Guest second(admission, light_rays);
   wait_until_waiting(admission, 2);
   inside.leave();
   EXPECT_TRUE(first.gets_in());
@@ -116,11 +116,11 @@ TEST(Admission, WhoComesFirstGoesFirst) {
 
 TEST(Admission, WhoGivesUpNeverStartsAndHoldsNobodyUp) {
   Admission admission(1);
-  Guest inside(admission, light);
+  Guest inside(admission, light_rays);
   ASSERT_TRUE(inside.gets_in());
-  Guest leaves(admission, light);
+  Guest leaves(admission, light_rays);
   wait_until_waiting(admission, 1);
-  Guest stays(admission, light);
+  Guest stays(admission, light_rays);
   wait_until_waiting(admission, 2);
   leaves.give_up();
   ASSERT_TRUE(leaves.gets_in());
@@ -132,20 +132,20 @@ TEST(Admission, WhoGivesUpNeverStartsAndHoldsNobodyUp) {
 
 TEST(Admission, WithOneTicketHeavyWorkGetsItToo) {
   Admission admission(1);
-  Guest poster(admission, heavy);
+  Guest poster(admission, heavy_rays);
   EXPECT_TRUE(poster.gets_in());
 }
 
 TEST(Admission, PostersWaitInAQuarterOfTheQueue) {
   Admission admission(4, 8);
-  Guest a(admission, heavy), b(admission, heavy);
+  Guest a(admission, heavy_rays), b(admission, heavy_rays);
   ASSERT_TRUE(a.gets_in() && b.gets_in());
-  Guest c(admission, heavy), d(admission, heavy);
+  Guest c(admission, heavy_rays), d(admission, heavy_rays);
   wait_until_waiting(admission, 2);
-  Guest one_too_many(admission, heavy);
+  Guest one_too_many(admission, heavy_rays);
   ASSERT_TRUE(one_too_many.gets_in());
   EXPECT_THROW(one_too_many.leave(), HttpError);
-  Guest small(admission, light);
+  Guest small(admission, light_rays);
   EXPECT_TRUE(small.gets_in());
   c.give_up();
   d.give_up();
@@ -153,12 +153,12 @@ TEST(Admission, PostersWaitInAQuarterOfTheQueue) {
 
 TEST(Admission, WhatTurnsOutHeavyMakesRoomForLight) {
   Admission admission(2, 8);
-  Ticket a = admission.enter(light, {}), b = admission.enter(light, {});
-  Guest small(admission, light);
+  Ticket a = admission.enter(light_rays, {}), b = admission.enter(light_rays, {});
+  Guest small(admission, light_rays);
   wait_until_waiting(admission, 1);
-  a.has_done(many - 1, Admission::most_light_tests);
+  a.has_done(many_rays - 1, Admission::most_light_tests);
   EXPECT_FALSE(small.is_in(milliseconds(20)));
-  a.has_done(many, 0);  // is counted among the posters, which have room
+  a.has_done(many_rays, 0);  // is counted among the posters, which have room
   EXPECT_FALSE(small.is_in(milliseconds(20)));
   b.has_done(0, Admission::most_light_tests + 1);  // is beyond their share
   EXPECT_TRUE(small.gets_in());
@@ -167,15 +167,15 @@ TEST(Admission, WhatTurnsOutHeavyMakesRoomForLight) {
 
 TEST(Admission, WhatTurnsOutHeavyIsSentAwayWhereMuchIsAndLightWorkWaits) {
   Admission admission(2, 8);
-  Ticket a = admission.enter(light, {}), b = admission.enter(light, {});
-  a.has_done(many, 0);
-  b.has_done(many, 0);
-  Ticket c = admission.enter(light, {});
-  c.has_done(many, 0);  // nobody waits
-  Guest small(admission, light);
+  Ticket a = admission.enter(light_rays, {}), b = admission.enter(light_rays, {});
+  a.has_done(many_rays, 0);
+  b.has_done(many_rays, 0);
+  Ticket c = admission.enter(light_rays, {});
+  c.has_done(many_rays, 0);  // nobody waits
+  Guest small(admission, light_rays);
   wait_until_waiting(admission, 1);
-  EXPECT_THROW(c.has_done(many, 0), HttpError);
-  EXPECT_NO_THROW(b.has_done(2 * many, 0));
+  EXPECT_THROW(c.has_done(many_rays, 0), HttpError);
+  EXPECT_NO_THROW(b.has_done(2 * many_rays, 0));
   small.give_up();
 }
 
@@ -189,7 +189,7 @@ TEST(Admission, LongTextsAreReadAFewAtATime) {
   Guest one_too_many(admission, size + 1);
   ASSERT_TRUE(one_too_many.gets_in());
   EXPECT_THROW(one_too_many.leave(), HttpError);
-  Guest brief(admission, size), picture(admission, light);
+  Guest brief(admission, size), picture(admission, light_rays);
   EXPECT_TRUE(brief.gets_in() && picture.gets_in());
   a.leave();
   EXPECT_TRUE(c.gets_in());
@@ -199,9 +199,9 @@ TEST(Admission, RetryAfterGrowsWithTheQueueAndWithHowLongWorkTakes) {
   Admission admission(1);
   EXPECT_EQ(admission.retry_after(), 1);
   std::vector<std::unique_ptr<Guest>> guests;
-  guests.push_back(std::make_unique<Guest>(admission, light));
+  guests.push_back(std::make_unique<Guest>(admission, light_rays));
   ASSERT_TRUE(guests[0]->gets_in());
-  for (int i = 0; i < 30; ++i) guests.push_back(std::make_unique<Guest>(admission, light));
+  for (int i = 0; i < 30; ++i) guests.push_back(std::make_unique<Guest>(admission, light_rays));
   wait_until_waiting(admission, 30);
   const int when_usual = admission.retry_after();  // 31 times the 0.1 s that is supposed at first
   EXPECT_EQ(when_usual, 4);
@@ -222,7 +222,7 @@ TEST(Admission, SixtyFourAtOnceAllGetIn) {
   for (int i = 0; i < 64; ++i)
     threads.emplace_back([&, i] {
       for (int turn = 0; turn < 20; ++turn) {
-        const auto ticket = admission.enter((i + turn) % 3 == 0 ? heavy : light, {});
+        const auto ticket = admission.enter((i + turn) % 3 == 0 ? heavy_rays : light_rays, {});
         const int now = ++inside;
         for (int seen = most; now > seen && !most.compare_exchange_weak(seen, now);) {
         }

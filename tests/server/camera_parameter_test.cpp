@@ -53,7 +53,6 @@ const Patch patches[] = {
      R"({"basis":{"u":[0,1,0],"v":[-1,0,0]}})",
      R"({"basis":{"u":[0,1,0],"v":[-1,0,0],"w":[0,0,1]},"distance":50,"pixel_size":1})"},
 };
-std::string law_of(const testing::TestParamInfo<Patch>& info) { return info.param.law; }
 INSTANTIATE_TEST_SUITE_P(Of, CameraPatchOf, testing::ValuesIn(patches), law_of);
 
 TEST(CameraParameter, OfANamedSceneTurnsTheEye) {

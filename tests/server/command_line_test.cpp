@@ -54,7 +54,6 @@ TEST_P(BadUse, Exits2SayingWhatIsWrong) {
   EXPECT_THAT(end.err, HasSubstr(GetParam().named));
 }
 
-std::string law_of(const testing::TestParamInfo<Use>& info) { return info.param.law; }
 const Use uses[] = {
     {"UnknownFlag", {"--prot", "0"}, "--prot"},
     {"UnknownCommand", {"paint"}, "paint"},

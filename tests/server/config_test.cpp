@@ -55,13 +55,13 @@ const Numeric numerics[] = {
      [](const Config& c) { return c.max_pixels; }},
 };
 
-Config read(const std::string& name, const std::string& text) {
+Config config_of(const std::string& name, const std::string& text) {
   return read_config({{name, text, "--some-flag"}});
 }
 // What read_config says against the text; "" where it takes it.
 std::string refusal(const std::string& name, const std::string& text) {
   try {
-    read(name, text);
+    config_of(name, text);
   } catch (const std::invalid_argument& error) {
     return error.what();
   }
@@ -92,7 +92,7 @@ TEST_P(Option, HasItsDefaultWhereNothingIsSaid) {
 TEST_P(Option, TakesBothEndsOfItsRange) {
   const Numeric& option = GetParam();
   for (const std::int64_t value : {option.least, option.most})
-    EXPECT_EQ(option.of(read(option.name, std::to_string(value))), value);
+    EXPECT_EQ(option.of(config_of(option.name, std::to_string(value))), value);
 }
 
 TEST_P(Option, RefusesOneBeyondEitherEndNamingItAndTheRange) {
@@ -139,8 +139,8 @@ TEST_P(Option, AFlagWinsOverTheEnvironment) {
   unsetenv(option.variable);
 }
 
-std::string name_of(const testing::TestParamInfo<Numeric>& info) { return info.param.name; }
-INSTANTIATE_TEST_SUITE_P(Of, Option, testing::ValuesIn(numerics), name_of);
+std::string option_name(const testing::TestParamInfo<Numeric>& info) { return info.param.name; }
+INSTANTIATE_TEST_SUITE_P(Of, Option, testing::ValuesIn(numerics), option_name);
 
 TEST(Options, AreTheseAndNoOthers) {
   std::vector<std::string> names;
@@ -152,8 +152,8 @@ TEST(Options, AreTheseAndNoOthers) {
 
 TEST(Options, HostIsTextAndTheLoopbackByDefault) {
   EXPECT_EQ(read_config({}).host, "127.0.0.1");
-  EXPECT_EQ(read("host", "0.0.0.0").host, "0.0.0.0");
-  EXPECT_EQ(read("host", "8").host, "8");
+  EXPECT_EQ(config_of("host", "0.0.0.0").host, "0.0.0.0");
+  EXPECT_EQ(config_of("host", "8").host, "8");
 }
 
 TEST(Options, AreTheTableOfTheReadme) {
@@ -188,9 +188,9 @@ TEST(Options, AreReadBackFromTheFileOfVariablesThatTheyPrint) {
 }
 
 TEST(Options, AListHasCommasAndMayBeEmpty) {
-  EXPECT_TRUE(read("cors_origins", "").cors_origins.empty());
-  EXPECT_TRUE(read("trusted_proxies", " ").trusted_proxies.empty());
-  const auto origins = read("cors_origins", "https://a.example , *").cors_origins;
+  EXPECT_TRUE(config_of("cors_origins", "").cors_origins.empty());
+  EXPECT_TRUE(config_of("trusted_proxies", " ").trusted_proxies.empty());
+  const auto origins = config_of("cors_origins", "https://a.example , *").cors_origins;
   ASSERT_EQ(origins.size(), 2U);
   EXPECT_EQ(origins[0].text, "https://a.example");
   EXPECT_TRUE(origins[1].is_any());

@@ -61,14 +61,14 @@ TEST(Explain, GetAndPostSayTheSame) {
 
 // ---- faults ------------------------------------------------------------------------------------
 
-struct Fault {
+struct RefusedRequest {
   const char* query;
   const char* type;
   const char* pointer;
   const char* allowed;
 };
 TEST(Explain, FaultsAreNamedAlikeWhereverTheyAre) {
-  const Fault faults[] = {
+  const RefusedRequest faults[] = {
       {"x=640&y=0", "out-of-range", "/x", "an integer from 0 to 639"},
       {"x=0&y=480", "out-of-range", "/y", "an integer from 0 to 479"},
       {"x=20&y=0&width=20&height=20", "out-of-range", "/x", "from 0 to 19"},
@@ -100,7 +100,7 @@ TEST(Explain, FaultsAreNamedAlikeWhereverTheyAre) {
       {"ray=up&ray.origin=1,0,0", "malformed", "/ray", "once"},
       {"ray.origin=0,0,0&ray=up", "malformed", "/ray", "once"},
   };
-  for (const Fault& fault : faults) {
+  for (const RefusedRequest& fault : faults) {
     SCOPED_TRACE(fault.query);
     const Response response = host().get(std::string("/explain?").append(fault.query));
     EXPECT_EQ(problem_of(response).type, std::string("/problems/").append(fault.type));

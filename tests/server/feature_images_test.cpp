@@ -10,32 +10,32 @@
 namespace tia::test {
 namespace {
 
-const std::string scene = R"({"objects":[
+const std::string three_shapes = R"({"objects":[
     {"type":"sphere","center":[-1,0,-9],"radius":1.5,"material":{"color":[1,0.4,0.1]}},
     {"type":"box","min":[0.5,-1,-10],"max":[2.5,1,-7],"material":{"color":0.3}},
     {"type":"plane","point":[0,-2,0],"normal":[0,1,0],"material":{"color":[0.1,0.6,0.2]}}],
     "lights":[{"type":"point","position":[4,6,-3]},{"type":"point","position":[-4,6,-3]}]})";
 
-std::string body(const std::string& integrator, const std::string& more) {
+std::string feature_image(const std::string& integrator, const std::string& more) {
   const Response response =
       host().post("/render", R"({"width":61,"height":43,"integrator":")" + integrator + "\"" +
-                                 more + R"(,"scene":)" + scene + "}");
+                                 more + R"(,"scene":)" + three_shapes + "}");
   EXPECT_EQ(response.status, 200) << response.body;
   return response.body;
 }
-Pixels<float> numbers(const std::string& integrator, const std::string& more = "") {
-  return decode_pfm(body(integrator, R"(,"format":"pfm")" + more));
+Pixels<float> feature_numbers(const std::string& integrator, const std::string& more = "") {
+  return decode_pfm(feature_image(integrator, R"(,"format":"pfm")" + more));
 }
-Pixels<unsigned char> codes(const std::string& integrator, const std::string& more = "") {
-  return decode_png(body(integrator, more));
+Pixels<unsigned char> feature_codes(const std::string& integrator, const std::string& more = "") {
+  return decode_png(feature_image(integrator, more));
 }
 
 // That each code is the one nearest to 255 x what `show` makes of its pixel's number.
 template <class Show>
 void expect_shown(const std::string& integrator, const std::string& more, Show show) {
   SCOPED_TRACE(integrator + more);
-  const auto image = numbers(integrator, more);
-  const auto shown = codes(integrator, more);
+  const auto image = feature_numbers(integrator, more);
+  const auto shown = feature_codes(integrator, more);
   std::set<int> seen;
   ASSERT_EQ(image.rgb.size(), shown.rgb.size());
   for (std::size_t i = 0; i < image.rgb.size(); ++i) {
@@ -77,9 +77,9 @@ TEST(FeatureImages, CostsAreShownByTheirLogarithm) {
 TEST(FeatureImages, DataIsStoredLinearlyWhateverTheCurve) {
   for (const char* integrator : {"normal", "depth", "object", "shadow", "cost"}) {
     SCOPED_TRACE(integrator);
-    const auto plain = codes(integrator);
-    EXPECT_TRUE(codes(integrator, R"(,"transfer":"srgb")") == plain);
-    EXPECT_TRUE(codes(integrator, R"(,"transfer":"linear")") == plain);
+    const auto plain = feature_codes(integrator);
+    EXPECT_TRUE(feature_codes(integrator, R"(,"transfer":"srgb")") == plain);
+    EXPECT_TRUE(feature_codes(integrator, R"(,"transfer":"linear")") == plain);
   }
 }
 
@@ -94,8 +94,8 @@ TEST(FeatureImages, AlbedoGoesThroughTheCurveAsLightDoes) {
 }
 
 TEST(FeatureImages, EachObjectHasAColourOfItsOwnAndNothingIsBlack) {
-  const auto image = numbers("object");
-  const auto shown = codes("object");
+  const auto image = feature_numbers("object");
+  const auto shown = feature_codes("object");
   std::map<float, std::set<std::vector<int>>> colors;
   for (std::size_t i = 0; i < image.rgb.size(); i += 3) {
     EXPECT_EQ(image.rgb[i], image.rgb[i + 2]);
@@ -112,8 +112,9 @@ TEST(FeatureImages, EachObjectHasAColourOfItsOwnAndNothingIsBlack) {
 }
 
 TEST(FeatureImages, NumbersOfObjectsAreNeverAveraged) {
-  EXPECT_TRUE(numbers("object", R"(,"samples":16)") == numbers("object"));
-  EXPECT_TRUE(codes("object", R"(,"samples":16,"threshold":0.01)") == codes("object"));
+  EXPECT_TRUE(feature_numbers("object", R"(,"samples":16)") == feature_numbers("object"));
+  EXPECT_TRUE(feature_codes("object", R"(,"samples":16,"threshold":0.01)") ==
+              feature_codes("object"));
 }
 
 }  // namespace

@@ -10,19 +10,19 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* targets[] = {"/",
-                                   "/style.css",
-                                   "/main.js",
-                                   "/render?key=a&width=75&height=50",
-                                   "/render?key=d&width=75&height=50&format=pfm",
-                                   "/scenes",
-                                   "/scenes/thesis",
-                                   "/schema/scene.json",
-                                   "/version",
-                                   "/healthz",
-                                   "/render?width=0",
-                                   "/nowhere",
-                                   "/scenes/..%2f..%2fetc%2fpasswd"};
+constexpr const char* served_targets[] = {"/",
+                                          "/style.css",
+                                          "/main.js",
+                                          "/render?key=a&width=75&height=50",
+                                          "/render?key=d&width=75&height=50&format=pfm",
+                                          "/scenes",
+                                          "/scenes/thesis",
+                                          "/schema/scene.json",
+                                          "/version",
+                                          "/healthz",
+                                          "/render?width=0",
+                                          "/nowhere",
+                                          "/scenes/..%2f..%2fetc%2fpasswd"};
 
 // With no descriptor left to give, whatever opens a file fails.
 TEST(Files, EveryAnswerIsGivenWithoutOpeningOne) {
@@ -35,7 +35,7 @@ TEST(Files, EveryAnswerIsGivenWithoutOpeningOne) {
   const rlim_t left = entries(tia, "fd") + (sanitized ? 8 : 0);
   const rlimit none{left, left};
   ASSERT_EQ(prlimit(tia.pid(), RLIMIT_NOFILE, &none, nullptr), 0);
-  for (const char* target : targets) {
+  for (const char* target : served_targets) {
     SCOPED_TRACE(target);
     const Response direct = host.get(target);
     connection.send(std::string("GET ") + target +
@@ -48,7 +48,7 @@ TEST(Files, EveryAnswerIsGivenWithoutOpeningOne) {
 
 TEST(Files, NoneIsOpenButTheStandardStreams) {
   Tia tia;
-  for (const char* target : targets) tia.get(target);
+  for (const char* target : served_targets) tia.get(target);
   for (const auto& entry : fs::directory_iterator(tia.proc("fd"))) {
     if (std::stoi(entry.path().filename()) <= 2) continue;
     const std::string is = fs::read_symlink(entry.path()).string();
@@ -61,7 +61,8 @@ TEST(Files, NoneIsOpenButTheStandardStreams) {
 TEST(Files, DescriptorsGoBackToTheStartAfterManyConnections) {
   Tia tia;
   const std::size_t before = entries(tia, "fd");
-  for (int i = 0; i < 200; ++i) tia.get(targets[static_cast<std::size_t>(i) % std::size(targets)]);
+  for (int i = 0; i < 200; ++i)
+    tia.get(served_targets[static_cast<std::size_t>(i) % std::size(served_targets)]);
   for (int i = 0; i < 20; ++i) Connection(tia.port()).send("GET /");
   EXPECT_TRUE(eventually([&] { return entries(tia, "fd") <= before; })) << entries(tia, "fd");
 }

@@ -8,12 +8,12 @@ namespace {
 
 using testing::HasSubstr;
 
-constexpr const char* targets[] = {"/",        "/style.css",   "/main.js",
-                                   "/scenes",  "/favicon.svg", "/render?width=8&height=8",
-                                   "/healthz", "/nowhere",     "/render?width=0"};
+constexpr const char* all_targets[] = {"/",        "/style.css",   "/main.js",
+                                       "/scenes",  "/favicon.svg", "/render?width=8&height=8",
+                                       "/healthz", "/nowhere",     "/render?width=0"};
 
 TEST(Guard, EveryAnswerIsWhatItSaysItIsAndTellsNoOtherSite) {
-  for (const char* target : targets) {
+  for (const char* target : all_targets) {
     const Response response = host().get(target);
     EXPECT_EQ(header(response, "X-Content-Type-Options"), "nosniff") << target;
     EXPECT_EQ(header(response, "Referrer-Policy"), "no-referrer") << target;
@@ -28,7 +28,7 @@ TEST(Guard, ThePageLoadsNothingFromElsewhereAndStandsInNoFrame) {
 }
 
 TEST(Guard, OtherSitesMayShowPicturesAndLoadNothingElse) {
-  for (const char* target : targets) {
+  for (const char* target : all_targets) {
     const Response response = host().get(target);
     const bool picture = response.content_type.starts_with("image/");
     EXPECT_EQ(header(response, "Cross-Origin-Resource-Policy"),
@@ -79,7 +79,7 @@ Response preflight(Host& asked, const std::string& origin, const std::string& ta
 }
 
 TEST(Cors, IsOffUnlessAskedFor) {
-  for (const char* target : targets) {
+  for (const char* target : all_targets) {
     const Response response = host().get(target, {{"Origin", "https://a.example"}});
     EXPECT_THAT(cors_fields(response), testing::IsEmpty()) << target;
     EXPECT_THAT(header(response, "Vary").value_or(""), Not(HasSubstr("Origin"))) << target;
@@ -91,7 +91,7 @@ TEST(Cors, IsOffUnlessAskedFor) {
 
 TEST(Cors, AnOriginOfTheListMayReadEveryAnswerProblemsToo) {
   for (const char* origin : {"https://a.example", "http://localhost:3000"})
-    for (const char* target : targets) {
+    for (const char* target : all_targets) {
       const Response response = sharing().get(target, {{"Origin", origin}});
       EXPECT_EQ(header(response, allow_origin), origin) << target;
       EXPECT_EQ(header(response, "Access-Control-Expose-Headers"),

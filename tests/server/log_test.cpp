@@ -14,7 +14,7 @@ using testing::HasSubstr;
 // A triangle, and two more without area: two corners at one place, and three on one line.
 constexpr const char* flat_mesh = R"({"objects":[{"type":"mesh",
     "positions":[-1,-1,-5, 1,-1,-5, 0,1,-5, 0,0,-5],"indices":[0,1,2, 0,0,1, 2,3,3]}]})";
-constexpr const char* said = "2 triangles without area are ignored";
+constexpr const char* ignored_triangles = "2 triangles without area are ignored";
 
 const Value* logged(const Response& response) {
   return find(response.log, "triangles without area");
@@ -105,7 +105,7 @@ TEST(Log, TiaRenderSaysItOnItsErrorOutput) {
   std::ofstream(folder.file("flat.json")) << flat_mesh;
   const Finished end = run({"render", folder.file("flat.json"), "-o", folder.file("flat.png")});
   EXPECT_EQ(end.status, 0);
-  EXPECT_EQ(end.err, std::string("tia: ") + said + "\n");
+  EXPECT_EQ(end.err, std::string("tia: ") + ignored_triangles + "\n");
 }
 
 }  // namespace

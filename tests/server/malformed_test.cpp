@@ -31,8 +31,6 @@ TEST_P(MalformedQuery, Is400) {
   expect_malformed(host().get(std::string("/render?") + GetParam().text), GetParam().pointer);
 }
 
-std::string law_of(const testing::TestParamInfo<Text>& info) { return info.param.law; }
-
 std::string nested(int levels) {
   const auto n = static_cast<std::size_t>(levels);
   return R"({"scene":)" + std::string(n - 1, '[') + std::string(n - 1, ']') + "}";

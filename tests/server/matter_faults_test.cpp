@@ -6,7 +6,7 @@ namespace {
 
 using testing::HasSubstr;
 
-struct Row {
+struct MatterRow {
   const char* law;
   const char* scene;  // what the request has as its scene
   const char* type;
@@ -15,11 +15,11 @@ struct Row {
   const char* allowed;
   const char* nearest = "";
 };
-void PrintTo(const Row& row, std::ostream* out) { *out << row.scene; }
+void PrintTo(const MatterRow& row, std::ostream* out) { *out << row.scene; }
 
-class MatterFault : public testing::TestWithParam<Row> {
+class MatterFault : public testing::TestWithParam<MatterRow> {
  protected:
-  static void expect(const Response& response, const Row& row, const std::string& above) {
+  static void expect(const Response& response, const MatterRow& row, const std::string& above) {
     EXPECT_EQ(response.status, 422);
     EXPECT_EQ(problem_of(response).type, std::string("/problems/") + row.type);
     const ProblemError error = only_error(response);
@@ -31,7 +31,7 @@ class MatterFault : public testing::TestWithParam<Row> {
 };
 
 TEST_P(MatterFault, IsNamedWhereverTheSceneGoes) {
-  const Row& row = GetParam();
+  const MatterRow& row = GetParam();
   const std::string scene = row.scene;
   expect(host().post("/render", R"({"scene":)" + scene + "}"), row, "/scene");
   expect(host().post("/explain", R"({"x":1,"y":1,"scene":)" + scene + "}"), row, "/scene");
@@ -39,7 +39,7 @@ TEST_P(MatterFault, IsNamedWhereverTheSceneGoes) {
   expect(host().get("/render?scene=" + url_encode(scene)), row, "/scene");
 }
 
-const Row lights[] = {
+const MatterRow light_rows[] = {
     {"Kind", R"({"lights":[{"type":"spott"}]})", "unknown-name", "/lights/0/type", R"("spott")",
      "one of point, directional, spot, sphere, quad, sky", "spot"},
     {"NoDirection", R"({"lights":[{"type":"directional","direction":[0,0,0]}]})", "out-of-range",
@@ -64,7 +64,7 @@ const Row lights[] = {
      "conflict", "/lights/0/fade_distance", "9", "at some distance"},
 };
 
-const Row matter[] = {
+const MatterRow matter_rows[] = {
     {"Reflection", R"({"materials":{"m":{"reflection":1.5}}})", "out-of-range",
      "/materials/m/reflection", "1.5", "a number from 0 to 1"},
     {"NoIndex", R"({"materials":{"m":{"ior":0}}})", "out-of-range", "/materials/m/ior", "0",
@@ -90,7 +90,7 @@ const Row matter[] = {
      "a whole PNG or JPEG picture"},
 };
 
-const Row options[] = {
+const MatterRow option_rows_of_scenes[] = {
     {"MaxDepth", R"({"options":{"max_depth":65}})", "out-of-range", "/options/max_depth", "65",
      "an integer from 0 to 64"},
     {"TransparentShadows", R"({"options":{"transparent_shadows":1}})", "wrong-type",
@@ -101,10 +101,9 @@ const Row options[] = {
      "from 0 to 1000000"},
 };
 
-std::string law_of(const testing::TestParamInfo<Row>& info) { return info.param.law; }
-INSTANTIATE_TEST_SUITE_P(Lights, MatterFault, testing::ValuesIn(lights), law_of);
-INSTANTIATE_TEST_SUITE_P(Matter, MatterFault, testing::ValuesIn(matter), law_of);
-INSTANTIATE_TEST_SUITE_P(Options, MatterFault, testing::ValuesIn(options), law_of);
+INSTANTIATE_TEST_SUITE_P(Lights, MatterFault, testing::ValuesIn(light_rows), law_of);
+INSTANTIATE_TEST_SUITE_P(Matter, MatterFault, testing::ValuesIn(matter_rows), law_of);
+INSTANTIATE_TEST_SUITE_P(Options, MatterFault, testing::ValuesIn(option_rows_of_scenes), law_of);
 
 // A directional key light shines from the given position towards the point looked at: at that point
 // itself it has no direction.

@@ -6,7 +6,7 @@ namespace {
 
 using testing::HasSubstr;
 
-struct Row {
+struct ParameterRow {
   const char* law;
   const char* json;  // the parameters; the query is made of them
   const char* type;
@@ -15,12 +15,12 @@ struct Row {
   const char* allowed;
   const char* nearest = "";
 };
-void PrintTo(const Row& row, std::ostream* out) { *out << row.json; }
+void PrintTo(const ParameterRow& row, std::ostream* out) { *out << row.json; }
 
-class RenderFault : public testing::TestWithParam<Row> {};
+class RenderFault : public testing::TestWithParam<ParameterRow> {};
 
 TEST_P(RenderFault, IsNamedAlikeByGetAndPost) {
-  const Row& row = GetParam();
+  const ParameterRow& row = GetParam();
   const Response post = host().post("/render", row.json);
   const Response get = host().get(std::string("/render?") + query_of(parse_json(row.json)));
   EXPECT_EQ(get.status, 422);
@@ -40,7 +40,7 @@ TEST_P(RenderFault, IsFoundByHeadToo) {
             422);
 }
 
-const Row names[] = {
+const ParameterRow name_rows[] = {
     {"UnknownParameter", R"({"widh":8})", "unknown-name", "/widh", R"("widh")",
      "scene, key, light, width, height", "width"},
     {"UnknownParameterFarFromAny", R"({"colour":"red"})", "unknown-name", "/colour", R"("colour")",
@@ -60,7 +60,7 @@ const Row names[] = {
      R"("thesys")", "thesis", "thesis"},
 };
 
-const Row conflicts[] = {
+const ParameterRow value_rows[] = {
     {"KeyWithLight", R"({"key":"a","light":[1,2,3]})", "conflict", "/light", "[1,2,3]",
      "key or light"},
     {"LightOfTwo", R"({"light":[1,2]})", "wrong-type", "/light", "[1,2]", "3 numbers"},
@@ -106,7 +106,7 @@ const Row conflicts[] = {
      "9007199254740991"},
 };
 
-const Row scenes[] = {
+const ParameterRow scene_rows[] = {
     {"Radius", R"({"scene":{"objects":[{"type":"sphere","center":[0,0,-5],"radius":0}]}})",
      "out-of-range", "/scene/objects/0/radius", "0", "above 0"},
     {"MissingRadius", R"({"scene":{"objects":[{"type":"sphere","center":[0,0,-5]}]}})", "missing",
@@ -131,10 +131,9 @@ const Row scenes[] = {
      "/key", R"("a")", "x"},
 };
 
-std::string law_of(const testing::TestParamInfo<Row>& info) { return info.param.law; }
-INSTANTIATE_TEST_SUITE_P(Names, RenderFault, testing::ValuesIn(names), law_of);
-INSTANTIATE_TEST_SUITE_P(Values, RenderFault, testing::ValuesIn(conflicts), law_of);
-INSTANTIATE_TEST_SUITE_P(Scenes, RenderFault, testing::ValuesIn(scenes), law_of);
+INSTANTIATE_TEST_SUITE_P(Names, RenderFault, testing::ValuesIn(name_rows), law_of);
+INSTANTIATE_TEST_SUITE_P(Values, RenderFault, testing::ValuesIn(value_rows), law_of);
+INSTANTIATE_TEST_SUITE_P(Scenes, RenderFault, testing::ValuesIn(scene_rows), law_of);
 
 // ---- numbers: every field of pixels, swept -----------------------------------------------------
 
@@ -186,8 +185,8 @@ TEST_P(RenderSize, RefusesWhatIsNoNumberOfPixels) {
   }
 }
 
-std::string name_of(const testing::TestParamInfo<const char*>& info) { return info.param; }
-INSTANTIATE_TEST_SUITE_P(Of, RenderSize, testing::Values("width", "height"), name_of);
+std::string field_name(const testing::TestParamInfo<const char*>& info) { return info.param; }
+INSTANTIATE_TEST_SUITE_P(Of, RenderSize, testing::Values("width", "height"), field_name);
 
 }  // namespace
 }  // namespace tia::test

@@ -12,13 +12,15 @@ std::string thesis_text() {
   return file_bytes(std::string(TIA_SOURCE_DIR) + "/web/scenes/thesis.json");
 }
 
-Response post(const Value& parameters) { return host().post("/render", to_json(parameters)); }
-Response get(const Value& parameters) {
+Response post_render(const Value& parameters) {
+  return host().post("/render", to_json(parameters));
+}
+Response get_render(const Value& parameters) {
   return host().get(std::string("/render?") + query_of(parameters));
 }
 
 // The parameters, small: 37 x 23, which no tile or lane divides.
-Value small(Value::Object more = {}) {
+Value small_picture_of(Value::Object more = {}) {
   more.emplace_back("width", 37);
   more.emplace_back("height", 23);
   return more;
@@ -45,7 +47,7 @@ std::vector<Value> combinations() {
           if (*transfer != '\0') all.emplace_back("transfer", transfer);
           const auto& other = others[list.size() % others.size()];
           all.insert(all.end(), other.begin(), other.end());
-          list.push_back(small(all));
+          list.push_back(small_picture_of(all));
         }
   return list;
 }
@@ -53,7 +55,7 @@ std::vector<Value> combinations() {
 TEST(RenderHandler, GetAndPostOfTheSameRequestGiveTheSameBytes) {
   for (const Value& parameters : combinations()) {
     SCOPED_TRACE(query_of(parameters));
-    const Response by_get = get(parameters), by_post = post(parameters);
+    const Response by_get = get_render(parameters), by_post = post_render(parameters);
     ASSERT_EQ(by_get.status, 200) << by_get.body;
     ASSERT_EQ(by_post.status, 200) << by_post.body;
     EXPECT_EQ(by_get.content_type, by_post.content_type);
@@ -143,11 +145,11 @@ TEST(RenderHandler, AKeyIsTheLightAtItsPlace) {
   const Value keys = at(parse_json(thesis_text()), "keys");
   for (const auto& [key, binding] : *keys.as<Value::Object>()) {
     SCOPED_TRACE(key);
-    const Response pressed = get(small({{"key", key}}));
-    const Response placed = get(small({{"light", at(binding, "light")}}));
+    const Response pressed = get_render(small_picture_of({{"key", key}}));
+    const Response placed = get_render(small_picture_of({{"light", at(binding, "light")}}));
     EXPECT_EQ(pressed.status, 200);
     EXPECT_TRUE(pressed.body == placed.body);
-    EXPECT_FALSE(pressed.body == get(small()).body);
+    EXPECT_FALSE(pressed.body == get_render(small_picture_of()).body);
   }
 }
 
@@ -161,17 +163,18 @@ TEST(RenderHandler, ALightIsReadWithAndWithoutBrackets) {
 TEST(RenderHandler, ASceneInTheRequestIsTheSceneOfThatName) {
   const Value whole = parse_json(thesis_text());
   for (const char* key : {"a", "d", "s", "w"}) {
-    const std::string named = get(small({{"scene", "thesis"}, {"key", key}})).body;
-    EXPECT_TRUE(get(small({{"scene", whole}, {"key", key}})).body == named);
-    EXPECT_TRUE(post(small({{"scene", whole}, {"key", key}})).body == named);
+    const std::string named =
+        get_render(small_picture_of({{"scene", "thesis"}, {"key", key}})).body;
+    EXPECT_TRUE(get_render(small_picture_of({{"scene", whole}, {"key", key}})).body == named);
+    EXPECT_TRUE(post_render(small_picture_of({{"scene", whole}, {"key", key}})).body == named);
   }
 }
 
 TEST(RenderHandler, DefaultKeysApplyToASceneThatNamesNone) {
   const Value scene = parse_json(R"({"objects":[{"type":"sphere","center":[0,0,-5],"radius":1}]})");
-  std::vector<std::string> pictures{get(small({{"scene", scene}})).body};
+  std::vector<std::string> pictures{get_render(small_picture_of({{"scene", scene}})).body};
   for (const char* key : {"a", "d", "s", "w"})
-    pictures.push_back(get(small({{"scene", scene}, {"key", key}})).body);
+    pictures.push_back(get_render(small_picture_of({{"scene", scene}, {"key", key}})).body);
   std::sort(pictures.begin(), pictures.end());
   EXPECT_EQ(std::unique(pictures.begin(), pictures.end()), pictures.end());
 }
@@ -179,15 +182,16 @@ TEST(RenderHandler, DefaultKeysApplyToASceneThatNamesNone) {
 TEST(RenderHandler, APatchKeyChangesTheSceneByMergePatch) {
   const Value scene = parse_json(
       R"({"background":0.25,"keys":{"n":{"background":0.75,"options":{"transfer":"linear"}}}})");
-  const auto before = decode_png(get(small({{"scene", scene}})).body);
-  const auto after = decode_png(get(small({{"scene", scene}, {"key", "n"}})).body);
+  const auto before = decode_png(get_render(small_picture_of({{"scene", scene}})).body);
+  const auto after =
+      decode_png(get_render(small_picture_of({{"scene", scene}, {"key", "n"}})).body);
   EXPECT_EQ(before.at(5, 5, 0), 137);  // sRGB of 0.25
   EXPECT_EQ(after.at(5, 5, 0), 191);   // 0.75 * 255, linear
 }
 
 TEST(RenderHandler, APatchThatLeavesNoSceneIsAFaultOfTheKey) {
   const Value scene = parse_json(R"({"keys":{"n":{"background":-1}}})");
-  const Response response = get(small({{"scene", scene}, {"key", "n"}}));
+  const Response response = get_render(small_picture_of({{"scene", scene}, {"key", "n"}}));
   EXPECT_EQ(response.status, 422);
   const std::string pointer = only_error(response).pointer;  // into the request
   EXPECT_TRUE(pointer.starts_with("/key") || pointer.starts_with("/scene/keys/n/")) << pointer;

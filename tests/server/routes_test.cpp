@@ -46,7 +46,6 @@ TEST_P(Allow, NamesTheMethodsThatThePathTakes) {
   }
 }
 
-std::string law_of(const testing::TestParamInfo<Path>& info) { return info.param.law; }
 INSTANTIATE_TEST_SUITE_P(
     Of, Allow,
     testing::Values(Path{"Page", "/", "GET, HEAD, OPTIONS"},

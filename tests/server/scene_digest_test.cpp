@@ -18,7 +18,7 @@ bool meets_the_same(const Scene& a, const Scene& b) {
   return a.objects == b.objects && a.materials == b.materials && a.ambient_light == b.ambient_light;
 }
 
-std::optional<Scene> read(const Value& document) {
+std::optional<Scene> scene_of(const Value& document) {
   try {
     return read_described<Scene>(document);
   } catch (const InputError&) {
@@ -40,10 +40,10 @@ TEST(SceneDigest, IsThatOfWhatRaysMeetInScenesByChance) {
   int apart = 0, alike = 0;
   for (int i = 0; i < 3000; ++i) {
     const Value document = corpus.document();
-    const auto scene = read(document);
+    const auto scene = scene_of(document);
     if (!scene) continue;
     for (int k = 0; k < 8; ++k)
-      if (const auto changed = read(corpus.changed(document)))
+      if (const auto changed = scene_of(corpus.changed(document)))
         ++(expect_told_apart(*scene, *changed) ? apart : alike);
   }
   EXPECT_GT(apart, 300);
@@ -98,7 +98,7 @@ TEST(SceneDigest, ChangesWithEachNumberAndWord) {
       const Value was = *leaves[i];
       for (const Value& other : others(was)) {
         *leaves[i] = other;
-        const auto changed = read(document);
+        const auto changed = scene_of(document);
         if (changed) apart += expect_told_apart(scene, *changed);
         if (changed) break;
       }

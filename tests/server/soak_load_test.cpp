@@ -32,18 +32,18 @@ using Wires = std::vector<std::unique_ptr<Wire>>;
 
 // ---- R1 - R3 --------------------------------------------------------------------------------
 
-struct Crowd {
+struct Clients {
   const char* law;
   int size;
   std::function<void(Wire&)> act;
   int receive_buffer = 0;
 };
-void PrintTo(const Crowd& crowd, std::ostream* out) { *out << crowd.law; }
+void PrintTo(const Clients& crowd, std::ostream* out) { *out << crowd.law; }
 
-class SoakCrowd : public testing::TestWithParam<Crowd> {};
+class SoakCrowd : public testing::TestWithParam<Clients> {};
 
 TEST_P(SoakCrowd, DoesNotSlowAnotherClientDown) {
-  const Crowd& crowd = GetParam();
+  const Clients& crowd = GetParam();
   Tia tia;
   const double alone = p95(tia.port(), small_picture, 100);
   Wires wires;
@@ -60,24 +60,23 @@ TEST_P(SoakCrowd, DoesNotSlowAnotherClientDown) {
   EXPECT_LE(picture, 2 * alone + 50);
 }
 
-std::string named(const testing::TestParamInfo<Crowd>& info) { return info.param.law; }
 INSTANTIATE_TEST_SUITE_P(
     Of, SoakCrowd,
-    testing::Values(Crowd{"SlowHeads", 400, [](Wire& wire) { wire.send("GET / HTTP/1.1\r\nX: "); }},
-                    Crowd{"SlowBodies", 400,
-                          [](Wire& wire) { wire.send(forms::sized(" 1000", "{")); }},
-                    Crowd{"ClientsThatDoNotRead", 100,
-                          [](Wire& wire) {
-                            wire.get("/render?width=512&height=512&format=pfm");
-                            wire.readable(seconds(20));
-                          },
-                          4096},
-                    Crowd{"IdleConnections", 500,
-                          [](Wire& wire) {
-                            wire.get("/healthz");
-                            wire.until("\r\n\r\n");
-                          }}),
-    named);
+    testing::Values(
+        Clients{"SlowHeads", 400, [](Wire& wire) { wire.send("GET / HTTP/1.1\r\nX: "); }},
+        Clients{"SlowBodies", 400, [](Wire& wire) { wire.send(forms::sized(" 1000", "{")); }},
+        Clients{"ClientsThatDoNotRead", 100,
+                [](Wire& wire) {
+                  wire.get("/render?width=512&height=512&format=pfm");
+                  wire.readable(seconds(20));
+                },
+                4096},
+        Clients{"IdleConnections", 500,
+                [](Wire& wire) {
+                  wire.get("/healthz");
+                  wire.until("\r\n\r\n");
+                }}),
+    law_of);
 
 // ---- R12 ------------------------------------------------------------------------------------
 

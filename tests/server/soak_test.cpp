@@ -43,7 +43,7 @@ void anything(int port, std::mt19937& random) {
   }
 }
 
-void many(const Tia& tia, int count, unsigned seed) {
+void ask_mixture(const Tia& tia, int count, unsigned seed) {
   std::vector<std::jthread> clients;
   for (unsigned c = 0; c < 4; ++c)
     clients.emplace_back([&, c] {
@@ -54,7 +54,7 @@ void many(const Tia& tia, int count, unsigned seed) {
 
 TEST(SoakMixture, LeavesMemoryDescriptorsAndThreadsAsTheyWere) {
   Tia tia;
-  many(tia, 1000, 0);  // until all buffers are warm
+  ask_mixture(tia, 1000, 0);  // until all buffers are warm
   const auto rested = [&] { return tia.get("/healthz").status == 200; };
   ASSERT_TRUE(eventually(rested));
   ASSERT_TRUE(eventually([&] { return counters(tia)["tia_connections"] <= 1; }));
@@ -62,7 +62,7 @@ TEST(SoakMixture, LeavesMemoryDescriptorsAndThreadsAsTheyWere) {
   const auto descriptors = entries(tia, "fd"), threads = entries(tia, "task");
   const std::size_t series = counters(tia).size();
   for (unsigned round = 1; round <= 4; ++round) {
-    many(tia, scaled(3000) / 4, round);
+    ask_mixture(tia, scaled(3000) / 4, round);
     RecordProperty("kilobytes_" + std::to_string(round), static_cast<int>(kilobytes(tia) - memory));
   }
   ASSERT_TRUE(eventually([&] { return counters(tia)["tia_connections"] <= 1; }));

@@ -38,6 +38,11 @@ httplib::Client Server::client() const {
   return client;
 }
 
+Server& shared_server() {
+  static Server shared;
+  return shared;
+}
+
 Response plain(const httplib::Result& result) {
   if (!result) throw std::runtime_error("no answer: " + httplib::to_string(result.error()));
   Response response{.status = result->status,

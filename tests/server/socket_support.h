@@ -42,6 +42,9 @@ class Server {
   std::thread running_;
 };
 
+/// One for all tests that need none of their own.
+Server& shared_server();
+
 /// A library's answer as a Response of ours.
 Response plain(const httplib::Result& result);
 

@@ -34,6 +34,9 @@ inline constexpr bool sanitized = TIA_SANITIZED;
 /// KiB that a process may grow by beyond what is its own.
 inline constexpr long sanitizers_kilobytes = sanitized ? 1 << 20 : 0;
 
+/// The name of a row of a test: its law.
+inline constexpr auto law_of = [](const auto& info) -> std::string { return info.param.law; };
+
 std::string file_bytes(const std::string& path);
 
 /// The first header field of that exact name, or nothing.

@@ -4,24 +4,22 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "tests/server/http/request_forms.h"
 #include "tests/server/socket_support.h"
 
 namespace tia::test {
 namespace {
 
-constexpr std::size_t most = 4 << 20;  // the default of max_body_bytes
+constexpr std::size_t most_bytes = 4 << 20;  // the default of max_body_bytes
 
 // {"width":8,"height":8} made that long with white space.
-std::string body_of(std::size_t bytes) {
+std::string body_of_size(std::size_t bytes) {
   std::string body = R"({"width":8,"height":8)";
   return body.append(bytes - body.size() - 1, ' ').append(1, '}');
 }
 
-std::string post(const std::string& head, const std::string& body) {
-  return "POST /render HTTP/1.1\r\nHost: x\r\n" + head + "\r\n" + body;
-}
 std::string with_length(const std::string& body) {
-  return post("Content-Length: " + std::to_string(body.size()) + "\r\n", body);
+  return forms::post("Content-Length: " + std::to_string(body.size()) + "\r\n", body);
 }
 // In chunks of 16 bytes to 64 KiB, whose sizes are in hexadecimal digits.
 std::string chunked(const std::string& body) {
@@ -33,7 +31,7 @@ std::string chunked(const std::string& body) {
     std::snprintf(digits, sizeof digits, "%zx\r\n", chunk.size());
     chunks += digits + chunk + "\r\n";
   }
-  return post("Transfer-Encoding: chunked\r\n", chunks + "0\r\n\r\n");
+  return forms::post("Transfer-Encoding: chunked\r\n", chunks + "0\r\n\r\n");
 }
 
 class Body : public testing::Test {
@@ -47,7 +45,8 @@ class Body : public testing::Test {
 };
 
 TEST_F(Body, OfExactlyTheLimitIsRead) {
-  for (const std::string& request : {with_length(body_of(most)), chunked(body_of(most))}) {
+  for (const std::string& request :
+       {with_length(body_of_size(most_bytes)), chunked(body_of_size(most_bytes))}) {
     const Response response = ask(request);
     EXPECT_EQ(response.status, 200);
     EXPECT_TRUE(response.body == picture);
@@ -55,7 +54,8 @@ TEST_F(Body, OfExactlyTheLimitIsRead) {
 }
 
 TEST_F(Body, OneByteLongerIs413NamingTheLimitAndItsOption) {
-  for (const std::string& request : {with_length(body_of(most + 1)), chunked(body_of(most + 1))}) {
+  for (const std::string& request :
+       {with_length(body_of_size(most_bytes + 1)), chunked(body_of_size(most_bytes + 1))}) {
     const Response response = ask(request);
     EXPECT_EQ(response.status, 413);
     const Problem problem = problem_of(response);
@@ -68,16 +68,17 @@ TEST_F(Body, OneByteLongerIs413NamingTheLimitAndItsOption) {
 
 TEST_F(Body, TheLimitIsTheOptionsNotAConstant) {
   Server small({.host = "127.0.0.1", .port = 0, .max_body_bytes = 2000});
-  EXPECT_EQ(exchange(small.port(), with_length(body_of(2000))).status, 200);
-  EXPECT_EQ(exchange(small.port(), with_length(body_of(2001))).status, 413);
+  EXPECT_EQ(exchange(small.port(), with_length(body_of_size(2000))).status, 200);
+  EXPECT_EQ(exchange(small.port(), with_length(body_of_size(2001))).status, 413);
 }
 
 // Else the rest of a body would be read as requests, which another client's may be by then.
 TEST_F(Body, AfterOneTooLongTheConnectionCloses) {
   const std::string next = "GET /version HTTP/1.1\r\nHost: x\r\n\r\n";
   Connection connection(server().port());
-  connection.send(post("Content-Length: " + std::to_string(most + 1 + next.size()) + "\r\n",
-                       body_of(most + 1)));
+  connection.send(
+      forms::post("Content-Length: " + std::to_string(most_bytes + 1 + next.size()) + "\r\n",
+                  body_of_size(most_bytes + 1)));
   const Response refused = connection.receive();
   EXPECT_EQ(refused.status, 413);
   EXPECT_EQ(header(refused, "Connection"), "close");
@@ -99,7 +100,7 @@ TEST_F(Body, CutShortIsNotTakenForAWholeOne) {
 
 TEST_F(Body, ThatStopsComingIsNotTakenForAWholeOne) {
   Connection connection(server().port());
-  connection.send(post("Content-Length: 30\r\n", "{}"));
+  connection.send(forms::post("Content-Length: 30\r\n", "{}"));
   const int status = connection.receive().status;  // after the server's read deadline
   EXPECT_TRUE(status == 0 || status == 400 || status == 408) << status;
 }
@@ -108,15 +109,16 @@ TEST_F(Body, ThatIsNotAnnouncedIsNotWaitedFor) {  // as of curl -X POST
   const auto start = Clock::now();
   EXPECT_EQ(ask("POST /render HTTP/1.1\r\nHost: x\r\n\r\n").status, 411);
   EXPECT_EQ(ask("PUT /render HTTP/1.1\r\nHost: x\r\n\r\n").status, 411);
-  EXPECT_EQ(ask(post("Content-Length: 0\r\n", "")).status, 415);
+  EXPECT_EQ(ask(forms::post("Content-Length: 0\r\n", "")).status, 415);
   EXPECT_LT(Clock::now() - start, seconds(4));
 }
 
 TEST_F(Body, OfALongCurlDIsReadAsJson) {  // declared as a form, beyond the library's 8 KiB
   const std::string type = "Content-Type: application/x-www-form-urlencoded\r\n";
-  for (const std::size_t bytes : {std::size_t{100}, std::size_t{8192}, std::size_t{8193}, most}) {
+  for (const std::size_t bytes :
+       {std::size_t{100}, std::size_t{8192}, std::size_t{8193}, most_bytes}) {
     const std::string length = "Content-Length: " + std::to_string(bytes) + "\r\n";
-    const Response response = ask(post(type + length, body_of(bytes)));
+    const Response response = ask(forms::post(type + length, body_of_size(bytes)));
     EXPECT_EQ(response.status, 200) << bytes;
     EXPECT_TRUE(response.body == picture) << bytes;
   }
@@ -125,8 +127,9 @@ TEST_F(Body, OfALongCurlDIsReadAsJson) {  // declared as a form, beyond the libr
 TEST_F(Body, AfterExpectContinueIsReadToo) {
   auto client = server().client();
   const httplib::Headers expect{{"Expect", "100-continue"}};
-  EXPECT_TRUE(plain(client.Post("/render", expect, body_of(most), "application/json")).body ==
-              picture);
+  EXPECT_TRUE(
+      plain(client.Post("/render", expect, body_of_size(most_bytes), "application/json")).body ==
+      picture);
 }
 
 TEST_F(Body, OfAnotherTypeIs415) {
@@ -136,7 +139,7 @@ TEST_F(Body, OfAnotherTypeIs415) {
   for (const char* type :
        {"multipart/form-data; boundary=X", "multipart/form-data", "text/plain"}) {
     const Response response =
-        ask(post("Content-Type: " + std::string(type) + "\r\n" + length, form));
+        ask(forms::post("Content-Type: " + std::string(type) + "\r\n" + length, form));
     EXPECT_EQ(response.status, 415) << type;
   }
 }
@@ -144,7 +147,7 @@ TEST_F(Body, OfAnotherTypeIs415) {
 TEST_F(Body, ThatIsCompressedCannotGrowBeyondTheLimit) {
   httplib::Client client("127.0.0.1", server().port());
   client.set_compress(true);
-  const auto result = client.Post("/render", body_of(32 * most), "application/json");
+  const auto result = client.Post("/render", body_of_size(32 * most_bytes), "application/json");
   ASSERT_TRUE(result);
   EXPECT_TRUE(result->status == 413 || result->status == 415) << result->status;
 }

@@ -19,7 +19,7 @@ Decoded decode(std::string_view bytes) {
   return out;
 }
 
-std::string type_of(std::string_view bytes) {
+std::string fault_of_chunks(std::string_view bytes) {
   try {
     decode(bytes);
   } catch (const HttpError& error) {
@@ -60,7 +60,7 @@ TEST(Chunks, ASizeIsReadInEitherCaseAndWithZeros) {
 TEST(Chunks, ALineOfTheLimitIsReadAndOneByteMoreIsNot) {
   const auto line = [](std::size_t bytes) { return "1;" + std::string(bytes - 4, 'a') + "\r\nx"; };
   EXPECT_EQ(decode(line(ChunkDecoder::longest_line)).body, "x");
-  EXPECT_EQ(type_of(line(ChunkDecoder::longest_line + 1)), "malformed");
+  EXPECT_EQ(fault_of_chunks(line(ChunkDecoder::longest_line + 1)), "malformed");
 }
 
 TEST(Chunks, ATrailerOfTheLimitIsReadAndOneByteMoreIsNot) {
@@ -68,7 +68,7 @@ TEST(Chunks, ATrailerOfTheLimitIsReadAndOneByteMoreIsNot) {
     return "0\r\nX: " + std::string(bytes - 9, 'a') + "\r\n\r\n";
   };
   EXPECT_TRUE(decode(trailer(ChunkDecoder::most_trailer)).ended);
-  EXPECT_EQ(type_of(trailer(ChunkDecoder::most_trailer + 1)), "header-too-large");
+  EXPECT_EQ(fault_of_chunks(trailer(ChunkDecoder::most_trailer + 1)), "header-too-large");
 }
 
 TEST(Chunks, ATrailersFieldsAreNotAddedToTheBody) {
@@ -79,7 +79,7 @@ TEST(Chunks, NoLineWithALoneCrOrLfIsRead) {
   for (const char* bytes :
        {"1\nx", "1\rx", "1\r\r\nx", "1;a\r\r\nx", "1;a\nb\r\nx", "1\r\nx\n", "1\r\nx\r\r\n", "0\n",
         "0\r\n\n", "0\r\n\r\r\n", "0\r\nA: b\n\r\n", "0\r\nA: b\r\r\n\r\n"})
-    EXPECT_EQ(type_of(bytes), "malformed") << testing::PrintToString(bytes);
+    EXPECT_EQ(fault_of_chunks(bytes), "malformed") << testing::PrintToString(bytes);
 }
 
 }  // namespace

@@ -23,17 +23,17 @@ TEST(Connections, BeyondTheLimitTheOneThatHasWaitedLongestIsClosed) {
   std::vector<std::unique_ptr<Wire>> wires;
   for (int i = 0; i < 8; ++i) {
     wires.push_back(std::make_unique<Wire>(serving.port()));
-    wires.back()->send(asked);
+    wires.back()->send(plain_get);
     ASSERT_EQ(status_of(wires.back()->until("\r\n\r\n/")), 200);
   }
-  wires[0]->send(asked);  // so that the second is the one that has waited longest
+  wires[0]->send(plain_get);  // so that the second is the one that has waited longest
   ASSERT_EQ(status_of(wires[0]->until("\r\n\r\n/")), 200);
   Wire ninth(serving.port());
-  ninth.send(asked);
+  ninth.send(plain_get);
   EXPECT_EQ(status_of(ninth.until("\r\n\r\n/")), 200);
   EXPECT_EQ(wires[1]->rest(), "");
   EXPECT_FALSE(wires[0]->readable());
-  wires[0]->send(asked);
+  wires[0]->send(plain_get);
   EXPECT_EQ(status_of(wires[0]->until("\r\n\r\n/")), 200);
   EXPECT_LE(serving.connections(), 8);
 }
@@ -42,7 +42,7 @@ TEST(Connections, AThousandSilentOnesDoNotKeepAnyoneOut) {
   Serving serving(echo_target(true), few(100));
   std::vector<std::unique_ptr<Wire>> silent;
   for (int i = 0; i < 400; ++i) silent.push_back(std::make_unique<Wire>(serving.port()));
-  for (int i = 0; i < 10; ++i) EXPECT_EQ(exchange(serving.port(), asked).status, 200);
+  for (int i = 0; i < 10; ++i) EXPECT_EQ(exchange(serving.port(), plain_get).status, 200);
   EXPECT_LE(serving.connections(), 100);
 }
 
@@ -56,7 +56,7 @@ TEST(Connections, WhereAllAreAtWorkANewOneIsTurnedAwayWith429) {
   }
   ASSERT_TRUE(eventually([&] { return held.at_work == 8; }));
   Connection ninth(serving.port());
-  ninth.send(asked);
+  ninth.send(plain_get);
   const Response refused = ninth.receive();
   EXPECT_EQ(refused.status, 429);
   EXPECT_EQ(header(refused, "Retry-After"), "7");
@@ -160,7 +160,7 @@ TEST(Workers, WhereAllAreTakenOneIsRefusedWith429WithinTenMs) {
   Connection second(serving.port());
   for (int i = 0; i < 20; ++i) {
     const auto started = Clock::now();
-    second.send(asked);
+    second.send(plain_get);
     const Response refused = second.receive();
     quickest = std::min(quickest, ms_since(started));
     EXPECT_EQ(refused.status, 429);
@@ -174,7 +174,7 @@ TEST(Workers, WhereAllAreTakenOneIsRefusedWith429WithinTenMs) {
   held.let_go.open();
   EXPECT_EQ(first.receive().status, 200);
   EXPECT_TRUE(eventually([&] {
-    second.send(asked);
+    second.send(plain_get);
     return second.receive().status == 200;
   }));
 }

@@ -7,7 +7,6 @@ namespace tia::test {
 namespace {
 
 constexpr milliseconds no_delay{0}, patient = std::chrono::hours(1);
-const std::string asked = "GET / HTTP/1.1\r\nHost: x\r\n\r\n";
 
 bool refuses(int port) {
   try {
@@ -34,7 +33,7 @@ TEST(Drain, ARequestAtWorkIsAnsweredAndItsConnectionClosed) {
   Waiting waiting;
   Serving serving(waiting.application());
   Connection connection(serving.port());
-  connection.send(asked);
+  connection.send(plain_get);
   ASSERT_TRUE(eventually([&] { return waiting.at_work == 1; }));
   serving.stop(no_delay, patient);
   EXPECT_TRUE(eventually([&] { return refuses(serving.port()); }));
@@ -58,7 +57,7 @@ TEST(Drain, WhoHasSentRequestsAheadIsToldWhichIsTheLast) {
   Serving serving(application);
   Wire wire(serving.port());
   std::string ahead;
-  for (int i = 0; i < 2000; ++i) ahead += asked;  // in one reading
+  for (int i = 0; i < 2000; ++i) ahead += plain_get;  // in one reading
   wire.send(ahead);
   ASSERT_TRUE(eventually([&] { return answered == 1; }));
   serving.stop(no_delay, patient);
@@ -74,7 +73,7 @@ TEST(Drain, DuringItsDelayNewRequestsAreTaken) {
   Serving serving(answering([](const Request&) { return text("here"); }));
   const auto started = Clock::now();
   serving.stop(milliseconds(500), patient);
-  while (ms_since(started) < 400) EXPECT_EQ(exchange(serving.port(), asked).status, 200);
+  while (ms_since(started) < 400) EXPECT_EQ(exchange(serving.port(), plain_get).status, 200);
   EXPECT_TRUE(eventually([&] { return refuses(serving.port()); }));
   EXPECT_GE(ms_since(started), 500);
   EXPECT_TRUE(serving.ends());
@@ -83,7 +82,7 @@ TEST(Drain, DuringItsDelayNewRequestsAreTaken) {
 TEST(Drain, IdleConnectionsAreClosedAtOnce) {
   Serving serving(answering([](const Request&) { return text("here"); }));
   Connection idle(serving.port());
-  idle.send(asked);
+  idle.send(plain_get);
   EXPECT_EQ(idle.receive().status, 200);
   serving.stop(no_delay, patient);
   EXPECT_TRUE(idle.closed());
@@ -95,7 +94,7 @@ TEST(Drain, AConnectionThatHasJustComeMayStillAsk) {
     {
       Connection late(serving.port());
       serving.stop(no_delay, patient);
-      late.send(asked);
+      late.send(plain_get);
       ASSERT_EQ(late.receive().status, 200);
       EXPECT_TRUE(late.closed());
     }
@@ -107,7 +106,7 @@ TEST(Drain, AfterItsLimitARequestAtWorkIsGivenUpWith503) {
   Waiting waiting;
   Serving serving(waiting.application());
   Connection connection(serving.port());
-  connection.send(asked);
+  connection.send(plain_get);
   ASSERT_TRUE(eventually([&] { return waiting.at_work == 1; }));
   const auto started = Clock::now();
   serving.stop(no_delay, milliseconds(200));
@@ -126,7 +125,7 @@ TEST(Drain, AfterItsLimitNoClientKeepsTheServerUp) {
   Serving serving(answering([](const Request&) { return text(std::string(48 << 20, 'x')); }));
   Wire half(serving.port()), silent(serving.port()), deaf(serving.port(), 4096);
   half.send("POST / HTTP/1.1\r\nHost: x\r\nContent-Length: 9\r\n\r\n{");
-  deaf.send(asked);
+  deaf.send(plain_get);
   ASSERT_TRUE(deaf.readable(seconds(20)));
   const auto started = Clock::now();
   serving.stop(no_delay, milliseconds(200));
@@ -139,7 +138,7 @@ TEST(Drain, ASecondStopChangesNothing) {
   Waiting waiting;
   Serving serving(waiting.application());
   Connection connection(serving.port());
-  connection.send(asked);
+  connection.send(plain_get);
   ASSERT_TRUE(eventually([&] { return waiting.at_work == 1; }));
   serving.stop(no_delay, patient);
   serving.stop(no_delay, no_delay);

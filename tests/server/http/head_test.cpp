@@ -9,11 +9,7 @@
 namespace tia::test {
 namespace {
 
-using forms::get;
-using forms::line;
-using forms::post;
-
-std::string type_of(const std::string& text) {
+std::string fault_of_head(const std::string& text) {
   try {
     read_head(text);
   } catch (const HttpError& error) {
@@ -23,52 +19,52 @@ std::string type_of(const std::string& text) {
 }
 
 TEST(Head, KeepsFieldsInOrderWithTheirCaseAndWithoutTheSpaceAround) {
-  const Head head = read_head(get("B:  x y\t\r\nb: z\r\nA:\r\n"));
+  const Head head = read_head(forms::get("B:  x y\t\r\nb: z\r\nA:\r\n"));
   const Headers expected{{"Host", "x"}, {"B", "x y"}, {"b", "z"}, {"A", ""}};
   EXPECT_EQ(head.headers, expected);
 }
 
 TEST(Head, HasNoBodyUnlessOneIsAnnounced) {
-  EXPECT_EQ(read_head(get("")).body, Head::Body::none);
-  EXPECT_EQ(read_head(get("Content-Length: 0\r\n")).length, 0);
+  EXPECT_EQ(read_head(forms::get("")).body, Head::Body::none);
+  EXPECT_EQ(read_head(forms::get("Content-Length: 0\r\n")).length, 0);
 }
 
 TEST(Head, TellsHowItsBodyComes) {
-  const Head sized = read_head(post("content-length: 0042\r\n"));
+  const Head sized = read_head(forms::post("content-length: 0042\r\n"));
   EXPECT_EQ(sized.body, Head::Body::sized);
   EXPECT_EQ(sized.length, 42);
-  EXPECT_EQ(read_head(post("transfer-encoding: Chunked\r\n")).body, Head::Body::chunked);
+  EXPECT_EQ(read_head(forms::post("transfer-encoding: Chunked\r\n")).body, Head::Body::chunked);
 }
 
 TEST(Head, TheLongestLengthIsThatOf63Bits) {
-  EXPECT_EQ(read_head(post("Content-Length: 9223372036854775807\r\n")).length, INT64_MAX);
-  EXPECT_EQ(type_of(post("Content-Length: 9223372036854775808\r\n")), "malformed");
+  EXPECT_EQ(read_head(forms::post("Content-Length: 9223372036854775807\r\n")).length, INT64_MAX);
+  EXPECT_EQ(fault_of_head(forms::post("Content-Length: 9223372036854775808\r\n")), "malformed");
 }
 
 TEST(Head, KeepsAConnectionOfHttp11UnlessItSaysClose) {
-  EXPECT_TRUE(read_head(get("")).keep_alive);
-  EXPECT_TRUE(read_head(get("Connection: keep-alive, closed\r\n")).keep_alive);
-  EXPECT_FALSE(read_head(get("connection: a , Close\r\n")).keep_alive);
-  EXPECT_FALSE(read_head(get("Connection: a\r\nConnection: close\r\n")).keep_alive);
-  EXPECT_FALSE(read_head(line("GET / HTTP/1.0")).keep_alive);
+  EXPECT_TRUE(read_head(forms::get("")).keep_alive);
+  EXPECT_TRUE(read_head(forms::get("Connection: keep-alive, closed\r\n")).keep_alive);
+  EXPECT_FALSE(read_head(forms::get("connection: a , Close\r\n")).keep_alive);
+  EXPECT_FALSE(read_head(forms::get("Connection: a\r\nConnection: close\r\n")).keep_alive);
+  EXPECT_FALSE(read_head(forms::line("GET / HTTP/1.0")).keep_alive);
 }
 
 TEST(Head, ExpectsContinueOnlyInHttp11) {
   const std::string expect = "Expect: 100-continue\r\nContent-Length: 2\r\n";
-  EXPECT_TRUE(read_head(post(expect)).expects_continue);
-  EXPECT_FALSE(read_head(post("Content-Length: 2\r\n")).expects_continue);
-  EXPECT_FALSE(read_head(line("POST / HTTP/1.0", expect)).expects_continue);
+  EXPECT_TRUE(read_head(forms::post(expect)).expects_continue);
+  EXPECT_FALSE(read_head(forms::post("Content-Length: 2\r\n")).expects_continue);
+  EXPECT_FALSE(read_head(forms::line("POST / HTTP/1.0", expect)).expects_continue);
 }
 
 TEST(Head, AnAbsoluteTargetIsItsPathAndQuery) {  // RFC 9112, 3.2.2
   for (const char* target : {"http://x/a?b", "https://x:80/a?b", "HTTP://x/a?b", "/a?b"})
-    EXPECT_EQ(read_head(line(std::string("GET ") + target + " HTTP/1.1")).target, "/a?b");
+    EXPECT_EQ(read_head(forms::line(std::string("GET ") + target + " HTTP/1.1")).target, "/a?b");
 }
 
 TEST(Head, OnlyOptionsMayBeOfAStar) {  // RFC 9112, 3.2.4
-  EXPECT_EQ(read_head(line("OPTIONS * HTTP/1.1")).target, "*");
-  EXPECT_EQ(type_of(line("GET * HTTP/1.1")), "malformed");
-  EXPECT_EQ(type_of(line("OPTIONS *x HTTP/1.1")), "malformed");
+  EXPECT_EQ(read_head(forms::line("OPTIONS * HTTP/1.1")).target, "*");
+  EXPECT_EQ(fault_of_head(forms::line("GET * HTTP/1.1")), "malformed");
+  EXPECT_EQ(fault_of_head(forms::line("OPTIONS *x HTTP/1.1")), "malformed");
 }
 
 TEST(Head, NoControlCharacterMayStandAnywhere) {
@@ -77,13 +73,13 @@ TEST(Head, NoControlCharacterMayStandAnywhere) {
     const bool is_control = (code < ' ' && c != '\t') || code == 0x7f;
     if (!is_control) continue;
     SCOPED_TRACE(code);
-    const std::string in_value = get("X: a" + std::string(1, c) + "b\r\n");
+    const std::string in_value = forms::get("X: a" + std::string(1, c) + "b\r\n");
     EXPECT_THROW(check_lines(in_value), HttpError);
     const std::string at_end = "X: a" + std::string(1, c);
     if (c == '\r') continue;  // a line end may be cut there
     EXPECT_THROW(check_lines(at_end), HttpError);
   }
-  EXPECT_NO_THROW(check_lines(get("X: \t \xc3\xa4\xff\r\n")));
+  EXPECT_NO_THROW(check_lines(forms::get("X: \t \xc3\xa4\xff\r\n")));
 }
 
 TEST(Head, EveryByteOfANameMustBeOfAWord) {  // RFC 9110, 5.6.2
@@ -92,7 +88,8 @@ TEST(Head, EveryByteOfANameMustBeOfAWord) {  // RFC 9110, 5.6.2
   for (int code = 1; code < 256; ++code) {
     const std::string name(1, static_cast<char>(code));
     if (name == ":" || name == "\r") continue;
-    EXPECT_EQ(type_of(get(name + ": x\r\n")), word.find(name) != word.npos ? "" : "malformed")
+    EXPECT_EQ(fault_of_head(forms::get(name + ": x\r\n")),
+              word.find(name) != word.npos ? "" : "malformed")
         << code;
   }
 }

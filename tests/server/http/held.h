@@ -7,8 +7,6 @@
 
 namespace tia::test {
 
-inline const std::string asked = "GET / HTTP/1.1\r\nHost: x\r\n\r\n";
-
 inline Application echo_target(bool at_once) {
   Application application = answering([](const Request& request) { return text(request.target); });
   application.at_once = [at_once](const Request&) { return at_once; };

@@ -105,7 +105,6 @@ TEST_P(UnfitRequestId, IsReplacedByOneOfOurOwn) {
   EXPECT_NE(first, second);
 }
 
-std::string law_of(const testing::TestParamInfo<Sent>& info) { return info.param.law; }
 constexpr const char* x64 = "xxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxx";
 constexpr const char* x65 = "xxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxx";
 INSTANTIATE_TEST_SUITE_P(Of, FitRequestId,

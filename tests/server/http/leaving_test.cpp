@@ -38,7 +38,7 @@ TEST(Leaving, StopsTheWorkWithin100Ms) {
     application.answered = [&](const Exchange& done) { status = done.response.status; };
     Serving serving(application);
     Wire wire(serving.port());
-    wire.send(asked);
+    wire.send(plain_get);
     ASSERT_TRUE(eventually([&] { return abandoned.works.load(); }));
     if (resets) {
       const linger hard{1, 0};
@@ -59,7 +59,7 @@ TEST(Leaving, IsNoticedAlsoWhereTheNextRequestHasBeenSent) {
   Abandoned abandoned;
   Serving serving(abandoned.application());
   Wire wire(serving.port());
-  wire.send(asked + asked);
+  wire.send(plain_get + plain_get);
   ASSERT_TRUE(eventually([&] { return abandoned.works.load(); }));
   wire.leave();
   EXPECT_EQ(abandoned.stopped.get_future().wait_for(seconds(1)), std::future_status::ready);
@@ -76,7 +76,7 @@ TEST(Deadline, IsKeptWithin50MsAndSaysWhenToAskAgain) {
     Serving serving(abandoned.application(), options);
     Connection connection(serving.port());
     const auto started = Clock::now();
-    connection.send(asked);
+    connection.send(plain_get);
     const Response late = connection.receive();
     const double took = ms_since(started);
     EXPECT_EQ(late.status, 503);
@@ -99,11 +99,11 @@ TEST(Deadline, LeavesTheConnectionToTheNextRequestAndTheWorkerOnceItStops) {
   Connection connection(serving.port());
   connection.send("GET /held HTTP/1.1\r\nHost: x\r\n\r\n");
   EXPECT_EQ(connection.receive().status, 503);
-  connection.send(asked);
+  connection.send(plain_get);
   EXPECT_EQ(connection.receive().status, 429);  // the worker does not listen
   held.let_go.open();
   EXPECT_TRUE(eventually([&] {
-    connection.send(asked);
+    connection.send(plain_get);
     return connection.receive().status == 200;
   }));
 }

@@ -12,8 +12,7 @@ using testing::EndsWith;
 using testing::HasSubstr;
 using testing::Not;
 
-const std::string asked = "GET / HTTP/1.1\r\nHost: x\r\n\r\n";
-const std::string asked_1_0 = "GET / HTTP/1.0\r\n\r\n";
+const std::string plain_get_1_0 = "GET / HTTP/1.0\r\n\r\n";
 
 using MakesParts = std::function<void(const SendPart&)>;
 
@@ -41,14 +40,14 @@ TEST(Parts, AreSentWhileTheNextIsMade) {
     send("two");
   }));
   Wire wire(serving.port());
-  wire.send(asked);
+  wire.send(plain_get);
   const std::string head = wire.until("\r\n\r\n");
   EXPECT_THAT(head, HasSubstr("Transfer-Encoding: chunked\r\n"));
   EXPECT_THAT(head, Not(HasSubstr("Content-Length")));
   const std::string first = wire.until("one\r\n");
   second.open();
   EXPECT_EQ(data_of(first + wire.until("0\r\n\r\n")), "onetwo");
-  wire.send(asked);  // the connection goes on
+  wire.send(plain_get);  // the connection goes on
   EXPECT_EQ(status_of(wire.until("\r\n\r\n")), 200);
 }
 
@@ -60,7 +59,7 @@ TEST(Parts, AnEmptyOneDoesNotEndTheAnswer) {
     send("two");
   }));
   Wire wire(serving.port());
-  wire.send(asked);
+  wire.send(plain_get);
   wire.until("\r\n\r\n");
   EXPECT_EQ(data_of(wire.until("\r\n0\r\n\r\n")), "onetwo");
 }
@@ -68,7 +67,7 @@ TEST(Parts, AnEmptyOneDoesNotEndTheAnswer) {
 TEST(Parts, OfNothingAreAnEmptyBody) {
   Serving serving(in_parts([](const SendPart&) {}));
   Wire wire(serving.port());
-  wire.send(asked);
+  wire.send(plain_get);
   wire.until("\r\n\r\n");
   EXPECT_EQ(wire.until("\r\n\r\n"), "0\r\n\r\n");
 }
@@ -79,7 +78,7 @@ TEST(Parts, AreOneBodyWithItsLengthForHttp10) {
     send("two");
   }));
   Wire wire(serving.port());
-  wire.send(asked_1_0);
+  wire.send(plain_get_1_0);
   const std::string answer = wire.rest();
   EXPECT_THAT(answer, HasSubstr("Content-Length: 6\r\n"));
   EXPECT_THAT(answer, Not(HasSubstr("Transfer-Encoding")));
@@ -108,7 +107,7 @@ TEST(Parts, WaitWhileTheClientDoesNotRead) {
     }
   }));
   Wire wire(serving.port(), 4096);
-  wire.send(asked);
+  wire.send(plain_get);
   std::size_t before = 0;
   while (eventually([&] { return made > before; }, milliseconds(300))) before = made;
   EXPECT_GT(made, 0U);
@@ -130,7 +129,7 @@ TEST(Parts, ThatBreakOffAreSeenToBeCut) {
     throw std::runtime_error("broken");
   }));
   Wire wire(serving.port());
-  wire.send(asked);
+  wire.send(plain_get);
   const auto started = Clock::now();
   const std::string answer = wire.rest();
   EXPECT_LT(ms_since(started), 5000);
@@ -147,7 +146,7 @@ TEST(Parts, ThatBreakOffAre500ForHttp10) {
   testing::internal::CaptureStderr();
   const std::string answer = [&] {
     Wire wire(serving.port());
-    wire.send(asked_1_0);
+    wire.send(plain_get_1_0);
     return wire.rest();
   }();
   EXPECT_THAT(testing::internal::GetCapturedStderr(), HasSubstr("broken"));
@@ -170,7 +169,7 @@ TEST(Parts, StopWithin100MsWhenTheClientLeaves) {
     }
   }));
   Wire wire(serving.port());
-  wire.send(asked);
+  wire.send(plain_get);
   ASSERT_TRUE(eventually([&] { return works.load(); }));
   const auto left = Clock::now();
   wire.leave();
@@ -190,7 +189,7 @@ TEST(Parts, AfterTheDeadlineAreSeenToBeCut) {
                   }),
                   options);
   Wire wire(serving.port());
-  wire.send(asked);
+  wire.send(plain_get);
   const auto started = Clock::now();
   const std::string answer = wire.rest();
   EXPECT_LT(ms_since(started), 5000);

@@ -39,7 +39,7 @@ TEST(Pipelining, AnswersComeInOrderHoweverLongTheyTake) {
 TEST(Pipelining, NothingIsAnsweredAfterARequestThatSaysClose) {
   Serving serving(echo_target(false));
   Connection connection(serving.port());
-  connection.send("GET /a HTTP/1.1\r\nHost: x\r\nConnection: close\r\n\r\n" + asked);
+  connection.send("GET /a HTTP/1.1\r\nHost: x\r\nConnection: close\r\n\r\n" + plain_get);
   EXPECT_EQ(connection.receive().body, "/a");
   EXPECT_TRUE(connection.closed());
 }
@@ -65,7 +65,7 @@ struct Order {
   }
 };
 
-std::string many(const std::string& target, int count, const std::string& fields = "") {
+std::string get_many(const std::string& target, int count, const std::string& fields = "") {
   std::string all;
   for (int i = 0; i < count; ++i) all += "GET " + target + " HTTP/1.1\r\nHost: x\r\n\r\n";
   return all + "GET " + target + " HTTP/1.1\r\nHost: x\r\n" + fields + "\r\n";
@@ -81,8 +81,8 @@ TEST(Pipelining, ClientsThatSendManyRequestsAheadAreServedInTurn) {
   }
   holder.get("/hold");
   ASSERT_TRUE(eventually([&] { return asked_in.holds.load(); }));
-  a.send(many("/a", 99, "Connection: close\r\n"));
-  b.send(many("/b", 99, "Connection: close\r\n"));
+  a.send(get_many("/a", 99, "Connection: close\r\n"));
+  b.send(get_many("/b", 99, "Connection: close\r\n"));
   lone.get("/1");
   asked_in.all_have_come.open();
   a.rest();

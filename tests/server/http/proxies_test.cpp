@@ -27,7 +27,7 @@ TEST_P(ClientAddress, IsTheLastThatATrustedProxyTellsAndIsNone) {
   EXPECT_EQ(client_address(GetParam().peer, headers, is_ours), GetParam().client);
 }
 
-const Told all[] = {
+const Told told_addresses[] = {
     {"ASocketsWithoutAWord", "9.9.9.9", {}, "9.9.9.9"},
     {"ASocketsWhoIsNoProxy", "9.9.9.9", {"1.1.1.1"}, "9.9.9.9"},
     {"AProxysWithoutAWord", "10.0.0.1", {}, "10.0.0.1"},
@@ -59,8 +59,7 @@ const Told all[] = {
     {"AZoneInBrackets", "10.0.0.1", {"[fe80::1%anything]:80"}, "10.0.0.1"},
     {"SpacesAround", "10.0.0.1", {" \t1.1.1.1 \t"}, "1.1.1.1"},
 };
-std::string law_of(const testing::TestParamInfo<Told>& info) { return info.param.law; }
-INSTANTIATE_TEST_SUITE_P(Of, ClientAddress, testing::ValuesIn(all), law_of);
+INSTANTIATE_TEST_SUITE_P(Of, ClientAddress, testing::ValuesIn(told_addresses), law_of);
 
 // ---- over sockets ---------------------------------------------------------------------------
 

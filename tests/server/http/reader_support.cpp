@@ -43,7 +43,7 @@ ReadOut read_whole(std::string_view bytes, std::int64_t most_body) {
   return read_pieces({bytes}, most_body);
 }
 
-Pieces bytes_of(std::string_view text) {
+Pieces single_bytes(std::string_view text) {
   Pieces pieces;
   for (std::size_t i = 0; i < text.size(); ++i) pieces.push_back(text.substr(i, 1));
   return pieces;

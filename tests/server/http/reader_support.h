@@ -37,7 +37,7 @@ void PrintTo(const ReadOut& read, std::ostream* out);
 ReadOut read_pieces(const Pieces& pieces, std::int64_t most_body = ordinary_body);
 ReadOut read_whole(std::string_view bytes, std::int64_t most_body = ordinary_body);
 
-Pieces bytes_of(std::string_view text);
+Pieces single_bytes(std::string_view text);
 /// Pieces of random lengths: most are short, so that they split what belongs together.
 Pieces random_pieces(std::string_view text, std::mt19937& random);
 

@@ -11,13 +11,13 @@ namespace {
 
 using State = RequestReader::State;
 
-const std::string next = forms::get("X-Request-Id: next\r\n");
+const std::string next_request = forms::get("X-Request-Id: next\r\n");
 
 // ---- cutting --------------------------------------------------------------------------------
 
 void expect_no_cut_matters(const std::string& bytes) {
   const ReadOut whole = read_whole(bytes);
-  EXPECT_EQ(read_pieces(bytes_of(bytes)), whole) << "byte by byte";
+  EXPECT_EQ(read_pieces(single_bytes(bytes)), whole) << "byte by byte";
   std::mt19937 random(1);
   for (int i = 0; i < 20; ++i)
     EXPECT_EQ(read_pieces(random_pieces(bytes, random)), whole) << "random pieces " << i;
@@ -32,36 +32,30 @@ class BadBytes : public testing::TestWithParam<BadRequest> {};
 
 TEST_P(GoodBytes, AreReadAndSoIsTheNextRequest) {
   const GoodRequest& good = GetParam();
-  const ReadOut read = read_whole(good.bytes + next);
+  const ReadOut read = read_whole(good.bytes + next_request);
   EXPECT_EQ(read.status, 0) << read.type;
   ASSERT_EQ(read.requests.size(), 2U);
   const std::string& text = read.requests[0];
   EXPECT_EQ(text.substr(0, text.find('\n')), good.line);
   EXPECT_EQ(text.substr(text.find("\n\n") + 2), good.body);
-  EXPECT_EQ(read.requests[1], read_whole(next).requests.at(0));
+  EXPECT_EQ(read.requests[1], read_whole(next_request).requests.at(0));
   EXPECT_EQ(read.state, State::idle);
 }
 TEST_P(GoodBytes, AreReadTheSameHoweverTheyAreCut) {
-  expect_no_cut_matters(GetParam().bytes + next);
+  expect_no_cut_matters(GetParam().bytes + next_request);
 }
 
 TEST_P(BadBytes, AreRefusedAndNothingAfterThemIsRead) {
-  const ReadOut read = read_whole(GetParam().bytes + next);
+  const ReadOut read = read_whole(GetParam().bytes + next_request);
   EXPECT_EQ(read.status, GetParam().status) << read.type;
   EXPECT_EQ(read.requests.size(), 0U);
 }
 TEST_P(BadBytes, AreRefusedTheSameHoweverTheyAreCut) {
-  expect_no_cut_matters(GetParam().bytes + next);
+  expect_no_cut_matters(GetParam().bytes + next_request);
 }
 
-template <class Info>
-std::string law_of(const Info& info) {
-  return info.param.law;
-}
-INSTANTIATE_TEST_SUITE_P(Of, GoodBytes, testing::ValuesIn(good_requests()),
-                         law_of<testing::TestParamInfo<GoodRequest>>);
-INSTANTIATE_TEST_SUITE_P(Of, BadBytes, testing::ValuesIn(bad_requests()),
-                         law_of<testing::TestParamInfo<BadRequest>>);
+INSTANTIATE_TEST_SUITE_P(Of, GoodBytes, testing::ValuesIn(good_requests()), law_of);
+INSTANTIATE_TEST_SUITE_P(Of, BadBytes, testing::ValuesIn(bad_requests()), law_of);
 
 TEST(RequestReader, AHundredRequestsInAnyPiecesAreAHundred) {
   std::string bytes;
@@ -70,7 +64,7 @@ TEST(RequestReader, AHundredRequestsInAnyPiecesAreAHundred) {
     for (const GoodRequest& good : good_requests()) bytes += good.bytes, ++count;
   const ReadOut whole = read_whole(bytes);
   EXPECT_EQ(whole.requests.size(), count);
-  EXPECT_EQ(read_pieces(bytes_of(bytes)), whole);
+  EXPECT_EQ(read_pieces(single_bytes(bytes)), whole);
   std::mt19937 random(2);
   for (int i = 0; i < 50; ++i) EXPECT_EQ(read_pieces(random_pieces(bytes, random)), whole);
 }
@@ -146,18 +140,19 @@ TEST(RequestReader, HoldsNothingOfARequestThatHasBeenTaken) {
 // ---- limits ---------------------------------------------------------------------------------
 
 // A head of exactly so many bytes, its empty line included.
-std::string head_of(std::size_t bytes) {
+std::string head_of_size(std::size_t bytes) {
   const std::string rest = forms::get("X: \r\n");
   return forms::get("X: " + std::string(bytes - rest.size(), 'a') + "\r\n");
 }
 
 TEST(RequestReader, AHeadOfExactlyTheLimitIsReadAndOneByteMoreIs431) {
-  for (const std::string& fit : {head_of(Head::most_bytes), head_of(Head::most_bytes - 1)}) {
+  for (const std::string& fit :
+       {head_of_size(Head::most_bytes), head_of_size(Head::most_bytes - 1)}) {
     EXPECT_EQ(read_whole(fit).requests.size(), 1U) << fit.size();
     expect_no_cut_matters(fit);
   }
   for (std::size_t more = 1; more <= 5; ++more) {
-    const std::string unfit = head_of(Head::most_bytes + more);
+    const std::string unfit = head_of_size(Head::most_bytes + more);
     ASSERT_EQ(unfit.size(), Head::most_bytes + more);
     EXPECT_EQ(read_whole(unfit).status, 431) << more;
     expect_no_cut_matters(unfit);
@@ -207,7 +202,7 @@ TEST(RequestReader, AFirstLineThatFitsNoTargetIs414HoweverItIsCut) {
     const ReadOut whole = read_whole(text);
     if (bytes <= 4096) EXPECT_EQ(whole.requests.size(), 1U) << bytes;
     else EXPECT_TRUE(whole.requests.size() == 1 || whole.status == 414) << bytes;
-    ASSERT_EQ(read_pieces(bytes_of(text)), whole) << bytes;
+    ASSERT_EQ(read_pieces(single_bytes(text)), whole) << bytes;
   }
 }
 
@@ -225,11 +220,11 @@ TEST(RequestReader, ABodyOfExactlyTheLimitIsReadAndOneByteMoreIs413) {
     const auto limit = static_cast<std::int64_t>(most);
     for (const std::string& fit : {sized(most), chunked(most)}) {
       EXPECT_EQ(read_whole(fit, limit).requests.size(), 1U) << most;
-      EXPECT_EQ(read_pieces(bytes_of(fit), limit).requests.size(), 1U) << most;
+      EXPECT_EQ(read_pieces(single_bytes(fit), limit).requests.size(), 1U) << most;
     }
     for (const std::string& unfit : {sized(most + 1), chunked(most + 1)}) {
       EXPECT_EQ(read_whole(unfit, limit).status, 413) << most;
-      EXPECT_EQ(read_pieces(bytes_of(unfit), limit).status, 413) << most;
+      EXPECT_EQ(read_pieces(single_bytes(unfit), limit).status, 413) << most;
     }
   }
 }

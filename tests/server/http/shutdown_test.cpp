@@ -17,7 +17,7 @@ struct Wish {
   Response due;
 };
 
-std::string get(const std::string& target) {
+std::string get_request(const std::string& target) {
   return "GET " + target + " HTTP/1.1\r\nHost: x\r\nX-Request-Id: test-1\r\n\r\n";
 }
 
@@ -26,7 +26,7 @@ std::vector<Wish> wishes(Host& host) {
   for (const char* target :
        {"/healthz", "/render?key=a&width=40&height=30", "/render?width=0", "/scenes/thesis", "/",
         "/render?scene=whitted&width=24&height=18", "/explain?x=3&y=4&width=32&height=24", "/x"})
-    all.push_back({get(target), host.get(target)});
+    all.push_back({get_request(target), host.get(target)});
   const std::string body = R"({"key":"d","width":40,"height":30})";
   all.push_back({"POST /render HTTP/1.1\r\nHost: x\r\nContent-Length: " +
                      std::to_string(body.size()) + "\r\n\r\n" + body,

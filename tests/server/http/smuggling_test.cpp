@@ -16,11 +16,6 @@ using testing::Not;
 // Asks for what no other request of the tests asks for.
 const std::string smuggled = "GET /version HTTP/1.1\r\nHost: x\r\nX-Request-Id: smuggled\r\n\r\n";
 
-Server& server() {
-  static Server shared;
-  return shared;
-}
-
 class Refused : public testing::TestWithParam<BadRequest> {};
 class Accepted : public testing::TestWithParam<GoodRequest> {};
 
@@ -34,13 +29,13 @@ void expect_refusal(Connection& connection, int status) {
 }
 
 TEST_P(Refused, WithAProblemAndACloseAndNothingAfterIsAnswered) {
-  Connection connection(server().port());
+  Connection connection(shared_server().port());
   connection.send(GetParam().bytes + smuggled);
   expect_refusal(connection, GetParam().status);
 }
 
 TEST_P(Refused, AlsoAfterAGoodRequestWhichIsAnswered) {
-  Connection connection(server().port());
+  Connection connection(shared_server().port());
   connection.send(forms::get("X-Request-Id: good\r\n") + GetParam().bytes + smuggled);
   const Response good = connection.receive();
   EXPECT_EQ(good.status, 200);
@@ -51,14 +46,14 @@ TEST_P(Refused, AlsoAfterAGoodRequestWhichIsAnswered) {
 TEST_P(Refused, AlsoWhereItsBytesComeOneByOne) {
   const std::string bytes = GetParam().bytes + smuggled;
   const std::size_t piece = 1 + bytes.size() / 1000;  // of a flood it is some more
-  Connection connection(server().port());
+  Connection connection(shared_server().port());
   for (std::size_t at = 0; at < bytes.size(); at += piece) connection.send(bytes.substr(at, piece));
   expect_refusal(connection, GetParam().status);
 }
 
 TEST_P(Accepted, AndSoIsTheNextRequest) {
   const bool closes = GetParam().line.ends_with("close");
-  Connection connection(server().port());
+  Connection connection(shared_server().port());
   connection.send(GetParam().bytes + smuggled);
   const int status = connection.receive().status;
   EXPECT_THAT(status, AnyOf(200, 204, 404, 405, 415, 422, 400));  // by what it asks for
@@ -71,14 +66,8 @@ TEST_P(Accepted, AndSoIsTheNextRequest) {
   }
 }
 
-template <class Info>
-std::string law_of(const Info& info) {
-  return info.param.law;
-}
-INSTANTIATE_TEST_SUITE_P(Of, Refused, testing::ValuesIn(bad_requests()),
-                         law_of<testing::TestParamInfo<BadRequest>>);
-INSTANTIATE_TEST_SUITE_P(Of, Accepted, testing::ValuesIn(good_requests()),
-                         law_of<testing::TestParamInfo<GoodRequest>>);
+INSTANTIATE_TEST_SUITE_P(Of, Refused, testing::ValuesIn(bad_requests()), law_of);
+INSTANTIATE_TEST_SUITE_P(Of, Accepted, testing::ValuesIn(good_requests()), law_of);
 
 TEST(Corpus, HoldsOver60RefusalsEachUnderANameOfItsOwn) {
   std::set<std::string> laws;
@@ -90,8 +79,8 @@ TEST(Target, Of4096BytesIsReadAndOneMoreIs414) {
   const auto ask = [](std::size_t bytes) {
     return forms::line("GET /" + std::string(bytes - 1, 'a') + " HTTP/1.1");
   };
-  EXPECT_EQ(exchange(server().port(), ask(4096)).status, 404);
-  EXPECT_EQ(exchange(server().port(), ask(4097)).status, 414);
+  EXPECT_EQ(exchange(shared_server().port(), ask(4096)).status, 404);
+  EXPECT_EQ(exchange(shared_server().port(), ask(4097)).status, 414);
 }
 
 // ---- floods ---------------------------------------------------------------------------------

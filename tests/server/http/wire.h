@@ -14,6 +14,9 @@
 
 namespace tia::test {
 
+/// A request of the page, in the fewest words.
+inline const std::string plain_get = "GET / HTTP/1.1\r\nHost: x\r\n\r\n";
+
 double ms_since(Clock::time_point start);
 
 HttpOptions any_port();
