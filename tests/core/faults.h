@@ -7,6 +7,7 @@
 
 #include "core/input/errors.h"
 #include "core/input/json.h"
+#include "core/scene/read_scene.h"
 
 namespace tia::test {
 
@@ -52,5 +53,9 @@ auto refusal_by(Read read) {
     expect_faults(faults_of([&] { read(text); }), expected);
   };
 }
+
+/// Checks that a scene is refused with exactly these faults.
+inline const auto expect_scene_refused =
+    refusal_by([](const std::string& json) { read_scene(json); });
 
 }  // namespace tia::test

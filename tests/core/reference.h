@@ -127,7 +127,6 @@ class Reference {
 
   // The smallest t > 0 with |o + t d - c| = r, or infinity.
   static double root(const Ball& ball, const Vec3d& o, const Vec3d& d) {
-    using Long = long double;
     const auto m = static_cast<Vec3<Long>>(o) - static_cast<Vec3<Long>>(ball.center);
     const auto way = static_cast<Vec3<Long>>(d);
     const Long a = dot(way, way), b = dot(m, way);

@@ -41,6 +41,9 @@ inline bool watched() { return __asan_init != nullptr; }
 /// So many rounds of a test, or a share of them where the library's addresses are watched.
 inline int rounds(int n, int share = 20) { return watched() ? std::max(1, n / share) : n; }
 
+/// What tests compute in, to judge doubles by.
+using Long = long double;
+
 /// Random numbers that are the same on every machine: the generator's bits are fixed by the
 /// standard, the distributions here by us; draw no two in one expression without an order.
 class Random {
@@ -51,6 +54,8 @@ class Random {
   double in(double low, double high) { return low + (high - low) * unit(); }
   /// Uniform in 0 .. n - 1.
   int below(int n) { return static_cast<int>(unit() * n); }
+  /// Uniform in low .. high.
+  int whole(int low, int high) { return low + below(high - low + 1); }
   bool chance(double share) { return unit() < share; }
   Vec3d point(double extent) {
     const double x = in(-extent, extent), y = in(-extent, extent);
@@ -98,6 +103,13 @@ inline Material matte(const Color& color, const Color& emission = {}) {
 }
 inline Object ball(const Vec3d& center, double radius, const Material& material = {}) {
   return {"", Sphere{center, radius}, {}, MaterialRef(material)};
+}
+/// A black ball before white.
+inline Scene black_ball(const Vec3d& center, double radius) {
+  Scene scene;
+  scene.background = {1, 1, 1};
+  scene.objects.push_back(ball(center, radius));
+  return scene;
 }
 inline Light point_light(const Vec3d& position, const Color& color = {1, 1, 1}) {
   Light light;

@@ -39,8 +39,6 @@ void expect_beyond(const Bytes& file, const char* got, const char* allowed) {
   EXPECT_THAT(refusal(file).allowed, testing::HasSubstr(allowed));
 }
 
-using Codes = std::vector<std::uint8_t>;
-
 // ---- PNG ------------------------------------------------------------------------------------
 
 TEST(Decode, OwnPngFilesComeBack) {
@@ -48,7 +46,7 @@ TEST(Decode, OwnPngFilesComeBack) {
   for (const auto& [width, height] : {std::pair{1, 1}, {2, 3}, {1, 300}, {257, 31}}) {
     Image8 image(width, height);
     for (auto& code : image.rgb) code = static_cast<std::uint8_t>(random.below(256));
-    const Image8 back = decoded(test::bytes_of(encode_png(image)));
+    const Image8 back = decoded(test::to_bytes(encode_png(image)));
     EXPECT_EQ(back.width, width);
     EXPECT_EQ(back.height, height);
     EXPECT_EQ(back.rgb, image.rgb);
@@ -57,32 +55,32 @@ TEST(Decode, OwnPngFilesComeBack) {
 
 // One pixel a file: each kind that the format has, as RGB.
 TEST(Decode, PngsOfEveryKindBecomeRgb) {
-  EXPECT_EQ(decoded(test::png({1, 1, 8, test::grey}, "\x40")).rgb, (Codes{64, 64, 64}));
-  EXPECT_EQ(decoded(test::png({1, 1, 1, test::grey}, "\x80")).rgb, (Codes{255, 255, 255}));
-  EXPECT_EQ(decoded(test::png({1, 1, 16, test::grey}, "\x40\x99")).rgb, (Codes{64, 64, 64}));
-  EXPECT_EQ(decoded(test::png({1, 1, 8, test::grey_alpha}, "\x40\x07")).rgb, (Codes{64, 64, 64}));
-  EXPECT_EQ(decoded(test::png({1, 1, 8, test::rgb}, "\x01\x02\x03")).rgb, (Codes{1, 2, 3}));
-  EXPECT_EQ(decoded(test::png({1, 1, 8, test::rgba}, "\x01\x02\x03\x04")).rgb, (Codes{1, 2, 3}));
+  EXPECT_EQ(decoded(test::png({1, 1, 8, test::grey}, "\x40")).rgb, (Bytes{64, 64, 64}));
+  EXPECT_EQ(decoded(test::png({1, 1, 1, test::grey}, "\x80")).rgb, (Bytes{255, 255, 255}));
+  EXPECT_EQ(decoded(test::png({1, 1, 16, test::grey}, "\x40\x99")).rgb, (Bytes{64, 64, 64}));
+  EXPECT_EQ(decoded(test::png({1, 1, 8, test::grey_alpha}, "\x40\x07")).rgb, (Bytes{64, 64, 64}));
+  EXPECT_EQ(decoded(test::png({1, 1, 8, test::rgb}, "\x01\x02\x03")).rgb, (Bytes{1, 2, 3}));
+  EXPECT_EQ(decoded(test::png({1, 1, 8, test::rgba}, "\x01\x02\x03\x04")).rgb, (Bytes{1, 2, 3}));
   EXPECT_EQ(decoded(test::png({1, 1, 8, test::palette}, "\x01", "\x09\x08\x07\x06\x05\x04")).rgb,
-            (Codes{6, 5, 4}));
+            (Bytes{6, 5, 4}));
 }
 
 // Codes that a palette has no colour for are an error of the file, and nobody's memory.
 TEST(Decode, ColoursBeyondThePaletteAreBlack) {
   const Bytes file =
       test::png({4, 1, 8, test::palette}, "\x01\x02\x80\xFF", "\x09\x08\x07\x06\x05\x04");
-  EXPECT_EQ(decoded(file).rgb, (Codes{6, 5, 4, 0, 0, 0, 0, 0, 0, 0, 0, 0}));
+  EXPECT_EQ(decoded(file).rgb, (Bytes{6, 5, 4, 0, 0, 0, 0, 0, 0, 0, 0, 0}));
 }
 
 TEST(Decode, EmptyChunksOfPixelsAreNothing) {
   const Bytes file = test::png({1, 1, 8, test::grey}, "\x40");
-  const Bytes name = test::bytes_of("IDAT");
+  const Bytes name = test::to_bytes("IDAT");
   const std::string empty = test::png_chunk("IDAT", "");
   const auto pixels = std::search(file.begin(), file.end(), name.begin(), name.end()) - 4;
   Bytes more(file.begin(), pixels);
   more.insert(more.end(), empty.begin(), empty.end());
   more.insert(more.end(), pixels, file.end());
-  EXPECT_EQ(decoded(more).rgb, (Codes{64, 64, 64}));
+  EXPECT_EQ(decoded(more).rgb, (Bytes{64, 64, 64}));
 }
 
 // ---- JPEG -----------------------------------------------------------------------------------
@@ -136,11 +134,11 @@ TEST(Decode, ComponentsThatAScanLeavesOutAreTheSameEachTime) {
 
 TEST(Decode, WhatIsNoPictureIsRefused) {
   expect_broken({});
-  expect_broken(test::bytes_of("GIF89a\x01"));
-  expect_broken(test::bytes_of("\x89PNG\r\n\x1A\n"));
-  expect_broken(test::bytes_of("\xFF\xD8\xFF"));
-  expect_broken(test::bytes_of("\xFF\xD8\xFF\xD9"));
-  expect_broken(test::bytes_of("BM"));
+  expect_broken(test::to_bytes("GIF89a\x01"));
+  expect_broken(test::to_bytes("\x89PNG\r\n\x1A\n"));
+  expect_broken(test::to_bytes("\xFF\xD8\xFF"));
+  expect_broken(test::to_bytes("\xFF\xD8\xFF\xD9"));
+  expect_broken(test::to_bytes("BM"));
 }
 
 TEST(Decode, EveryStartOfAPngIsRefused) {
@@ -154,7 +152,7 @@ TEST(Decode, LargeFilesAndLargePicturesAreRefusedByTheirHeaders) {
   large.resize(most_picture_bytes + 1);
   expect_beyond(large, "1048577 bytes", "at most 1048576 bytes");
   large.resize(most_picture_bytes);
-  EXPECT_EQ(decoded(large).rgb, (Codes{64, 64, 64})) << "what follows the end is not looked at";
+  EXPECT_EQ(decoded(large).rgb, (Bytes{64, 64, 64})) << "what follows the end is not looked at";
   expect_beyond(test::png({2049, 2048, 1, test::grey}, "x"), "2049 x 2048 pixels",
                 "at most 4194304 pixels");
   expect_beyond(test::png({4194305, 1, 8, test::grey}, "x"), "4194305 x 1 pixels", "pixels");
@@ -165,7 +163,7 @@ TEST(Decode, ThePixelsOfTheLargestPictureAreRead) {
   const std::string rows(2048 * 256, '\xFF');
   const Image8 image = decoded(test::png({2048, 2048, 1, test::grey}, rows));
   EXPECT_EQ(image.rgb.size(), 3U << 22U);
-  EXPECT_THAT(Codes(image.rgb.end() - 6, image.rgb.end()), testing::Each(255));
+  EXPECT_THAT(Bytes(image.rgb.end() - 6, image.rgb.end()), testing::Each(255));
 }
 
 TEST(Decode, AJpegOfTooManyScansIsRefused) {
@@ -194,7 +192,7 @@ std::int64_t peak_bytes() {
 // Nearly a mebibyte that unpacks to 150, under the header of a single pixel.
 TEST(Decode, ZlibBombsTakeNoMemory) {
   const std::string stream = test::zlib_of_zeros(600'000);
-  const Bytes file = test::bytes_of(test::png_file({1, 1, 8, test::grey}, stream, ""));
+  const Bytes file = test::to_bytes(test::png_file({1, 1, 8, test::grey}, stream, ""));
   ASSERT_LT(file.size(), most_picture_bytes);
   const std::int64_t before = peak_bytes();
   expect_broken(file);
@@ -204,7 +202,7 @@ TEST(Decode, ZlibBombsTakeNoMemory) {
 // The same stream, short enough for the pixels.
 TEST(Decode, ZlibStreamsThatFitAreRead) {
   const std::string stream = test::zlib_of_zeros(4);  // 1 + 4 * 258
-  const Bytes file = test::bytes_of(test::png_file({1032, 1, 8, test::grey}, stream, ""));
+  const Bytes file = test::to_bytes(test::png_file({1032, 1, 8, test::grey}, stream, ""));
   EXPECT_THAT(decoded(file).rgb, testing::Each(0));
 }
 
@@ -214,7 +212,7 @@ TEST(Decode, DamagedFilesAreTheSameEachTime) {
   Image8 image(20, 13);
   for (auto& code : image.rgb) code = static_cast<std::uint8_t>(random.below(256));
   const Bytes files[] = {
-      test::bytes_of(encode_png(image)),
+      test::to_bytes(encode_png(image)),
       test::png({4, 2, 8, test::palette}, "\x01\x02\x80\xFF\x01\x02\x80\xFF", "\x09\x08\x07"),
       test::flat_jpeg({100, 140, 150}),
       test::flat_jpeg({100, 140, 150}, test::JpegKind::progressive)};

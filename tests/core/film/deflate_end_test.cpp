@@ -41,7 +41,7 @@ DeflateEnd end_of(Bytes stream) {
 }
 
 // Texts of codes below `kinds`, of which every `repeated`-th or so begins a copy of what came.
-Bytes text_of(std::size_t bytes, int kinds, int repeated, std::uint64_t seed) {
+Bytes random_text(std::size_t bytes, int kinds, int repeated, std::uint64_t seed) {
   Random random(seed);
   Bytes text;
   while (text.size() < bytes) {
@@ -58,7 +58,7 @@ std::vector<Bytes> texts() {
   std::vector<Bytes> all{{}, {7}, Bytes(100'000)};
   for (const std::size_t bytes : {40U, 3'000U, 300'000U})
     for (const int kinds : {2, 40, 256})
-      for (const int repeated : {0, 3, 50}) all.push_back(text_of(bytes, kinds, repeated, 340));
+      for (const int repeated : {0, 3, 50}) all.push_back(random_text(bytes, kinds, repeated, 340));
   return all;
 }
 
@@ -77,7 +77,7 @@ TEST(DeflateEnd, IsInTheLastByteAndTheLastBlockSaysThatItIs) {
 // Bit by bit behind one another, as nothing else would notice an end that is a bit off. The second
 // stream has no stored block, for those would have to begin with a byte.
 TEST(DeflateEnd, StreamsThatAreJoinedThereAreOneStreamOfBothTexts) {
-  const Bytes more = text_of(2'000, 40, 3, 343), second = deflated(more, 2);
+  const Bytes more = random_text(2'000, 40, 3, 343), second = deflated(more, 2);
   for (const Bytes& text : texts()) {
     const Bytes first = deflated(text, 2);
     const DeflateEnd at = end_of(first);
@@ -94,7 +94,7 @@ TEST(DeflateEnd, StreamsThatAreJoinedThereAreOneStreamOfBothTexts) {
 }
 
 TEST(DeflateEnd, StreamsThatAreCutShortAreRefused) {
-  const Bytes stream = deflated(text_of(3'000, 40, 3, 341), 2);
+  const Bytes stream = deflated(random_text(3'000, 40, 3, 341), 2);
   for (std::size_t bytes = 0; bytes < stream.size(); ++bytes)
     EXPECT_THROW(end_of({stream.begin(), stream.begin() + static_cast<std::ptrdiff_t>(bytes)}),
                  std::invalid_argument)

@@ -18,7 +18,9 @@ namespace tia::test {
 
 using Bytes = std::vector<std::uint8_t>;
 
-inline Bytes bytes_of(std::string_view text) { return {text.begin(), text.end()}; }
+inline Bytes to_bytes(std::string_view text) { return {text.begin(), text.end()}; }
+
+inline std::string to_text(const Bytes& bytes) { return {bytes.begin(), bytes.end()}; }
 
 inline std::string base64(std::string_view bytes) {
   constexpr std::string_view digits =
@@ -98,7 +100,7 @@ inline Bytes png(const PngHeader& header, const std::string& rows, const std::st
   std::string filtered;
   for (std::size_t y = 0; y < header.height && row > 0; ++y)
     filtered += '\0' + rows.substr(y * row, row);
-  return bytes_of(png_file(header, zlib(filtered), colors));
+  return to_bytes(png_file(header, zlib(filtered), colors));
 }
 
 // ---- JPEG -----------------------------------------------------------------------------------

@@ -12,7 +12,7 @@ namespace {
 using test::Random;
 
 // A picture of random light cut into blocks of a side.
-std::vector<Block> cut(const Image& image, int side) {
+std::vector<Block> blocks_of(const Image& image, int side) {
   std::vector<Block> blocks;
   for (int y0 = 0; y0 < image.height; y0 += side) {
     for (int x0 = 0; x0 < image.width; x0 += side) {
@@ -45,7 +45,7 @@ TEST(Film, LinearFilmKeepsEveryBitWhateverTheBlocks) {
   const Image light = random_light(101, 67, 110);
   for (const int side : {32, 31, 7, 1}) {
     LinearFilm film(light.width, light.height);
-    for (const Block& block : cut(light, side)) film.put(block);
+    for (const Block& block : blocks_of(light, side)) film.put(block);
     EXPECT_EQ(test::bits_of(film.image()), test::bits_of(light)) << side;
   }
 }
@@ -56,7 +56,7 @@ TEST(Film, DisplayFilmHoldsTheCodesOfTheLinearFilmsLight) {
     const auto encode = transfer == Transfer::linear ? encode_linear : encode_srgb;
     for (const int side : {32, 31, 7, 1}) {
       DisplayFilm film(light.width, light.height, transfer);
-      for (const Block& block : cut(light, side)) film.put(block);
+      for (const Block& block : blocks_of(light, side)) film.put(block);
       ASSERT_EQ(film.image().rgb.size(), light.rgb.size());
       for (std::size_t i = 0; i < light.rgb.size(); ++i)
         ASSERT_EQ(film.image().rgb[i], encode(light.rgb[i])) << side << ": " << i;
@@ -81,18 +81,18 @@ TEST(Film, ScanlineFilmHoldsTheDisplayFilmsRowsFiltered) {
   for (const auto& [width, height] : {std::pair{1, 1}, {1, 40}, {22, 3}, {101, 67}, {400, 33}}) {
     const Image light = random_light(width, height, 112);
     DisplayFilm codes(width, height, rule);
-    for (const Block& block : cut(light, 32)) codes.put(block);
+    for (const Block& block : blocks_of(light, 32)) codes.put(block);
     const std::vector<std::uint8_t> expected = filtered(codes.image());
     for (const int side : {32, 31, 7, 1}) {
-      std::vector<Block> blocks = cut(light, side);
+      std::vector<Block> blocks = blocks_of(light, side);
       for (int turn = 0; turn < 3; ++turn) {
         ScanlineFilm film(width, height, rule);
         for (const Block& block : blocks) film.put(block);
         const Scanlines& lines = film.scanlines();
         ASSERT_EQ(lines.size(), expected.size());
         EXPECT_TRUE(std::equal(expected.begin(), expected.end(), lines.data())) << side;
-        std::ranges::rotate(blocks,
-                            blocks.begin() + static_cast<std::ptrdiff_t>(blocks.size() / 2));
+        std::rotate(blocks.begin(), blocks.begin() + static_cast<std::ptrdiff_t>(blocks.size() / 2),
+                    blocks.end());
         if (turn == 1) std::ranges::reverse(blocks);
       }
     }
@@ -101,7 +101,7 @@ TEST(Film, ScanlineFilmHoldsTheDisplayFilmsRowsFiltered) {
 
 TEST(Film, ScanlinesAreTheSameHoweverManyThreadsPutTheirBlocks) {
   const Image light = random_light(333, 217, 113);
-  const std::vector<Block> blocks = cut(light, 16);
+  const std::vector<Block> blocks = blocks_of(light, 16);
   DisplayFilm codes(333, 217, Transfer::srgb);
   for (const Block& block : blocks) codes.put(block);
   const std::vector<std::uint8_t> expected = filtered(codes.image());

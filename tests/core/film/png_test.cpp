@@ -27,7 +27,7 @@ using test::noise;
 using test::number_of;
 using test::ramp;
 
-Image8 decoded(const std::string& png) {
+Image8 stb_decoded(const std::string& png) {
   int width = 0, height = 0, channels = 0;
   const std::unique_ptr<stbi_uc, void (*)(void*)> pixels(
       stbi_load_from_memory(reinterpret_cast<const stbi_uc*>(png.data()),
@@ -39,7 +39,7 @@ Image8 decoded(const std::string& png) {
   return image;
 }
 
-void expect_same(const Image8& got, const Image8& expected) {
+void expect_same_pixels(const Image8& got, const Image8& expected) {
   ASSERT_EQ(got.width, expected.width);
   ASSERT_EQ(got.height, expected.height);
   EXPECT_TRUE(got.rgb == expected.rgb);
@@ -52,15 +52,15 @@ TEST(Png, AnIndependentDecoderReadsTheSamePixels) {
     SCOPED_TRACE(width);
     for (const Image8& image :
          {noise(width, height, 120), ramp(width, height), Image8(width, height)}) {
-      expect_same(decoded(encode_png(image)), image);
-      expect_same(decoded(encode_png(test::scanlines_of(image))), image);
+      expect_same_pixels(stb_decoded(encode_png(image)), image);
+      expect_same_pixels(stb_decoded(encode_png(test::scanlines_of(image))), image);
     }
   }
 }
 
 TEST(Png, LongestRowsAreRead) {
-  expect_same(decoded(encode_png(ramp(1'000'000, 1))), ramp(1'000'000, 1));
-  expect_same(decoded(encode_png(ramp(1, 100'000))), ramp(1, 100'000));
+  expect_same_pixels(stb_decoded(encode_png(ramp(1'000'000, 1))), ramp(1'000'000, 1));
+  expect_same_pixels(stb_decoded(encode_png(ramp(1, 100'000))), ramp(1, 100'000));
 }
 
 TEST(Png, HasOneHeaderItsPixelsAndAnEnd) {

@@ -9,11 +9,11 @@
 namespace tia {
 namespace {
 
-using Long = long double;
+using test::Long;
 using test::Random;
 
-const float nan = std::numeric_limits<float>::quiet_NaN();
-const float inf = std::numeric_limits<float>::infinity();
+const float nan_float = std::numeric_limits<float>::quiet_NaN();
+const float infinite_float = std::numeric_limits<float>::infinity();
 
 // IEC 61966-2-1: linear light to signal.
 Long srgb_signal(Long light) {
@@ -127,16 +127,17 @@ TEST(TonemapSrgb, EveryCodesOwnLightComesBackAsTheCode) {
 
 TEST(Tonemap, ClampsToBlackAndWhiteAndTakesNaNForBlack) {
   for (const auto encode : {encode_linear, encode_srgb}) {
-    for (const float dark : {0.0F, -0.0F, -1e-30F, -1.0F, -inf, nan, -nan, 1e-40F})
+    for (const float dark :
+         {0.0F, -0.0F, -1e-30F, -1.0F, -infinite_float, nan_float, -nan_float, 1e-40F})
       EXPECT_EQ(encode(dark), 0) << dark;
-    for (const float bright : {1.0F, 1.0001F, 255.0F, 3e9F, 1e38F, inf})
+    for (const float bright : {1.0F, 1.0001F, 255.0F, 3e9F, 1e38F, infinite_float})
       EXPECT_EQ(encode(bright), 255) << bright;
   }
 }
 
 TEST(Tonemap, RowsAreDevelopedLikeSingleValues) {
   Random random(103);
-  const std::array<float, 6> special{nan, inf, -inf, -1, 1e30F, -0.0F};
+  const std::array<float, 6> special{nan_float, infinite_float, -infinite_float, -1, 1e30F, -0.0F};
   for (const Transfer transfer : {Transfer::linear, Transfer::srgb}) {
     const auto encode = transfer == Transfer::linear ? encode_linear : encode_srgb;
     for (int round = 0; round < 2000; ++round) {
@@ -145,9 +146,9 @@ TEST(Tonemap, RowsAreDevelopedLikeSingleValues) {
       block.height = Block::size;
       const int y = random.below(Block::size);
       const std::size_t row = static_cast<std::size_t>(y * Block::size);
-      block.r.fill(nan);
-      block.g.fill(nan);
-      block.b.fill(nan);
+      block.r.fill(nan_float);
+      block.g.fill(nan_float);
+      block.b.fill(nan_float);
       const auto light = [&] {
         return random.chance(0.1) ? special[static_cast<std::size_t>(random.below(6))]
                                   : any_light(random);

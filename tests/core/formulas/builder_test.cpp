@@ -8,16 +8,18 @@ namespace {
 
 using test::Random;
 
-Program program_of(const std::vector<std::string_view>& texts) {
-  return tia::program_of(texts, {test::variable_names, {}});
+Program program_of_all(const std::vector<std::string_view>& texts) {
+  return program_of(texts, {test::variable_names, {}});
 }
-std::size_t instructions(std::string_view text) { return program_of({text}).instructions.size(); }
+std::size_t instructions(std::string_view text) {
+  return program_of_all({text}).instructions.size();
+}
 
 TEST(ProgramBuilder, LikeTermsAreOne) {
   EXPECT_EQ(instructions("x+y"), 3U);
   EXPECT_EQ(instructions("(x+y)*sin(x+y)"), 5U);
   EXPECT_EQ(instructions("x*x"), instructions("x^2"));
-  EXPECT_EQ(program_of({"x+y", "x+y"}).instructions.size(), 3U);
+  EXPECT_EQ(program_of_all({"x+y", "x+y"}).instructions.size(), 3U);
 }
 
 TEST(ProgramBuilder, ConstantsAreComputedOnce) {
@@ -30,8 +32,8 @@ TEST(ProgramBuilder, FoldedConstantsAreThoseThatTheProgramComputes) {
   Random random(1);
   const auto all = [&](const std::string& text, const std::array<double, 2>& with) {
     const std::array<double, 3> at{with[0], with[1], 0};
-    const Program late = program_of({text});
-    const Program early = tia::program_of({text}, {{"z"}, {{"x", with[0]}, {"y", with[1]}}});
+    const Program late = program_of_all({text});
+    const Program early = program_of({text}, {{"z"}, {{"x", with[0]}, {"y", with[1]}}});
     const double expected = evaluate(late, at.data()), got = evaluate(early, at.data());
     EXPECT_TRUE(got == expected || (std::isnan(got) && std::isnan(expected))) << text;
     EXPECT_TRUE(!std::isfinite(expected) || early.instructions.size() == 1) << text;
@@ -49,7 +51,7 @@ TEST(ProgramBuilder, FoldedConstantsAreThoseThatTheProgramComputes) {
 
 TEST(ProgramBuilder, UndefinedConstantsStayUndefined) {
   for (const char* text : {"sqrt(-1)", "log(-1)", "asin(2)", "(-8)^(1/3)", "min(sqrt(-1), 2)"}) {
-    const Program program = program_of({text});
+    const Program program = program_of_all({text});
     EXPECT_TRUE(std::isnan(evaluate<double>(program, nullptr))) << text;
     Definedness<double> where;
     evaluate<Interval<double>>(program, nullptr, where);
@@ -77,7 +79,7 @@ TEST(ProgramBuilder, LongSumsNeedFewSlots) {
     text += "+x*" + std::to_string(i);
     expected += 0.5 * i;
   }
-  const Program program = program_of({text});
+  const Program program = program_of_all({text});
   const double at = 0.5;
   EXPECT_EQ(evaluate(program, &at), expected);
   EXPECT_LE(program.slots, 6U);
@@ -92,7 +94,7 @@ TEST(ProgramBuilder, SeveralResultsKeepTheirSlots) {
       trees.push_back(test::any_tree(random, random.below(4)));
       texts.push_back(print(*trees.back(), random).text);
     }
-    const Program program = program_of({texts[0], texts[1], texts[2]});
+    const Program program = program_of_all({texts[0], texts[1], texts[2]});
     const std::array<double, 3> at{0.3, 0.7, 1.1};
     Anywhere where;
     const double* const slots = run(program, at.data(), where);
@@ -105,7 +107,7 @@ TEST(ProgramBuilder, SeveralResultsKeepTheirSlots) {
 }
 
 TEST(ProgramBuilder, CostIsThatOfItsInstructions) {
-  const Program program = program_of({"sin(x)+x^y"});
+  const Program program = program_of_all({"sin(x)+x^y"});
   EXPECT_EQ(program.cost, cost_of(Op::sin) + cost_of(Op::pow) + 3);
 }
 

@@ -9,9 +9,9 @@
 namespace tia {
 namespace {
 
-using Long = long double;
+using test::Long;
 
-std::array<double, 2> slopes(const char* text, double x, double y) {
+std::array<double, 2> slopes_of_text(const char* text, double x, double y) {
   using Slopes = Dual<double, 2>;
   const std::array<Slopes, 2> at{Slopes::variable(x, 0), Slopes::variable(y, 1)};
   return evaluate(program_of({text}, {{"x", "y"}, {}}), at.data()).slope;
@@ -61,7 +61,7 @@ TEST(Dual, SlopesOfEachFunctionAreItsDerivative) {
   for (const Case& each : cases)
     for (int i = 0; i < 50; ++i) {
       const double x = random.in(0.05, 0.95), y = random.in(0.05, 0.95);
-      const double got = slopes(each.text, x, y)[0];
+      const double got = slopes_of_text(each.text, x, y)[0];
       const Long expected = each.slope(x, y);
       ASSERT_NEAR(got, static_cast<double>(expected), 1e-13 * (1 + std::fabs(got))) << each.text;
     }
@@ -69,7 +69,7 @@ TEST(Dual, SlopesOfEachFunctionAreItsDerivative) {
 
 TEST(Dual, SlopesAtZeroOfPowers) {
   const auto slope = [](const char* text, double x, double y, std::size_t by) {
-    return slopes(text, x, y)[by];
+    return slopes_of_text(text, x, y)[by];
   };
   EXPECT_EQ(slope("x^2", 0, 0, 0), 0);
   EXPECT_EQ(slope("x^1", 0, 0, 0), 1);

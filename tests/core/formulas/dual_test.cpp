@@ -10,17 +10,15 @@ namespace {
 using test::any_tree;
 using test::Evaluation;
 using test::Long;
+using test::Point;
+using test::program_of_xyz;
 using test::Random;
 using test::TreePtr;
 
-using Point = std::array<double, 3>;
 using Sides = std::array<Interval<double>, 3>;
 using Slopes = Dual<double, 3>;
 using SlopeBounds = Dual<Interval<double>, 3>;
 
-Program program_of(const std::string& text) {
-  return tia::program_of({text}, {test::variable_names, {}});
-}
 template <class T>
 std::array<Dual<T, 3>, 3> variables(const std::array<T, 3>& at) {
   std::array<Dual<T, 3>, 3> all;
@@ -34,12 +32,12 @@ SlopeBounds slopes(const Program& program, const Sides& sides, Definedness<doubl
   return evaluate(program, variables(sides).data(), where);
 }
 // Constants are doubles, computed once: the formula's own is a few of their digits off.
-bool holds(const Interval<double>& bounds, Long x) {
+bool nearly_holds(const Interval<double>& bounds, Long x) {
   const Long slack = std::isfinite(x) ? 1e-12L * std::fabs(x) : 0;
   return bounds.lo <= x + slack && x - slack <= bounds.hi;
 }
 
-Point any_point(Random& random) {
+Point uniform_point(Random& random) {
   Point at{};
   for (double& each : at) each = random.in(-3, 3);
   return at;
@@ -52,8 +50,8 @@ TEST(Dual, SlopesOfFormulasAreTheirDerivatives) {
   for (int i = 0; i < 20'000; ++i) {
     const TreePtr tree = any_tree(random, 1 + random.below(4));
     const std::string text = print(*tree, random).text;
-    const Program program = program_of(text);
-    const Point at = any_point(random);
+    const Program program = program_of_xyz(text);
+    const Point at = uniform_point(random);
     Definedness<double> where;
     const SlopeBounds bounds = slopes(program, Sides{at[0], at[1], at[2]}, where);
     const Slopes got = slopes(program, at);
@@ -66,8 +64,9 @@ TEST(Dual, SlopesOfFormulasAreTheirDerivatives) {
       ++checked;
       const double own = got.slope[axis];
       const Interval<double>& bound = bounds.slope[axis];
-      ASSERT_TRUE(holds(bound, exact)) << text << " by " << by << ": " << exact;
-      ASSERT_TRUE(std::isnan(own) || holds(bound, own)) << text << " by " << by << ": " << own;
+      ASSERT_TRUE(nearly_holds(bound, exact)) << text << " by " << by << ": " << exact;
+      ASSERT_TRUE(std::isnan(own) || nearly_holds(bound, own))
+          << text << " by " << by << ": " << own;
       if (!(bound.hi - bound.lo <= 1e-11 * std::fabs(exact))) continue;
       ++precise;
       ASSERT_NEAR(own, static_cast<double>(exact), 1e-10 * std::fabs(own)) << text << " by " << by;
@@ -80,8 +79,8 @@ TEST(Dual, SlopesOfFormulasAreTheirDerivatives) {
 TEST(Dual, ValuesAreThoseWithoutSlopes) {
   Random random(3);
   for (int i = 0; i < 3'000; ++i) {
-    const Program program = program_of(print(*any_tree(random, 4), random).text);
-    const Point at = any_point(random);
+    const Program program = program_of_xyz(print(*any_tree(random, 4), random).text);
+    const Point at = uniform_point(random);
     const double with = slopes(program, at).value, alone = evaluate(program, at.data());
     ASSERT_TRUE(with == alone || (std::isnan(with) && std::isnan(alone)));
     const Sides sides{Interval<double>(at[0], at[0] + 1), at[1], at[2]};
@@ -95,7 +94,7 @@ TEST(Dual, ValuesAreThoseWithoutSlopes) {
   }
 }
 
-Sides any_box(Random& random) {
+Sides any_sides(Random& random) {
   Sides sides{};
   const double width = std::pow(10, random.in(-4, 1));
   for (auto& each : sides) {
@@ -119,8 +118,8 @@ TEST(Dual, OverBoxesHoldsTheSlopesThere) {
   for (int i = 0; i < 10'000; ++i) {
     const TreePtr tree = any_tree(random, 1 + random.below(4));
     const std::string text = print(*tree, random).text;
-    const Program program = program_of(text);
-    const Sides sides = any_box(random);
+    const Program program = program_of_xyz(text);
+    const Sides sides = any_sides(random);
     Definedness<double> where;
     const SlopeBounds bounds = slopes(program, sides, where);
     for (int k = 0; k < 6; ++k) {
@@ -129,7 +128,7 @@ TEST(Dual, OverBoxesHoldsTheSlopesThere) {
       const Long value = exactly.value(*tree), exact = exactly.slope(*tree, k % 3);
       if (std::isnan(value) || exactly.overflowed() || !std::isfinite(exact)) continue;
       const Interval<double>& bound = bounds.slope[static_cast<std::size_t>(k % 3)];
-      ASSERT_TRUE(holds(bound, exact)) << text << " by " << k % 3 << ": " << exact;
+      ASSERT_TRUE(nearly_holds(bound, exact)) << text << " by " << k % 3 << ": " << exact;
       ++checked;
       finite += bound.hi - bound.lo < 1e6 ? 1 : 0;
     }
@@ -145,8 +144,8 @@ TEST(Dual, OverBoxesHoldsSecants) {
   for (int i = 0; i < 20'000; ++i) {
     const TreePtr tree = any_tree(random, 1 + random.below(4));
     const std::string text = print(*tree, random).text;
-    const Program program = program_of(text);
-    const Sides sides = any_box(random);
+    const Program program = program_of_xyz(text);
+    const Sides sides = any_sides(random);
     Definedness<double> where;
     const SlopeBounds bounds = slopes(program, sides, where);
     if (!where.whole) continue;
@@ -173,9 +172,9 @@ TEST(Dual, OverEightBoxesIsThatOverEach) {
   using Bounds = Dual<Interval<Octet>, 3>;
   Random random(6);
   for (int i = 0; i < 2'000; ++i) {
-    const Program program = program_of(print(*any_tree(random, 4), random).text);
+    const Program program = program_of_xyz(print(*any_tree(random, 4), random).text);
     std::array<Sides, 8> boxes{};
-    for (Sides& each : boxes) each = any_box(random);
+    for (Sides& each : boxes) each = any_sides(random);
     std::array<Interval<Octet>, 3> all{};
     for (std::size_t axis = 0; axis < 3; ++axis) {
       std::array<double, 8> lo{}, hi{};

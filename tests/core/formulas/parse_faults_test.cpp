@@ -11,30 +11,30 @@ namespace {
 using test::Random;
 using testing::HasSubstr;
 
-const FormulaNames names{{"x", "y"}, {{"radius", 2}}};
+const FormulaNames names_and_radius{{"x", "y"}, {{"radius", 2}}};
 
-std::vector<Fault> faults_of(const std::string& text) {
+std::vector<Fault> formula_faults(const std::string& text) {
   ProgramBuilder builder;
   Faults faults;
-  const int term = read_formula(text, names, Place{}.at("formula"), builder, faults);
+  const int term = read_formula(text, names_and_radius, Place{}.at("formula"), builder, faults);
   EXPECT_EQ(term == -1, !faults.empty()) << text;
   return faults.list();
 }
-Fault fault_of(const std::string& text) {
-  const std::vector<Fault> all = faults_of(text);
+Fault formula_fault(const std::string& text) {
+  const std::vector<Fault> all = formula_faults(text);
   EXPECT_EQ(all.size(), 1U) << text;
   return all.empty() ? Fault{} : all.front();
 }
 
-struct Case {
+struct FaultyText {
   std::string text;
   std::size_t column;
   std::string allowed;  ///< what the fault says after the column
 };
 
-void expect_faults(const std::vector<Case>& cases) {
-  for (const Case& each : cases) {
-    const Fault fault = fault_of(each.text);
+void expect_columns(const std::vector<FaultyText>& cases) {
+  for (const FaultyText& each : cases) {
+    const Fault fault = formula_fault(each.text);
     EXPECT_EQ(fault.column, each.column) << each.text;
     EXPECT_EQ(fault.allowed, "at column " + std::to_string(each.column) + " " + each.allowed)
         << each.text;
@@ -46,59 +46,59 @@ void expect_faults(const std::vector<Case>& cases) {
 const std::string operand = "a number, a name, a function, - or (";
 
 TEST(ParseFaults, WhereAnOperandIsMissing) {
-  expect_faults({{"", 1, "not the end but " + operand},
-                 {"   ", 4, "not the end but " + operand},
-                 {"x+", 3, "not the end but " + operand},
-                 {"x + * y", 5, "not '*' but " + operand},
-                 {"+x", 1, "not '+' but " + operand},
-                 {"()", 2, "not ')' but " + operand},
-                 {"sin()", 5, "not ')' but " + operand},
-                 {"max(,1)", 5, "not ',' but " + operand},
-                 {"max(1,)", 7, "not ')' but " + operand},
-                 {"-", 2, "not the end but " + operand},
-                 {"x^", 3, "not the end but " + operand},
-                 {"x*$", 3, "not '$' but " + operand},
-                 {".", 1, "not '.' but " + operand}});
+  expect_columns({{"", 1, "not the end but " + operand},
+                  {"   ", 4, "not the end but " + operand},
+                  {"x+", 3, "not the end but " + operand},
+                  {"x + * y", 5, "not '*' but " + operand},
+                  {"+x", 1, "not '+' but " + operand},
+                  {"()", 2, "not ')' but " + operand},
+                  {"sin()", 5, "not ')' but " + operand},
+                  {"max(,1)", 5, "not ',' but " + operand},
+                  {"max(1,)", 7, "not ')' but " + operand},
+                  {"-", 2, "not the end but " + operand},
+                  {"x^", 3, "not the end but " + operand},
+                  {"x*$", 3, "not '$' but " + operand},
+                  {".", 1, "not '.' but " + operand}});
 }
 
 TEST(ParseFaults, WhereAnOperatorIsMissing) {
   const std::string operators = "+, -, *, /, ^";
-  expect_faults({{"2x", 2, "not 'x' but " + operators + " or the end"},
-                 {"x y", 3, "not 'y' but " + operators + " or the end"},
-                 {"x 2.5", 3, "not '2.5' but " + operators + " or the end"},
-                 {"(x y)", 4, "not 'y' but " + operators + " or )"},
-                 {"x(2)", 2, "not '(' but " + operators + " or the end"},
-                 {"sin(x y)", 7, "not 'y' but " + operators + ", a comma or )"},
-                 {"x)", 2, "not ')' but " + operators + " or the end"},
-                 {"x,y", 2, "not ',' but " + operators + " or the end"},
-                 {"(x,y)", 3, "not ',' but " + operators + " or )"},
-                 {"1..2", 3, "not '.2' but " + operators + " or the end"},
-                 {"0x10", 2, "not 'x10' but " + operators + " or the end"},
-                 {"2e", 2, "not 'e' but " + operators + " or the end"},
-                 {"2e+x", 2, "not 'e' but " + operators + " or the end"},
-                 {"x = 0", 3, "not '=' but " + operators + " or the end"}});
+  expect_columns({{"2x", 2, "not 'x' but " + operators + " or the end"},
+                  {"x y", 3, "not 'y' but " + operators + " or the end"},
+                  {"x 2.5", 3, "not '2.5' but " + operators + " or the end"},
+                  {"(x y)", 4, "not 'y' but " + operators + " or )"},
+                  {"x(2)", 2, "not '(' but " + operators + " or the end"},
+                  {"sin(x y)", 7, "not 'y' but " + operators + ", a comma or )"},
+                  {"x)", 2, "not ')' but " + operators + " or the end"},
+                  {"x,y", 2, "not ',' but " + operators + " or the end"},
+                  {"(x,y)", 3, "not ',' but " + operators + " or )"},
+                  {"1..2", 3, "not '.2' but " + operators + " or the end"},
+                  {"0x10", 2, "not 'x10' but " + operators + " or the end"},
+                  {"2e", 2, "not 'e' but " + operators + " or the end"},
+                  {"2e+x", 2, "not 'e' but " + operators + " or the end"},
+                  {"x = 0", 3, "not '=' but " + operators + " or the end"}});
 }
 
 TEST(ParseFaults, WhereCallsAndParenthesesAreWrong) {
-  expect_faults({{"sin x", 5, "not 'x' but ( after sin"},
-                 {"sin", 4, "not the end but ( after sin"},
-                 {"sin+1", 4, "not '+' but ( after sin"},
-                 {"sin(x,y)", 6, "not ',' but ): sin takes 1 argument"},
-                 {"max(x)", 6, "not ')' but a comma: max takes 2 arguments, not 1"},
-                 {"max(x,y,x)", 8, "not ',' but ): max takes 2 arguments"},
-                 {"(x", 3, "not the end but ) for the ( of column 1"},
-                 {"1+(x*(y)", 9, "not the end but ) for the ( of column 3"},
-                 {"2*sin(x", 8, "not the end but ) for the ( of column 6"}});
+  expect_columns({{"sin x", 5, "not 'x' but ( after sin"},
+                  {"sin", 4, "not the end but ( after sin"},
+                  {"sin+1", 4, "not '+' but ( after sin"},
+                  {"sin(x,y)", 6, "not ',' but ): sin takes 1 argument"},
+                  {"max(x)", 6, "not ')' but a comma: max takes 2 arguments, not 1"},
+                  {"max(x,y,x)", 8, "not ',' but ): max takes 2 arguments"},
+                  {"(x", 3, "not the end but ) for the ( of column 1"},
+                  {"1+(x*(y)", 9, "not the end but ) for the ( of column 3"},
+                  {"2*sin(x", 8, "not the end but ) for the ( of column 6"}});
 }
 
 TEST(ParseFaults, WhereNumbersAreTooGreatOrTooSmall) {
-  expect_faults({{"1e400", 1, "not '1e400' but a number that a double can hold"},
-                 {"x+1e-400", 3, "not '1e-400' but a number that a double can hold"}});
+  expect_columns({{"1e400", 1, "not '1e400' but a number that a double can hold"},
+                  {"x+1e-400", 3, "not '1e-400' but a number that a double can hold"}});
 }
 
 TEST(ParseFaults, UnknownNamesAreToldTheNearest) {
   const auto nearest = [](const std::string& text, std::size_t column) {
-    const Fault fault = fault_of(text);
+    const Fault fault = formula_fault(text);
     EXPECT_EQ(fault.kind, FaultKind::unknown_name);
     EXPECT_EQ(fault.column, column) << text;
     EXPECT_THAT(fault.allowed, HasSubstr("one of x, y, radius, pi, sqrt"));
@@ -112,34 +112,34 @@ TEST(ParseFaults, UnknownNamesAreToldTheNearest) {
 }
 
 TEST(ParseFaults, CharactersAreNamedWhole) {
-  EXPECT_THAT(fault_of("x + π").allowed, HasSubstr("at column 5 not 'π' but"));
-  EXPECT_THAT(fault_of("x − y").allowed, HasSubstr("at column 3 not '−' but"));
-  EXPECT_THAT(fault_of("x × y").allowed, HasSubstr("at column 3 not '×' but"));
+  EXPECT_THAT(formula_fault("x + π").allowed, HasSubstr("at column 5 not 'π' but"));
+  EXPECT_THAT(formula_fault("x − y").allowed, HasSubstr("at column 3 not '−' but"));
+  EXPECT_THAT(formula_fault("x × y").allowed, HasSubstr("at column 3 not '×' but"));
 }
 
 TEST(ParseFaults, NothingIsSkipped) {
   using namespace std::string_literals;
   for (const std::string& text : {"x+\x80y"s, "(\x80x)"s, "x\x80"s, "x*\xBF\xBF 2"s, "\0"s, "x\0"s,
                                   "x+\0y"s, "x\v+y"s, "\xEF\xBB\xBFx"s, "x\xC2\xA0+y"s})
-    EXPECT_EQ(faults_of(text).size(), 1U) << text;
+    EXPECT_EQ(formula_faults(text).size(), 1U) << text;
 }
 
 TEST(ParseFaults, LongWordsAreCutShort) {
-  EXPECT_LT(fault_of(std::string(4000, 'q')).allowed.size(), 1000U);
-  EXPECT_LT(fault_of("x " + std::string(4000, '1')).allowed.size(), 1000U);
+  EXPECT_LT(formula_fault(std::string(4000, 'q')).allowed.size(), 1000U);
+  EXPECT_LT(formula_fault("x " + std::string(4000, '1')).allowed.size(), 1000U);
 }
 
 // ---- limits ---------------------------------------------------------------------------------
 
-std::string repeated(const std::string& text, std::size_t times) {
+std::string many_times(const std::string& text, std::size_t times) {
   std::string all;
   for (std::size_t i = 0; i < times; ++i) all += text;
   return all;
 }
 
 TEST(ParseFaults, BytesAreLimited) {
-  EXPECT_TRUE(faults_of("x" + std::string(most_formula_bytes - 1, ' ')).empty());
-  const Fault fault = fault_of("x" + std::string(most_formula_bytes, ' '));
+  EXPECT_TRUE(formula_faults("x" + std::string(most_formula_bytes - 1, ' ')).empty());
+  const Fault fault = formula_fault("x" + std::string(most_formula_bytes, ' '));
   EXPECT_EQ(fault.kind, FaultKind::limit);
   EXPECT_EQ(fault.column, 1U);
   EXPECT_THAT(fault.allowed, HasSubstr("at most 4096 bytes"));
@@ -149,13 +149,13 @@ TEST(ParseFaults, DepthIsLimited) {
   for (const std::string open : {"(", "-", "sin(", "x^", "max(1,"}) {
     const bool closes = open.find('(') != std::string::npos;
     const auto nested = [&](std::size_t depth) {
-      return repeated(open, depth) + "x" + (closes ? repeated(")", depth) : "");
+      return many_times(open, depth) + "x" + (closes ? many_times(")", depth) : "");
     };
-    EXPECT_TRUE(faults_of(nested(most_formula_depth)).empty()) << open;
-    const Fault fault = fault_of(nested(most_formula_depth + 1));
+    EXPECT_TRUE(formula_faults(nested(most_formula_depth)).empty()) << open;
+    const Fault fault = formula_fault(nested(most_formula_depth + 1));
     EXPECT_EQ(fault.kind, FaultKind::limit) << open;
     EXPECT_THAT(fault.allowed, HasSubstr("at most 100")) << open;
-    EXPECT_EQ(fault_of(repeated(open, 600)).kind, FaultKind::limit) << open;
+    EXPECT_EQ(formula_fault(many_times(open, 600)).kind, FaultKind::limit) << open;
   }
 }
 
@@ -168,7 +168,7 @@ TEST(ParseFaults, CostIsLimitedWhereverItArises) {
       text += more + std::to_string(i) + ")";
       Faults faults;
       ProgramBuilder each;
-      const int term = read_formula(text, names, {}, each, faults);
+      const int term = read_formula(text, names_and_radius, {}, each, faults);
       if (term < 0) {
         EXPECT_EQ(faults.list().front().kind, FaultKind::limit);
         break;
@@ -196,7 +196,7 @@ TEST(ParseFaults, GarbageIsReadOrHasOneFault) {
     // Half of the texts only of words that formulas are made of.
     const int choice = random.chance(0.5) ? 18 : static_cast<int>(words.size());
     for (int k = 0; k < length; ++k) text += words[static_cast<std::size_t>(random.below(choice))];
-    const std::vector<Fault> faults = faults_of(text);
+    const std::vector<Fault> faults = formula_faults(text);
     ASSERT_LE(faults.size(), 1U) << text;
     ++(faults.empty() ? read : refused);
     if (faults.empty()) continue;
@@ -213,7 +213,7 @@ TEST(ParseFaults, RandomBytesAreReadOrHaveOneFault) {
   for (int i = 0; i < 20'000; ++i) {
     std::string text(static_cast<std::size_t>(random.below(40)), ' ');
     for (char& each : text) each = static_cast<char>(random.below(256));
-    const std::vector<Fault> faults = faults_of(text);
+    const std::vector<Fault> faults = formula_faults(text);
     ASSERT_LE(faults.size(), 1U);
     for (const Fault& fault : faults) ASSERT_LE(*fault.column, text.size() + 1);
   }
@@ -221,7 +221,8 @@ TEST(ParseFaults, RandomBytesAreReadOrHaveOneFault) {
 
 TEST(ParseFaults, ThousandsOfOpenThingsAreRefused) {
   for (const std::string each : {"(", "-", "x^", "sin(", ")", ",", "^", "x+", "max(x,"})
-    EXPECT_EQ(faults_of(repeated(each, most_formula_bytes / each.size())).size(), 1U) << each;
+    EXPECT_EQ(formula_faults(many_times(each, most_formula_bytes / each.size())).size(), 1U)
+        << each;
 }
 
 }  // namespace

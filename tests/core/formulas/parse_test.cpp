@@ -7,11 +7,11 @@
 namespace tia {
 namespace {
 
-const std::vector<std::string_view> names{"x", "y"};
+const std::vector<std::string_view> x_and_y{"x", "y"};
 
 double value(const std::string& text, double x = 0, double y = 0) {
   const std::array<double, 2> at{x, y};
-  const Program program = program_of({text}, {names, {{"a", 7}, {"pipe", 9}, {"e", 11}}});
+  const Program program = program_of({text}, {x_and_y, {{"a", 7}, {"pipe", 9}, {"e", 11}}});
   return evaluate(program, at.data());
 }
 
@@ -96,7 +96,7 @@ TEST(Parse, CallsTakeFormulas) {
 TEST(Parse, ParametersNeedNamesOfTheirOwn) {
   const auto wrong = [](const std::string& name) {
     Faults faults;
-    check_parameters({names, {{name, 1}}}, Place{}.at("parameters"), faults);
+    check_parameters({x_and_y, {{name, 1}}}, Place{}.at("parameters"), faults);
     return faults.empty() ? "" : faults.list().front().pointer;
   };
   for (const char* name : {"a", "A", "_", "a1", "pipe", "sinus", "X"}) EXPECT_EQ(wrong(name), "");

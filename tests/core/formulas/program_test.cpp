@@ -10,16 +10,15 @@ namespace {
 using test::any_tree;
 using test::Evaluation;
 using test::Long;
+using test::Point;
+using test::program_of_xyz;
 using test::Random;
 using test::TreePtr;
 
-using Point = std::array<double, 3>;
-
-Program program_of(const std::string& text, const std::map<std::string, double>& parameters = {}) {
-  return tia::program_of({text}, {test::variable_names, parameters});
+double value_at(const Program& program, const Point& at) { return evaluate(program, at.data()); }
+double value_at(const std::string& text, const Point& at = {}) {
+  return value_at(program_of_xyz(text), at);
 }
-double value(const Program& program, const Point& at) { return evaluate(program, at.data()); }
-double value(const std::string& text, const Point& at = {}) { return value(program_of(text), at); }
 
 Point any_point(Random& random, double extent = 3) {
   Point at{};
@@ -37,10 +36,10 @@ TEST(Program, ComputesWhatItsTextSays) {
   for (int i = 0; i < 5'000; ++i) {
     const TreePtr tree = any_tree(random, 1 + random.below(5));
     const std::string text = print(*tree, random).text;
-    const Program program = program_of(text);
+    const Program program = program_of_xyz(text);
     for (int k = 0; k < 5; ++k) {
       const Point at = any_point(random);
-      const double expected = Evaluation<double>(at).value(*tree), got = value(program, at);
+      const double expected = Evaluation<double>(at).value(*tree), got = value_at(program, at);
       ASSERT_TRUE(same(got, expected)) << text << ": " << got << ", not " << expected;
       defined += std::isfinite(got) ? 1 : 0;
     }
@@ -51,7 +50,7 @@ TEST(Program, ComputesWhatItsTextSays) {
 TEST(Program, OfEightIsThatOfEach) {
   Random random(2);
   for (int i = 0; i < 3'000; ++i) {
-    const Program program = program_of(print(*any_tree(random, 4), random).text);
+    const Program program = program_of_xyz(print(*any_tree(random, 4), random).text);
     std::array<Point, 8> at{};
     for (Point& each : at) each = any_point(random, 1000);
     std::array<Octet, 3> all{};
@@ -62,32 +61,32 @@ TEST(Program, OfEightIsThatOfEach) {
     }
     const Octet got = evaluate(program, all.data());
     for (std::size_t k = 0; k < 8; ++k)
-      ASSERT_TRUE(same(lane(got, static_cast<int>(k)), value(program, at[k])));
+      ASSERT_TRUE(same(lane(got, static_cast<int>(k)), value_at(program, at[k])));
   }
 }
 
 TEST(Program, PowersOfZero) {
-  EXPECT_EQ(value("0^0"), 1);
-  EXPECT_EQ(value("x^0"), 1);
-  EXPECT_EQ(value("x^y"), 1);
-  EXPECT_TRUE(std::isinf(value("0^-1")));
-  EXPECT_TRUE(std::isinf(value("x^-2")));
-  EXPECT_EQ(value("x^0.5"), 0);
+  EXPECT_EQ(value_at("0^0"), 1);
+  EXPECT_EQ(value_at("x^0"), 1);
+  EXPECT_EQ(value_at("x^y"), 1);
+  EXPECT_TRUE(std::isinf(value_at("0^-1")));
+  EXPECT_TRUE(std::isinf(value_at("x^-2")));
+  EXPECT_EQ(value_at("x^0.5"), 0);
 }
 
 TEST(Program, PowersBelowZeroAreThoseToWholeNumbers) {
-  EXPECT_EQ(value("x^3", {-2, 0, 0}), -8);
-  EXPECT_EQ(value("x^-2", {-2, 0, 0}), 0.25);
-  EXPECT_EQ(value("x^256", {-1, 0, 0}), 1);
+  EXPECT_EQ(value_at("x^3", {-2, 0, 0}), -8);
+  EXPECT_EQ(value_at("x^-2", {-2, 0, 0}), 0.25);
+  EXPECT_EQ(value_at("x^256", {-1, 0, 0}), 1);
   for (const char* text : {"x^y", "x^0.5", "x^2.5", "x^(1/3)"})
-    EXPECT_TRUE(std::isnan(value(text, {-2, 3, 0}))) << text;
+    EXPECT_TRUE(std::isnan(value_at(text, {-2, 3, 0}))) << text;
 }
 
 TEST(Program, UndefinedPartsMakeTheWholeUndefined) {
   for (const char* text : {"min(sqrt(x), 1)", "min(1, sqrt(x))", "max(log(x), 1)", "max(1, log(x))",
                            "abs(asin(x))", "floor(acos(x))", "sqrt(x)^2", "sqrt(x)^y", "y^sqrt(x)",
                            "atan2(sqrt(x), 1)", "0*sqrt(x)", "tanh(sqrt(x))", "cosh(sqrt(x))"})
-    for (const double y : {0.0, 1.0}) EXPECT_TRUE(std::isnan(value(text, {-2, y, 0}))) << text;
+    for (const double y : {0.0, 1.0}) EXPECT_TRUE(std::isnan(value_at(text, {-2, y, 0}))) << text;
 }
 
 // ---- intervals ------------------------------------------------------------------------------
@@ -118,14 +117,14 @@ TEST(Program, OverBoxesHoldsItsValues) {
   for (int i = 0; i < 30'000; ++i) {
     const TreePtr tree = any_tree(random, 1 + random.below(4));
     const std::string text = print(*tree, random).text;
-    const Program program = program_of(text);
+    const Program program = program_of_xyz(text);
     const Box3 box = any_box(random);
     Definedness<double> where;
     const Interval<double> all = evaluate(program, box.side.data(), where);
     (where.whole ? whole : where.some ? broken : nowhere) += 1;
     for (int k = 0; k < 4; ++k) {
       const Point at = box.point(random);
-      const double own = value(program, at);
+      const double own = value_at(program, at);
       Evaluation<Long> exactly(at);
       const Long exact = exactly.value(*tree);
       if (exactly.overflowed() || std::isinf(own)) continue;
@@ -148,7 +147,7 @@ TEST(Program, OverBoxesHoldsItsValues) {
 TEST(Program, OverEightBoxesIsThatOverEach) {
   Random random(4);
   for (int i = 0; i < 2'000; ++i) {
-    const Program program = program_of(print(*any_tree(random, 4), random).text);
+    const Program program = program_of_xyz(print(*any_tree(random, 4), random).text);
     std::array<Box3, 8> boxes{};
     for (Box3& each : boxes) each = any_box(random);
     std::array<Interval<Octet>, 3> all{};

@@ -12,7 +12,7 @@
 
 namespace tia::test {
 
-using Long = long double;
+using Point = std::array<double, 3>;
 struct Tree;
 using TreePtr = std::shared_ptr<const Tree>;
 
@@ -34,6 +34,12 @@ inline TreePtr node(Op op, TreePtr a, TreePtr b = nullptr) {
 }
 
 inline const std::vector<std::string_view> variable_names{"x", "y", "z"};
+
+/// The program of one formula of x, y and z.
+inline Program program_of_xyz(const std::string& text,
+                              const std::map<std::string, double>& parameters = {}) {
+  return program_of({text}, {variable_names, parameters});
+}
 
 inline TreePtr any_tree(Random& random, int depth) {
   if (depth == 0 || random.chance(0.1)) {

@@ -20,7 +20,7 @@ std::string encoded(const std::vector<std::uint8_t>& bytes) {
   return text;
 }
 
-std::string decoded(std::string_view text) {
+std::string from_base64(std::string_view text) {
   std::vector<std::uint8_t> bytes;
   EXPECT_FALSE(decode_base64(text, bytes).has_value()) << text;
   return {bytes.begin(), bytes.end()};
@@ -32,13 +32,13 @@ std::optional<std::size_t> wrong_at(std::string_view text) {
 
 // The test vectors of RFC 4648, section 10.
 TEST(Base64, ReadsTheRfcsExamples) {
-  EXPECT_EQ(decoded(""), "");
-  EXPECT_EQ(decoded("Zg=="), "f");
-  EXPECT_EQ(decoded("Zm8="), "fo");
-  EXPECT_EQ(decoded("Zm9v"), "foo");
-  EXPECT_EQ(decoded("Zm9vYg=="), "foob");
-  EXPECT_EQ(decoded("Zm9vYmE="), "fooba");
-  EXPECT_EQ(decoded("Zm9vYmFy"), "foobar");
+  EXPECT_EQ(from_base64(""), "");
+  EXPECT_EQ(from_base64("Zg=="), "f");
+  EXPECT_EQ(from_base64("Zm8="), "fo");
+  EXPECT_EQ(from_base64("Zm9v"), "foo");
+  EXPECT_EQ(from_base64("Zm9vYg=="), "foob");
+  EXPECT_EQ(from_base64("Zm9vYmE="), "fooba");
+  EXPECT_EQ(from_base64("Zm9vYmFy"), "foobar");
 }
 
 TEST(Base64, ReadsBackRandomBytes) {
@@ -46,7 +46,7 @@ TEST(Base64, ReadsBackRandomBytes) {
   for (int i = 0; i < 300; ++i) {
     std::vector<std::uint8_t> bytes(static_cast<std::size_t>(random.below(40)));
     for (auto& byte : bytes) byte = static_cast<std::uint8_t>(random.below(256));
-    ASSERT_EQ(decoded(encoded(bytes)), std::string(bytes.begin(), bytes.end()));
+    ASSERT_EQ(from_base64(encoded(bytes)), std::string(bytes.begin(), bytes.end()));
   }
 }
 

@@ -85,15 +85,15 @@ struct Node {
   bool operator==(const Node&) const = default;
 };
 
-Node read(const std::string& json) { return read_described<Node>(parse_json(json)); }
-const auto expect_refused = test::refusal_by([](const std::string& json) { read(json); });
+Node read_node(const std::string& json) { return read_described<Node>(parse_json(json)); }
+const auto expect_node_refused = test::refusal_by([](const std::string& json) { read_node(json); });
 
 // ---- reading ----------------------------------------------------------------------------------
 
 TEST(Described, TypesMayHoldThemselves) {
   const char* json = R"({"children":[{"children":[{"size":1,"type":"leaf"}],"type":"branch"},)"
                      R"({"size":2,"transform":[{"scale":2}],"type":"leaf"}],"type":"branch"})";
-  const Node node = read(json);
+  const Node node = read_node(json);
   const auto& children = std::get<Branch>(node.kind).children;
   EXPECT_EQ(std::get<Leaf>(children.at(1).kind).size, 2);
   EXPECT_EQ(std::get<Leaf>(std::get<Branch>(children.at(0).kind).children.at(0).kind).size, 1);
@@ -101,7 +101,7 @@ TEST(Described, TypesMayHoldThemselves) {
 }
 
 TEST(Described, FaultsOfAllDepthsComeAtOnce) {
-  expect_refused(
+  expect_node_refused(
       R"({"type":"branch","wood":"oat","transform":[{"scale":0}],"children":[
           {"type":"branch","children":[{"type":"leaf","size":0},{"type":"leafs"}]},
           {"type":"leaf","size":1,"parts":[2,1,0],"heights":[0]},
@@ -116,25 +116,25 @@ TEST(Described, FaultsOfAllDepthsComeAtOnce) {
 }
 
 TEST(Described, MissingFieldsSayWhatTheyMeanAndAllow) {
-  expect_refused(R"({"type":"leaf"})",
-                 {{missing, "/size", "", "the size: a number above 0, at most 9"}});
-  expect_refused(R"({"type":"branch"})",
-                 {{missing, "/children", "", "the nodes: an array of at least 1"}});
-  expect_refused("{}", {{missing, "/type", "", "the kind of node: one of leaf, branch"}});
+  expect_node_refused(R"({"type":"leaf"})",
+                      {{missing, "/size", "", "the size: a number above 0, at most 9"}});
+  expect_node_refused(R"({"type":"branch"})",
+                      {{missing, "/children", "", "the nodes: an array of at least 1"}});
+  expect_node_refused("{}", {{missing, "/type", "", "the kind of node: one of leaf, branch"}});
 }
 
 TEST(Described, KindsAreCheckedOnlyWhereAllTheirFieldsAreRight) {
   const char* growing = R"({"type":"leaf","size":1,"parts":[2,1,0]})";
-  expect_refused(growing, {{conflict, "/parts", "[2,1,0]", "shares that grow"}});
-  expect_refused(R"({"type":"leaf","size":1,"parts":[9,1,0]})",
-                 {{out_of_range, "/parts/0", "9", "from 0 to 4"}});
-  expect_refused(R"({"type":"leaf","size":1,"parts":[2,1,0],"part":1})",
-                 {{unknown_name, "/part", "\"part\"", "parts", "parts"}});
+  expect_node_refused(growing, {{conflict, "/parts", "[2,1,0]", "shares that grow"}});
+  expect_node_refused(R"({"type":"leaf","size":1,"parts":[9,1,0]})",
+                      {{out_of_range, "/parts/0", "9", "from 0 to 4"}});
+  expect_node_refused(R"({"type":"leaf","size":1,"parts":[2,1,0],"part":1})",
+                      {{unknown_name, "/part", "\"part\"", "parts", "parts"}});
 }
 
 TEST(Described, LongValuesAreCutShortInFaults) {
   const std::string name(500, 'x');
-  const auto faults = test::faults_of([&] { read(("{\"type\":\"" + name + "\"}").c_str()); });
+  const auto faults = test::faults_of([&] { read_node(("{\"type\":\"" + name + "\"}").c_str()); });
   ASSERT_EQ(faults.size(), 1U);
   EXPECT_EQ(*faults[0].got, Value(std::string(120, 'x') + "…"));
   Faults bare;
@@ -183,13 +183,13 @@ TEST(NamedSchema, StandsOnceAndIsReferredTo) {
   EXPECT_NE(to_json(named[0].second).find(R"("items":{"$ref":"#/$defs/node"})"), std::string::npos);
 }
 
-const std::vector<std::string> beyond_schema = {
+const std::vector<std::string> beyond_node_schema = {
     "shares that grow", "can be undone", "bytes of numbers",
     "numbers of 4 bytes"  // the schema sees only how base64 is spelt
 };
 
 TEST(NamedSchema, AgreesWithTheReaderOnMadeDocuments) {
-  test::expect_agreement<Node>(whole_schema<Node>(), 1000, beyond_schema);
+  test::expect_agreement<Node>(whole_schema<Node>(), 1000, beyond_node_schema);
 }
 
 // The value without any member of that name.
@@ -212,7 +212,7 @@ TEST(NamedSchema, WithAnyWordLeftOutDisagreesWithTheReader) {
   for (const char* word : {"minimum", "exclusiveMinimum", "maximum", "required", "minItems",
                            "additionalProperties", "pattern", "prefixItems", "not"}) {
     const Value weaker = without(whole_schema<Node>(), word);
-    EXPECT_FALSE(test::judge<Node>(weaker, 300, beyond_schema).disputed.empty()) << word;
+    EXPECT_FALSE(test::judge<Node>(weaker, 300, beyond_node_schema).disputed.empty()) << word;
   }
 }
 

@@ -11,7 +11,8 @@ namespace {
 
 using enum FaultKind;
 
-const auto expect_refused = test::refusal_by([](const std::string& json) { parse_json(json); });
+const auto expect_json_refused =
+    test::refusal_by([](const std::string& json) { parse_json(json); });
 
 std::string nested(int depth) {
   const auto n = static_cast<std::size_t>(depth);
@@ -63,55 +64,55 @@ TEST(ParseJson, TextThatIsNoJsonIsMalformed) {
        {"",          " ",        "nul",         "tru",      "'a'", "01", "+1",    "1.",
         ".5",        "0x1",      "NaN",         "Infinity", "-",   "1e", "\"abc", "\"\\x\"",
         "\"\\u12\"", "\"a\nb\"", "\"\\ud800\"", "]",        "{",   "}",  "// c"})
-    expect_refused(text, {{malformed, "", "", "JSON text"}});
+    expect_json_refused(text, {{malformed, "", "", "JSON text"}});
 }
 
 TEST(ParseJson, MalformedTextIsRefusedWhereItBreaks) {
-  expect_refused("[", {{malformed, "/0", "", "JSON text"}});
-  expect_refused(R"([1,2,])", {{malformed, "/2", "", "JSON text"}});
-  expect_refused(R"([1,[2,,3]])", {{malformed, "/1/1", "", "JSON text"}});
-  expect_refused(R"({"a":1,"b":})", {{malformed, "/b", "", "JSON text"}});
-  expect_refused(R"({"a":{"b":[{},{"c/d~":tru}]}})",
-                 {{malformed, "/a/b/1/c~1d~0", "", "JSON text"}});
-  expect_refused(R"({"objects":[{"radius":1 "x":2}]})",
-                 {{malformed, "/objects/0/radius", "", "JSON text"}});
+  expect_json_refused("[", {{malformed, "/0", "", "JSON text"}});
+  expect_json_refused(R"([1,2,])", {{malformed, "/2", "", "JSON text"}});
+  expect_json_refused(R"([1,[2,,3]])", {{malformed, "/1/1", "", "JSON text"}});
+  expect_json_refused(R"({"a":1,"b":})", {{malformed, "/b", "", "JSON text"}});
+  expect_json_refused(R"({"a":{"b":[{},{"c/d~":tru}]}})",
+                      {{malformed, "/a/b/1/c~1d~0", "", "JSON text"}});
+  expect_json_refused(R"({"objects":[{"radius":1 "x":2}]})",
+                      {{malformed, "/objects/0/radius", "", "JSON text"}});
 }
 
 TEST(ParseJson, TextAfterTheValueIsMalformed) {
   for (const char* text : {"{} x", "{}{}", "1 2", "[]]", "null,", "{}/**/"})
-    expect_refused(text, {{malformed, "", "", "JSON text"}});
+    expect_json_refused(text, {{malformed, "", "", "JSON text"}});
   EXPECT_EQ(parse_json("{} \t\r\n"), Value(Value::Object{}));
 }
 
 TEST(ParseJson, NulByteDoesNotEndTheText) {
   using std::string_literals::operator""s;
-  expect_refused("{}\0"s, {{malformed, "", "", "JSON text"}});
-  expect_refused("{}\0garbage"s, {{malformed, "", "", "JSON text"}});
-  expect_refused("\"a\0b\""s, {{malformed, "", "", "JSON text"}});
+  expect_json_refused("{}\0"s, {{malformed, "", "", "JSON text"}});
+  expect_json_refused("{}\0garbage"s, {{malformed, "", "", "JSON text"}});
+  expect_json_refused("\"a\0b\""s, {{malformed, "", "", "JSON text"}});
 }
 
 TEST(ParseJson, IllFormedUtf8IsMalformed) {
   for (const char* bytes : {"\xFF", "\x80", "\xC0\x80", "\xC3", "\xE2\x82", "\xED\xA0\x80",
                             "\xF4\x90\x80\x80", "\xF8\x88\x80\x80\x80", "\xE0\x80\x80"}) {
     const std::string quoted = std::string("\"").append(bytes).append("\"");
-    expect_refused(quoted, {{malformed, "", "", "JSON text"}});
-    expect_refused(std::string("{\"a\":").append(quoted).append("}"),
-                   {{malformed, "/a", "", "JSON text"}});
-    expect_refused(std::string("{").append(quoted).append(":1}"),
-                   {{malformed, "", "", "JSON text"}});
+    expect_json_refused(quoted, {{malformed, "", "", "JSON text"}});
+    expect_json_refused(std::string("{\"a\":").append(quoted).append("}"),
+                        {{malformed, "/a", "", "JSON text"}});
+    expect_json_refused(std::string("{").append(quoted).append(":1}"),
+                        {{malformed, "", "", "JSON text"}});
   }
 }
 
 TEST(ParseJson, NumbersBeyondDoubleAreMalformed) {
-  expect_refused("1e400", {{malformed, "", "", "JSON text"}});
-  expect_refused(R"({"a":[0,-1e309]})", {{malformed, "/a/1", "", "JSON text"}});
+  expect_json_refused("1e400", {{malformed, "", "", "JSON text"}});
+  expect_json_refused(R"({"a":[0,-1e309]})", {{malformed, "/a/1", "", "JSON text"}});
 }
 
 TEST(ParseJson, DuplicateKeysAreMalformedAtTheKey) {
-  expect_refused(R"({"a":1,"a":2})", {{malformed, "/a", "\"a\"", "each key once"}});
-  expect_refused(R"({"a":1,"\u0061":1})", {{malformed, "/a", "\"a\"", "each key once"}});
-  expect_refused(R"({"x":[{"b":1,"a":1,"a":2,"c":3}]})",
-                 {{malformed, "/x/0/a", "\"a\"", "each key once"}});
+  expect_json_refused(R"({"a":1,"a":2})", {{malformed, "/a", "\"a\"", "each key once"}});
+  expect_json_refused(R"({"a":1,"\u0061":1})", {{malformed, "/a", "\"a\"", "each key once"}});
+  expect_json_refused(R"({"x":[{"b":1,"a":1,"a":2,"c":3}]})",
+                      {{malformed, "/x/0/a", "\"a\"", "each key once"}});
   EXPECT_NO_THROW(parse_json(R"({"a":{"a":1},"b":{"a":2}})"));
 }
 
@@ -121,14 +122,14 @@ TEST(ParseJson, ThirtyTwoLevelsAreReadAndThirtyThreeAreNot) {
   EXPECT_NO_THROW(parse_json(nested(32)));
   std::string pointer;
   for (int i = 0; i < 32; ++i) pointer += "/0";
-  expect_refused(nested(33), {{malformed, pointer, "", "at most 32 levels"}});
+  expect_json_refused(nested(33), {{malformed, pointer, "", "at most 32 levels"}});
   const auto member = [](int depth) {
     return std::string("{\"a\":").append(nested(depth)).append("}");
   };
   EXPECT_NO_THROW(parse_json(member(31)));
-  expect_refused(member(32),
-                 {{malformed, std::string("/a").append(pointer.substr(2)), "", "at most 32 levels"}});
-  expect_refused(nested(100'000), {{malformed, pointer, "", "at most 32 levels"}});
+  expect_json_refused(member(32), {{malformed, std::string("/a").append(pointer.substr(2)), "",
+                                    "at most 32 levels"}});
+  expect_json_refused(nested(100'000), {{malformed, pointer, "", "at most 32 levels"}});
 }
 
 TEST(ParseJson, DepthLimitIsTheCallersToSet) {
@@ -146,15 +147,15 @@ TEST(ParseJson, HundredThousandValuesAreReadAndOneMoreIsNot) {
   // The array itself is one of them.
   for (const char* element : {"\"\"", "null", "true", "{}", "[]"}) {
     EXPECT_NO_THROW(parse_json(array_of(element, 99'999))) << element;
-    expect_refused(array_of(element, 100'000),
-                   {{limit, "/99999", "", "at most 100000 JSON values"}});
+    expect_json_refused(array_of(element, 100'000),
+                        {{limit, "/99999", "", "at most 100000 JSON values"}});
   }
 }
 
 TEST(ParseJson, NumbersInsideArraysAreNotCounted) {
   EXPECT_NO_THROW(parse_json(array_of("1.5", 300'000)));
   EXPECT_NO_THROW(parse_json(array_of("[0,1,2]", 99'999)));
-  expect_refused(array_of("[0,1,2]", 100'000), {{limit, "/99999", "", "JSON values"}});
+  expect_json_refused(array_of("[0,1,2]", 100'000), {{limit, "/99999", "", "JSON values"}});
 }
 
 TEST(ParseJson, NumbersThatAreMembersAreCounted) {

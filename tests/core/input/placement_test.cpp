@@ -11,18 +11,19 @@ namespace {
 using enum FaultKind;
 using test::Expected;
 
-Placement read(const std::string& json) {
+Placement read_placement(const std::string& json) {
   Placement out;
   Faults faults;
   read_value(parse_json(json), Place{}.at("transform"), Spec{}, faults, out);
   faults.raise();
   return out;
 }
-const auto expect_refused = test::refusal_by([](const std::string& json) { read(json); });
-Vec3d moved(const char* json, const Vec3d& p) { return read(json).affine().point(p); }
+const auto expect_placement_refused =
+    test::refusal_by([](const std::string& json) { read_placement(json); });
+Vec3d moved(const char* json, const Vec3d& p) { return read_placement(json).affine().point(p); }
 
 TEST(Placement, WithoutStepsIsTheIdentity) {
-  EXPECT_EQ(read("[]"), Placement{});
+  EXPECT_EQ(read_placement("[]"), Placement{});
   EXPECT_EQ(Placement{}.affine(), Affine{});
 }
 
@@ -70,47 +71,51 @@ TEST(Placement, IsWrittenAsItWasGiven) {
   for (const char* text :
        {R"([{"translate":[1,2,3]},{"scale":2},{"scale":[2,2,2]},{"rotate_degrees":[0,0,450]}])",
         R"([{"matrix":[[1,2,3,4],[0,1,0,5],[0,0,1,6],[0,0,0,1]]}])", "[]"})
-    EXPECT_EQ(to_json(write_value(read(text))), text);
-  EXPECT_NE(read(R"([{"scale":2}])"), read(R"([{"scale":[2,2,2]}])"));
+    EXPECT_EQ(to_json(write_value(read_placement(text))), text);
+  EXPECT_NE(read_placement(R"([{"scale":2}])"), read_placement(R"([{"scale":[2,2,2]}])"));
 }
 
 TEST(Placement, StepsHaveExactlyOneKnownKey) {
   const char* keys = "one of translate, rotate_degrees, scale, matrix";
-  expect_refused("[{}]", {{missing, "/transform/0", "", keys}});
-  expect_refused(R"([{"scale":2},{"rotate":[0,0,90]}])",
-                 {{unknown_name, "/transform/1/rotate", "\"rotate\"", keys}});
-  expect_refused(R"([{"trnslate":[0,0,90]}])",
-                 {{unknown_name, "/transform/0/trnslate", "\"trnslate\"", keys, "translate"}});
-  expect_refused(R"([{"scale":2,"translate":[1,2,3]}])",
-                 {{conflict, "/transform/0", R"({"scale":2,"translate":[1,2,3]})", "one key"}});
-  expect_refused("[5]", {{wrong_type, "/transform/0", "5", "an object with one key, one of"}});
-  expect_refused("{}", {{wrong_type, "/transform", "{}", "an array"}});
+  expect_placement_refused("[{}]", {{missing, "/transform/0", "", keys}});
+  expect_placement_refused(R"([{"scale":2},{"rotate":[0,0,90]}])",
+                           {{unknown_name, "/transform/1/rotate", "\"rotate\"", keys}});
+  expect_placement_refused(R"([{"trnslate":[0,0,90]}])", {{unknown_name, "/transform/0/trnslate",
+                                                           "\"trnslate\"", keys, "translate"}});
+  expect_placement_refused(
+      R"([{"scale":2,"translate":[1,2,3]}])",
+      {{conflict, "/transform/0", R"({"scale":2,"translate":[1,2,3]})", "one key"}});
+  expect_placement_refused("[5]",
+                           {{wrong_type, "/transform/0", "5", "an object with one key, one of"}});
+  expect_placement_refused("{}", {{wrong_type, "/transform", "{}", "an array"}});
 }
 
 TEST(Placement, NumbersOfAStepAreRefusedAtTheirPlaces) {
-  expect_refused(R"([{"scale":0},{"scale":[1,0,2]},{"translate":[1,2]},{"scale":"x"}])",
-                 {{out_of_range, "/transform/0/scale", "0", "to 1000000000, not 0"},
-                  {out_of_range, "/transform/1/scale/1", "0", "not 0"},
-                  {wrong_type, "/transform/2/translate", "[1,2]", "3 numbers, each a number from"},
-                  {wrong_type, "/transform/3/scale", "\"x\"", "or one number for all 3"}});
-  expect_refused(R"([{"rotate_degrees":[0,0,1e7]},{"translate":[2e9,0,0]}])",
-                 {{out_of_range, "/transform/0/rotate_degrees/2", "10000000", "(degrees)"},
-                  {out_of_range, "/transform/1/translate/0", "2000000000", "to 1000000000"}});
+  expect_placement_refused(
+      R"([{"scale":0},{"scale":[1,0,2]},{"translate":[1,2]},{"scale":"x"}])",
+      {{out_of_range, "/transform/0/scale", "0", "to 1000000000, not 0"},
+       {out_of_range, "/transform/1/scale/1", "0", "not 0"},
+       {wrong_type, "/transform/2/translate", "[1,2]", "3 numbers, each a number from"},
+       {wrong_type, "/transform/3/scale", "\"x\"", "or one number for all 3"}});
+  expect_placement_refused(
+      R"([{"rotate_degrees":[0,0,1e7]},{"translate":[2e9,0,0]}])",
+      {{out_of_range, "/transform/0/rotate_degrees/2", "10000000", "(degrees)"},
+       {out_of_range, "/transform/1/translate/0", "2000000000", "to 1000000000"}});
 }
 
 TEST(Placement, MatricesHaveFourRowsOfFourAndTheLastIsFixed) {
   const auto matrix = [](const char* rows) {
     return std::string(R"([{"matrix":[)").append(rows).append("]}]");
   };
-  expect_refused(matrix("[1,0,0,0],[0,1,0,0],[0,0,1,0]"),
-                 {{wrong_type, "/transform/0/matrix", "[[1,0,0,0],[0,1,0,0],[0,0,1,0]]",
-                   "4 lists, each 4 numbers, each a number"}});
-  expect_refused(matrix("[1,0,0,0],[0,1,0],[0,0,1,0],[0,0,0,1]"),
-                 {{wrong_type, "/transform/0/matrix/1", "[0,1,0]", "4 numbers"}});
-  expect_refused(matrix("[1,0,0,0],[0,null,0,0],[0,0,1,0],[0,0,0,1]"),
-                 {{wrong_type, "/transform/0/matrix/1/1", "null", "a number"}});
-  expect_refused(matrix("[1,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0.5,1]"),
-                 {{out_of_range, "/transform/0/matrix/3", "[0,0,0.5,1]", "[0,0,0,1]"}});
+  expect_placement_refused(matrix("[1,0,0,0],[0,1,0,0],[0,0,1,0]"),
+                           {{wrong_type, "/transform/0/matrix", "[[1,0,0,0],[0,1,0,0],[0,0,1,0]]",
+                             "4 lists, each 4 numbers, each a number"}});
+  expect_placement_refused(matrix("[1,0,0,0],[0,1,0],[0,0,1,0],[0,0,0,1]"),
+                           {{wrong_type, "/transform/0/matrix/1", "[0,1,0]", "4 numbers"}});
+  expect_placement_refused(matrix("[1,0,0,0],[0,null,0,0],[0,0,1,0],[0,0,0,1]"),
+                           {{wrong_type, "/transform/0/matrix/1/1", "null", "a number"}});
+  expect_placement_refused(matrix("[1,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0.5,1]"),
+                           {{out_of_range, "/transform/0/matrix/3", "[0,0,0.5,1]", "[0,0,0,1]"}});
 }
 
 TEST(Placement, MapsThatCannotBeUndoneAreRefused) {
@@ -118,27 +123,28 @@ TEST(Placement, MapsThatCannotBeUndoneAreRefused) {
     return std::string(R"([{"matrix":[)").append(rows).append(",[0,0,0,1]]}]");
   };
   // A zero column; three columns in a plane, by the classic singular matrix 1 .. 9.
-  expect_refused(matrix("[1,0,0,0],[0,1,0,0],[0,0,0,0]"),
-                 {{out_of_range, "/transform/0/matrix", "[[1,0,0,0],[0,1,0,0],[0,0,0,0],[0,0,0,1]]",
-                   "can be undone"}});
-  expect_refused(matrix("[1,2,3,0],[4,5,6,0],[7,8,9,0]"),
-                 {{out_of_range, "/transform/0/matrix", "[[1,2,3,0],[4,5,6,0],[7,8,9,0],[0,0,0,1]]",
-                   "can be undone"}});
-  EXPECT_NO_THROW(read(matrix("[1,2,3,0],[4,5,6,0],[7,8,10,0]")));
-  EXPECT_NO_THROW(read(matrix("[1e-9,0,0,0],[0,1e9,0,0],[0,0,-1,0]")));
-  expect_refused(R"([{"scale":1},{"scale":1e-10}])",
-                 {{out_of_range, "/transform/1/scale", "1e-10", "by 1e-9 to 1e9"}});
+  expect_placement_refused(matrix("[1,0,0,0],[0,1,0,0],[0,0,0,0]"),
+                           {{out_of_range, "/transform/0/matrix",
+                             "[[1,0,0,0],[0,1,0,0],[0,0,0,0],[0,0,0,1]]", "can be undone"}});
+  expect_placement_refused(matrix("[1,2,3,0],[4,5,6,0],[7,8,9,0]"),
+                           {{out_of_range, "/transform/0/matrix",
+                             "[[1,2,3,0],[4,5,6,0],[7,8,9,0],[0,0,0,1]]", "can be undone"}});
+  EXPECT_NO_THROW(read_placement(matrix("[1,2,3,0],[4,5,6,0],[7,8,10,0]")));
+  EXPECT_NO_THROW(read_placement(matrix("[1e-9,0,0,0],[0,1e9,0,0],[0,0,-1,0]")));
+  expect_placement_refused(R"([{"scale":1},{"scale":1e-10}])",
+                           {{out_of_range, "/transform/1/scale", "1e-10", "by 1e-9 to 1e9"}});
 }
 
 TEST(Placement, StepsMayNotScaleTooFarTogether) {
-  EXPECT_NO_THROW(read(R"([{"scale":1e6},{"scale":1e3}])"));
-  EXPECT_NO_THROW(read(R"([{"scale":1e9},{"scale":1e-9},{"scale":1e9}])"));
-  expect_refused(R"([{"scale":1e6},{"scale":1e4}])",
-                 {{out_of_range, "/transform", R"([{"scale":1000000},{"scale":10000}])",
-                   "steps that together scale every axis by 1e-9 to 1e9"}});
+  EXPECT_NO_THROW(read_placement(R"([{"scale":1e6},{"scale":1e3}])"));
+  EXPECT_NO_THROW(read_placement(R"([{"scale":1e9},{"scale":1e-9},{"scale":1e9}])"));
+  expect_placement_refused(R"([{"scale":1e6},{"scale":1e4}])",
+                           {{out_of_range, "/transform", R"([{"scale":1000000},{"scale":10000}])",
+                             "steps that together scale every axis by 1e-9 to 1e9"}});
   std::string many = "[";
   for (int i = 0; i < 400; ++i) many += R"({"translate":[1e9,0,0]},{"scale":1e9},)";
-  EXPECT_EQ(test::faults_of([&] { read(many + R"({"scale":1}])"); }).size(), 1U) << "infinite";
+  EXPECT_EQ(test::faults_of([&] { read_placement(many + R"({"scale":1}])"); }).size(), 1U)
+      << "infinite";
 }
 
 }  // namespace

@@ -15,26 +15,25 @@
 
 namespace tia::test {
 
-using Long = long double;
-inline constexpr double far = std::numeric_limits<double>::infinity();
-inline constexpr double most = std::numeric_limits<double>::max();
+inline constexpr double infinite = std::numeric_limits<double>::infinity();
+inline constexpr double largest = std::numeric_limits<double>::max();
 
-struct Box {
+struct Section {
   double lo = 0, hi = 0;
   bool holds(double x) const { return lo <= x && x <= hi; }
 };
-using Boxes = std::array<Box, 8>;
+using Sections = std::array<Section, 8>;
 
-inline std::ostream& operator<<(std::ostream& out, const Box& box) {
+inline std::ostream& operator<<(std::ostream& out, const Section& box) {
   return out << std::setprecision(20) << "[" << box.lo << ", " << box.hi << "]";
 }
 
 /// A number of any size, often one at which a function is special.
 inline double any_number(Random& random) {
-  static constexpr std::array specials{0.0,    0.0,     -0.0,   1.0,    -1.0, 0.5,   2.0,
-                                       -2.0,   709.78,  -745.1, 710.3,  1e9,  -1e9,  5e-324,
-                                       1e-310, -1e-310, 1e300,  -1e300, most, -most, 1e15,
-                                       1e-300, 1e154,   -1e154, 1e-154, 20.0, -20.0, 256.0};
+  static constexpr std::array specials{0.0,    0.0,     -0.0,   1.0,    -1.0,    0.5,      2.0,
+                                       -2.0,   709.78,  -745.1, 710.3,  1e9,     -1e9,     5e-324,
+                                       1e-310, -1e-310, 1e300,  -1e300, largest, -largest, 1e15,
+                                       1e-300, 1e154,   -1e154, 1e-154, 20.0,    -20.0,    256.0};
   const double kind = random.unit();
   if (kind < 0.15)
     return specials[static_cast<std::size_t>(random.below(static_cast<int>(specials.size())))];
@@ -45,23 +44,24 @@ inline double any_number(Random& random) {
   return sign * std::pow(10, random.in(-12, 6));
 }
 
-inline Box any_box(Random& random) {
+inline Section any_section(Random& random) {
   const double from = any_number(random), kind = random.unit();
   double to = from;
   if (kind < 0.05) return {from, from};
   if (kind < 0.35) to = any_number(random);
   else if (kind < 0.75) to = from + std::pow(10, random.in(-12, 6));
   else if (kind < 0.90) to = from * (1 + std::pow(10, random.in(-16, 0)));
-  else if (kind < 0.94) return {-far, from};
-  else if (kind < 0.98) return {from, far};
-  else return {-far, far};
-  if (!(std::fabs(to) <= most)) to = most;
+  else if (kind < 0.94) return {-infinite, from};
+  else if (kind < 0.98) return {from, infinite};
+  else return {-infinite, infinite};
+  if (!(std::fabs(to) <= largest)) to = largest;
   return {std::min(from, to), std::max(from, to)};
 }
 
 /// A finite number of the box: an end, close to one, special, or anywhere.
-inline double point_in(const Box& box, Random& random) {
-  const double lo = std::max(box.lo, -most), hi = std::min(box.hi, most), kind = random.unit();
+inline double point_in(const Section& box, Random& random) {
+  const double lo = std::max(box.lo, -largest), hi = std::min(box.hi, largest),
+               kind = random.unit();
   if (kind < 0.2) return lo;
   if (kind < 0.4) return hi;
   const double t = kind < 0.6 ? std::pow(10, random.in(-17, 0)) : random.unit();
@@ -72,7 +72,7 @@ inline double point_in(const Box& box, Random& random) {
   return std::clamp(x, lo, hi);
 }
 
-inline Interval<Octet> load(const Boxes& boxes) {
+inline Interval<Octet> load(const Sections& boxes) {
   std::array<double, 8> lo{}, hi{};
   for (std::size_t i = 0; i < 8; ++i) lo[i] = boxes[i].lo, hi[i] = boxes[i].hi;
   return {Octet::load_unaligned(lo.data()), Octet::load_unaligned(hi.data())};
@@ -83,15 +83,19 @@ struct Law {
   /// Its exact value; NaN where it has none, infinite at a pole and beyond a long double.
   std::function<Long(Long, Long)> exact;
   /// Whether it jumps or has a pole inside of the box.
-  std::function<bool(const Box&, const Box&)> breaks = [](const Box&, const Box&) { return false; };
+  std::function<bool(const Section&, const Section&)> breaks = [](const Section&, const Section&) {
+    return false;
+  };
   /// Whether its extremes are the corners' values.
-  std::function<bool(const Box&, const Box&)> corners = [](const Box&, const Box&) { return true; };
+  std::function<bool(const Section&, const Section&)> corners = [](const Section&, const Section&) {
+    return true;
+  };
   double slack = 8 * 0x1p-52;  ///< by what share of itself a bound may be off
 };
 
 // The bounds are not far from the extremes, where those are finite, and the corners' values.
-inline void expect_tight(const Law& law, const Box& a, const Box& b, const Box& got) {
-  Long least = far, greatest = -far;
+inline void expect_tight(const Law& law, const Section& a, const Section& b, const Section& got) {
+  Long least = infinite, greatest = -infinite;
   for (const double x : {a.lo, a.hi})
     for (const double y : {b.lo, b.hi}) {
       const Long value = law.exact(x, y);
@@ -107,8 +111,8 @@ inline void expect_tight(const Law& law, const Box& a, const Box& b, const Box& 
 
 // `f` at sampled points of the box: exactly, and as doubles compute it.
 template <class F>
-void expect_held(F f, const Law& law, const Box& a, const Box& b, const Box& got, bool whole,
-                 bool some, Random& random) {
+void expect_held(F f, const Law& law, const Section& a, const Section& b, const Section& got,
+                 bool whole, bool some, Random& random) {
   for (int i = 0; i < 4; ++i) {
     const double x = point_in(a, random), y = point_in(b, random);
     Anywhere where;
@@ -133,17 +137,18 @@ template <class F>
 void expect_law(F f, const Law& law, std::uint64_t seed, int boxes = 80'000) {
   Random random(seed);
   for (int n = 0; n < boxes; n += 8) {
-    Boxes a, b;
-    for (Box& each : a) each = any_box(random);
-    for (Box& each : b) each = any_box(random);
+    Sections a, b;
+    for (Section& each : a) each = any_section(random);
+    for (Section& each : b) each = any_section(random);
     Definedness<Octet> where;
     const Interval<Octet> all = f(load(a), load(b), where);
     const unsigned whole = bits(where.whole), some = bits(where.some);
     for (std::size_t i = 0; i < 8; ++i) {
       const int k = static_cast<int>(i);
-      const Box got{lane(all.lo, k), lane(all.hi, k)};
+      const Section got{lane(all.lo, k), lane(all.hi, k)};
       const bool is_whole = (whole >> i & 1U) != 0, is_some = (some >> i & 1U) != 0;
-      ASSERT_TRUE(got.lo <= got.hi && got.lo < far && got.hi > -far) << a[i] << b[i] << got;
+      ASSERT_TRUE(got.lo <= got.hi && got.lo < infinite && got.hi > -infinite)
+          << a[i] << b[i] << got;
       ASSERT_FALSE(is_whole && law.breaks(a[i], b[i])) << a[i] << ", " << b[i];
       expect_held(f, law, a[i], b[i], got, is_whole, is_some, random);
       if (is_whole && law.corners(a[i], b[i])) expect_tight(law, a[i], b[i], got);

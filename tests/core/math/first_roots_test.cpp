@@ -11,10 +11,8 @@
 namespace tia {
 namespace {
 
+using test::Long;
 using test::Random;
-using Long = long double;
-
-int whole(Random& random, int low, int high) { return low + random.below(high - low + 1); }
 
 // The Bernstein coefficients of the product of a s + b, its factors given as their ends (b, a + b):
 // what stands before s^j (1 - s)^(n - j), over the binomial coefficient.
@@ -41,12 +39,12 @@ std::array<Long, 2> factor(Long root) {
 }
 
 // Eight polynomials of one degree, by their roots; what is not real comes in pairs c +- i d.
-struct Eight {
+struct EightPolynomials {
   std::array<std::vector<double>, 8> roots;
   std::array<std::vector<double>, 8> coefficients;
   std::vector<Octet> b;
 
-  explicit Eight(std::size_t degree) : b(degree + 1) {}
+  explicit EightPolynomials(std::size_t degree) : b(degree + 1) {}
   void set(std::size_t lane, const std::vector<double>& c, const std::vector<double>& known) {
     coefficients[lane] = c;
     roots[lane] = known;
@@ -93,8 +91,8 @@ TEST(FirstRoots, AreIsolatedWhereverTheRootsAreApart) {
   Random random(70);
   int isolated = 0, none = 0, unsure = 0;
   for (int round = 0; round < 3000; ++round) {
-    const auto degree = static_cast<std::size_t>(whole(random, 1, 10));
-    Eight eight(degree);
+    const auto degree = static_cast<std::size_t>(random.whole(1, 10));
+    EightPolynomials eight(degree);
     for (std::size_t i = 0; i < 8; ++i) {
       std::vector<std::array<Long, 2>> factors;
       std::vector<double> roots;
@@ -129,7 +127,7 @@ TEST(FirstRoots, LeaveOpenWhatRoundingLeavesOpen) {
   Random random(71);
   int unsure = 0, missed = 0;
   for (int round = 0; round < 2000; ++round) {
-    Eight eight(4);
+    EightPolynomials eight(4);
     for (std::size_t i = 0; i < 8; ++i) {
       const double touching = random.in(0.05, 0.95), root = random.in(-1, 2);
       const auto twice = factor(static_cast<Long>(touching));
@@ -158,7 +156,7 @@ TEST(FirstRoots, OfPairsThatAreNotRealThereAreNone) {
   Random random(72);
   for (int round = 0; round < 2000; ++round) {
     // ((s - c)^2 + d^2)^2 in Bernstein's form: its quadratic is c^2 + d^2, c^2 + d^2 - c, ...
-    Eight eight(2);
+    EightPolynomials eight(2);
     for (std::size_t i = 0; i < 8; ++i) {
       const double c = random.in(-1, 2), d = random.in(0.01, 1), sign = random.chance(0.5) ? 1 : -1;
       const double first = c * c + d * d;
@@ -173,7 +171,7 @@ TEST(FirstRoots, OfPairsThatAreNotRealThereAreNone) {
 TEST(FirstRoots, DoNotDependOnTheirNeighbours) {
   Random random(73);
   for (int round = 0; round < 500; ++round) {
-    Eight eight(6);
+    EightPolynomials eight(6);
     for (std::size_t i = 0; i < 8; ++i) {
       std::vector<double> c;
       for (int k = 0; k < 7; ++k) c.push_back(random.in(-1, 1));
@@ -182,7 +180,7 @@ TEST(FirstRoots, DoNotDependOnTheirNeighbours) {
     const FirstRoots all = eight.isolated(1e-15);
     for (int i = 0; i < 8; ++i) {
       const unsigned own = 1U << i;
-      Eight alone(6);
+      EightPolynomials alone(6);
       for (std::size_t k = 0; k < 8; ++k)
         alone.set(k, eight.coefficients[static_cast<std::size_t>(i)], {});
       const FirstRoots one = alone.isolated(1e-15, own);
@@ -199,7 +197,7 @@ TEST(FirstRoots, DoNotDependOnTheirNeighbours) {
 
 TEST(FirstRoots, OfNoNumberAreUnsureAndOfNobodyNothing) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  Eight eight(3);
+  EightPolynomials eight(3);
   for (std::size_t i = 0; i < 8; ++i) eight.set(i, {1, nan, -1, 2}, {});
   const FirstRoots found = eight.isolated(1e-15, 0x0F);
   EXPECT_EQ(found.isolated, 0U);
@@ -209,7 +207,7 @@ TEST(FirstRoots, OfNoNumberAreUnsureAndOfNobodyNothing) {
 }
 
 TEST(FirstRoots, AreFoundUpToTheHighestDegree) {
-  Eight eight(64);
+  EightPolynomials eight(64);
   for (std::size_t i = 0; i < 8; ++i) {
     const Long root = 0.1L + 0.1L * static_cast<Long>(i);
     std::vector<std::array<Long, 2>> factors(63, {1, 1.01L});  // all far outside

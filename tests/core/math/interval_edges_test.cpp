@@ -7,13 +7,13 @@
 namespace tia {
 namespace {
 
-using test::far;
+using test::infinite;
+using test::largest;
 using test::Long;
-using test::most;
 using Range = Interval<double>;
 
-const Range all{-far, far}, positive{0, far};
-constexpr double smallest = 5e-324;
+const Range whole_line{-infinite, infinite}, half_line{0, infinite};
+constexpr double smallest_double = 5e-324;
 
 void expect_about(const Range& got, double lo, double hi) {
   if (std::isinf(lo)) EXPECT_EQ(got.lo, lo);
@@ -24,60 +24,61 @@ void expect_about(const Range& got, double lo, double hi) {
 bool holds(const Range& range, Long x) { return range.lo <= x && x <= range.hi; }
 
 TEST(IntervalEdges, InfiniteBoundsAreNoNumbers) {
-  expect_about(positive - positive, -far, far);
-  expect_about(positive + Range(-far, 0), -far, far);
-  expect_about(Range(0, 0) * all, 0, 0);
-  expect_about(positive * Range(-1, 0), -far, 0);
-  expect_about(positive * positive, 0, far);
-  expect_about(all * Range(2, 3), -far, far);
-  expect_about(enclosed_quotient(Range(1, 2), Range(4, far)), 0, 0.5);
-  expect_about(enclosed_quotient(positive, Range(4, far)), 0, far);
-  expect_about(whole_power(all, 2), 0, far);
-  expect_about(whole_power(all, 3), -far, far);
+  expect_about(half_line - half_line, -infinite, infinite);
+  expect_about(half_line + Range(-infinite, 0), -infinite, infinite);
+  expect_about(Range(0, 0) * whole_line, 0, 0);
+  expect_about(half_line * Range(-1, 0), -infinite, 0);
+  expect_about(half_line * half_line, 0, infinite);
+  expect_about(whole_line * Range(2, 3), -infinite, infinite);
+  expect_about(enclosed_quotient(Range(1, 2), Range(4, infinite)), 0, 0.5);
+  expect_about(enclosed_quotient(half_line, Range(4, infinite)), 0, infinite);
+  expect_about(whole_power(whole_line, 2), 0, infinite);
+  expect_about(whole_power(whole_line, 3), -infinite, infinite);
 }
 
 TEST(IntervalEdges, FunctionsReachTheirLimits) {
   Definedness<double> where;
-  expect_about(exp_of(all), 0, far);
-  expect_about(exp_of(Range(-far, 0)), 0, 1);
-  expect_about(log_of(positive, where), -far, far);
-  expect_about(sqrt_of(positive, where), 0, far);
-  expect_about(sin_of(all), -1, 1);
-  expect_about(cos_of(positive), -1, 1);
-  expect_about(tan_of(positive, where), -far, far);
-  expect_about(atan_of(all), -pi / 2, pi / 2);
-  expect_about(tanh_of(all), -1, 1);
-  expect_about(sinh_of(all), -far, far);
-  expect_about(cosh_of(all), 1, far);
-  expect_about(asin_of(all, where), -pi / 2, pi / 2);
-  expect_about(acos_of(all, where), 0, pi);
-  expect_about(pow_of(positive, positive, where), 0, far);
-  expect_about(pow_of(Range(0.25, 0.5), positive, where), 0, 1);
-  expect_about(pow_of(Range(2, far), Range(-far, -1), where), 0, 0.5);
-  expect_about(atan2_of(Range(1, far), Range(1, far), where), 0, pi / 2);
+  expect_about(exp_of(whole_line), 0, infinite);
+  expect_about(exp_of(Range(-infinite, 0)), 0, 1);
+  expect_about(log_of(half_line, where), -infinite, infinite);
+  expect_about(sqrt_of(half_line, where), 0, infinite);
+  expect_about(sin_of(whole_line), -1, 1);
+  expect_about(cos_of(half_line), -1, 1);
+  expect_about(tan_of(half_line, where), -infinite, infinite);
+  expect_about(atan_of(whole_line), -pi / 2, pi / 2);
+  expect_about(tanh_of(whole_line), -1, 1);
+  expect_about(sinh_of(whole_line), -infinite, infinite);
+  expect_about(cosh_of(whole_line), 1, infinite);
+  expect_about(asin_of(whole_line, where), -pi / 2, pi / 2);
+  expect_about(acos_of(whole_line, where), 0, pi);
+  expect_about(pow_of(half_line, half_line, where), 0, infinite);
+  expect_about(pow_of(Range(0.25, 0.5), half_line, where), 0, 1);
+  expect_about(pow_of(Range(2, infinite), Range(-infinite, -1), where), 0, 0.5);
+  expect_about(atan2_of(Range(1, infinite), Range(1, infinite), where), 0, pi / 2);
 }
 
 TEST(IntervalEdges, SumsThatOverflowHoldWhatTheyWouldBe) {
-  const Range great(most, most);
-  EXPECT_TRUE(holds(great + great, 2 * static_cast<Long>(most)));
-  EXPECT_TRUE(holds(great * great, static_cast<Long>(most) * most));
-  EXPECT_TRUE(holds(whole_power(great, 3), std::pow(static_cast<Long>(most), 3.0L)));
+  const Range great(largest, largest);
+  EXPECT_TRUE(holds(great + great, 2 * static_cast<Long>(largest)));
+  EXPECT_TRUE(holds(great * great, static_cast<Long>(largest) * largest));
+  EXPECT_TRUE(holds(whole_power(great, 3), std::pow(static_cast<Long>(largest), 3.0L)));
   EXPECT_TRUE(holds(exp_of(Range(710, 711)), std::exp(710.5L)));
   EXPECT_TRUE(holds(sinh_of(Range(710.2)), std::sinh(710.2L)));
   EXPECT_TRUE(holds(sinh_of(Range(-710.2)), -std::sinh(710.2L)));
   EXPECT_TRUE(holds(cosh_of(Range(-710.2)), std::cosh(710.2L)));
-  EXPECT_LT((great + great).lo, far);
-  EXPECT_GT((-great - great).hi, -far);
+  EXPECT_LT((great + great).lo, infinite);
+  EXPECT_GT((-great - great).hi, -infinite);
 }
 
 TEST(IntervalEdges, WhatThinsOutIsHeld) {
-  const Range small(smallest, 3 * smallest);
-  EXPECT_TRUE(holds(small * small, static_cast<Long>(smallest) * smallest));
-  EXPECT_TRUE(holds(small * Range(0.5, 0.5), static_cast<Long>(smallest) * 0.5L));
+  const Range small(smallest_double, 3 * smallest_double);
+  EXPECT_TRUE(holds(small * small, static_cast<Long>(smallest_double) * smallest_double));
+  EXPECT_TRUE(holds(small * Range(0.5, 0.5), static_cast<Long>(smallest_double) * 0.5L));
   EXPECT_TRUE(holds(whole_power(Range(1e-200), 2), 1e-400L));
   EXPECT_TRUE(holds(exp_of(Range(-800)), std::exp(-800.0L)));
-  EXPECT_TRUE(holds(enclosed_quotient(small, Range(3)), static_cast<Long>(smallest) / 3));
-  EXPECT_TRUE(holds(enclosed_quotient(Range(1), small), 1 / static_cast<Long>(2 * smallest)));
+  EXPECT_TRUE(holds(enclosed_quotient(small, Range(3)), static_cast<Long>(smallest_double) / 3));
+  EXPECT_TRUE(
+      holds(enclosed_quotient(Range(1), small), 1 / static_cast<Long>(2 * smallest_double)));
 }
 
 TEST(IntervalEdges, WavesReachTheirExtremesWhereTheBoxMeetsThem) {
@@ -95,7 +96,7 @@ TEST(IntervalEdges, WavesReachTheirExtremesWhereTheBoxMeetsThem) {
 }
 
 TEST(IntervalEdges, WavesOfGreatAnglesAreHeld) {
-  for (const double x : {1e9, 1.1e9, 1e15, 1e22, 1e300, most}) {
+  for (const double x : {1e9, 1.1e9, 1e15, 1e22, 1e300, largest}) {
     EXPECT_TRUE(holds(sin_of(Range(x)), std::sin(static_cast<Long>(x)))) << x;
     EXPECT_TRUE(holds(cos_of(Range(-x)), std::cos(static_cast<Long>(x)))) << x;
     EXPECT_NEAR(sin_of(x), static_cast<double>(std::sin(static_cast<Long>(x))), 1e-15) << x;
@@ -113,7 +114,7 @@ TEST(IntervalEdges, TangentsAreWholeBetweenPolesAlone) {
   EXPECT_FALSE(whole(1.57, 1.58));
   EXPECT_FALSE(whole(pi / 2, pi / 2));
   EXPECT_FALSE(whole(1, 5));
-  EXPECT_FALSE(whole(0, far));
+  EXPECT_FALSE(whole(0, infinite));
 }
 
 TEST(IntervalEdges, FloorsAreWholeOnOneStep) {
@@ -127,8 +128,8 @@ TEST(IntervalEdges, FloorsAreWholeOnOneStep) {
   EXPECT_TRUE(whole(1, 1.99));
   EXPECT_TRUE(whole(2, 2));
   EXPECT_FALSE(whole(1.99, 2));
-  EXPECT_FALSE(whole(-smallest, 0));
-  EXPECT_TRUE(whole(-0.5, -smallest));
+  EXPECT_FALSE(whole(-smallest_double, 0));
+  EXPECT_TRUE(whole(-0.5, -smallest_double));
 }
 
 TEST(IntervalEdges, AnglesAreCutAlongTheNegativeAxis) {
@@ -143,9 +144,9 @@ TEST(IntervalEdges, AnglesAreCutAlongTheNegativeAxis) {
   EXPECT_FALSE(whole({-1, -0.0}, {-2, -1}));
   EXPECT_FALSE(whole({0, 0}, {0, 0}));
   EXPECT_FALSE(whole({-1, 1}, {0, 1}));
-  EXPECT_TRUE(whole({-1, 1}, {smallest, 1}));
-  EXPECT_TRUE(whole({smallest, 1}, {-2, 2}));
-  EXPECT_TRUE(whole({-1, -smallest}, {-2, 2}));
+  EXPECT_TRUE(whole({-1, 1}, {smallest_double, 1}));
+  EXPECT_TRUE(whole({smallest_double, 1}, {-2, 2}));
+  EXPECT_TRUE(whole({-1, -smallest_double}, {-2, 2}));
 }
 
 TEST(IntervalEdges, PowersAreWholeFromZeroUp) {
@@ -155,7 +156,7 @@ TEST(IntervalEdges, PowersAreWholeFromZeroUp) {
     return where;
   };
   EXPECT_TRUE(where_is({0, 4}, {0.5, 1}).whole);
-  EXPECT_TRUE(where_is({smallest, 4}, {-1, 1}).whole);
+  EXPECT_TRUE(where_is({smallest_double, 4}, {-1, 1}).whole);
   EXPECT_FALSE(where_is({0, 4}, {-1, 1}).whole);
   EXPECT_FALSE(where_is({0, 4}, {0, 1}).whole);  // 0^0 is 1, 0^b is 0
   EXPECT_FALSE(where_is({-1, 4}, {2, 2}).whole);
@@ -172,13 +173,13 @@ TEST(IntervalEdges, RootsAndLogarithmsKnowTheirDomains) {
   EXPECT_EQ(roots({0, 1}), 2);
   EXPECT_EQ(roots({-0.0, 1}), 2);
   EXPECT_EQ(roots({-1, 0}), 1);
-  EXPECT_EQ(roots({-1, -smallest}), 0);
+  EXPECT_EQ(roots({-1, -smallest_double}), 0);
   const auto logarithms = [](const Range& a) {
     Definedness<double> where;
     log_of(a, where);
     return where.whole ? 2 : where.some ? 1 : 0;
   };
-  EXPECT_EQ(logarithms({smallest, 1}), 2);
+  EXPECT_EQ(logarithms({smallest_double, 1}), 2);
   EXPECT_EQ(logarithms({0, 1}), 1);
   EXPECT_EQ(logarithms({-2, -1}), 0);
 }
@@ -199,13 +200,13 @@ TEST(IntervalEdges, MiddlesAreInside) {
   test::Random random(1);
   for (int i = 0; i < 10'000; ++i) {
     const double from = random.in(-1, 1) * std::pow(10, random.in(-300, 308));
-    for (const double to : {from, std::nextafter(from, far), from * (1 + random.unit())}) {
+    for (const double to : {from, std::nextafter(from, infinite), from * (1 + random.unit())}) {
       const Range range(std::min(from, to), std::max(from, to));
       ASSERT_TRUE(holds(range, range.middle())) << range.lo << ", " << range.hi;
     }
   }
-  EXPECT_EQ(Range(-most, most).middle(), 0);
-  EXPECT_EQ(Range(most, most).middle(), most);
+  EXPECT_EQ(Range(-largest, largest).middle(), 0);
+  EXPECT_EQ(Range(largest, largest).middle(), largest);
 }
 
 TEST(IntervalEdges, HullAndCommonPart) {

@@ -7,15 +7,15 @@
 namespace tia {
 namespace {
 
-using test::Box;
 using test::expect_law;
 using test::Law;
 using test::Long;
+using test::Section;
 
 constexpr Long exact_pi = 3.14159265358979323846264338327950288L;
 
-bool holds_zero_inside(const Box& a, const Box&) { return a.lo < 0 && a.hi > 0; }
-bool is_one_sided(const Box& a, const Box& b) { return !holds_zero_inside(a, b); }
+bool holds_zero_inside(const Section& a, const Section&) { return a.lo < 0 && a.hi > 0; }
+bool is_one_sided(const Section& a, const Section& b) { return !holds_zero_inside(a, b); }
 
 // ---- arithmetic -----------------------------------------------------------------------------
 
@@ -34,9 +34,9 @@ TEST(Interval, ProductsHoldWhatTheyMust) {
 
 TEST(Interval, QuotientsHoldWhatTheyMust) {
   Law law{[](Long a, Long b) { return a / b; }};
-  law.breaks = [](const Box&, const Box& b) { return b.holds(0); };
+  law.breaks = [](const Section&, const Section& b) { return b.holds(0); };
   // Beyond, inverses have few digits.
-  law.corners = [](const Box&, const Box& b) {
+  law.corners = [](const Section&, const Section& b) {
     return std::max(-b.lo, b.hi) < 1e290 && std::max(b.lo, -b.hi) > 1e-290;
   };
   law.slack = 16 * 0x1p-52;
@@ -69,7 +69,9 @@ TEST(Interval, ChoicesHoldWhatTheyMust) {
 
 TEST(Interval, FloorsHoldWhatTheyMust) {
   Law law{[](Long a, Long) { return std::floor(a); }};
-  law.breaks = [](const Box& a, const Box&) { return std::floor(a.lo) != std::floor(a.hi); };
+  law.breaks = [](const Section& a, const Section&) {
+    return std::floor(a.lo) != std::floor(a.hi);
+  };
   expect_law([](auto a, auto, auto& where) { return floor_of(a, where); }, law, 11);
 }
 
@@ -79,7 +81,7 @@ TEST(Interval, ExponentialsAndLogarithmsHoldWhatTheyMust) {
   expect_law([](auto a, auto, auto&) { return exp_of(a); },
              {[](Long a, Long) { return std::exp(a); }}, 12);
   Law law{[](Long a, Long) { return std::log(a); }};
-  law.breaks = [](const Box& a, const Box&) { return a.lo <= 0; };
+  law.breaks = [](const Section& a, const Section&) { return a.lo <= 0; };
   expect_law([](auto a, auto, auto& where) { return log_of(a, where); }, law, 13);
 }
 
@@ -96,14 +98,16 @@ TEST(Interval, HyperbolicsHoldWhatTheyMust) {
 TEST(Interval, PowersHoldWhatTheyMust) {
   const auto undefined = std::numeric_limits<Long>::quiet_NaN();
   Law law{[=](Long a, Long b) { return a < 0 ? undefined : std::pow(std::fabs(a), b); }};
-  law.breaks = [](const Box& a, const Box& b) { return a.lo < 0 || (a.holds(0) && b.lo < 0); };
+  law.breaks = [](const Section& a, const Section& b) {
+    return a.lo < 0 || (a.holds(0) && b.lo < 0);
+  };
   expect_law([](auto a, auto b, auto& where) { return pow_of(a, b, where); }, law, 17, 160'000);
 }
 
 // ---- angles ---------------------------------------------------------------------------------
 
 // Whether offset + k period, for some whole k, lies in the box; or comes near it.
-bool meets(const Box& a, Long offset, Long period, Long near = 0) {
+bool meets(const Section& a, Long offset, Long period, Long near = 0) {
   if (std::isinf(a.lo) || std::isinf(a.hi)) return true;
   const Long from = std::ceil((a.lo - offset) / period - near);
   return from * period + offset <= a.hi + near * period;
@@ -111,7 +115,7 @@ bool meets(const Box& a, Long offset, Long period, Long near = 0) {
 
 TEST(Interval, SinesAndCosinesHoldWhatTheyMust) {
   const auto monotone = [](Long offset) {
-    return [offset](const Box& a, const Box&) {
+    return [offset](const Section& a, const Section&) {
       return std::max(-a.lo, a.hi) < 1e9 && !meets(a, offset, exact_pi, 1e-5L);
     };
   };
@@ -127,7 +131,7 @@ TEST(Interval, SinesAndCosinesHoldWhatTheyMust) {
 
 TEST(Interval, TangentsHoldWhatTheyMust) {
   Law law{[](Long a, Long) { return std::tan(a); }};
-  law.breaks = [](const Box& a, const Box&) { return meets(a, exact_pi / 2, exact_pi); };
+  law.breaks = [](const Section& a, const Section&) { return meets(a, exact_pi / 2, exact_pi); };
   expect_law([](auto a, auto, auto& where) { return tan_of(a, where); }, law, 20);
 }
 
@@ -142,7 +146,7 @@ TEST(Interval, ArcFunctionsHoldWhatTheyMust) {
 
 TEST(Interval, AnglesOfPointsHoldWhatTheyMust) {
   Law law{[](Long y, Long x) { return std::atan2(y, x); }};
-  law.breaks = [](const Box& y, const Box& x) { return y.holds(0) && x.lo <= 0; };
+  law.breaks = [](const Section& y, const Section& x) { return y.holds(0) && x.lo <= 0; };
   expect_law([](auto y, auto x, auto& where) { return atan2_of(y, x, where); }, law, 24, 160'000);
 }
 

@@ -11,11 +11,11 @@
 namespace tia {
 namespace {
 
+using test::Long;
 using test::Random;
-using Long = long double;
 
 // The coefficients of the product of (t - root), times a factor, lowest power first.
-std::vector<double> product(const std::vector<double>& roots, double factor = 1) {
+std::vector<double> polynomial_of(const std::vector<double>& roots, double factor = 1) {
   std::vector<Long> c{factor};
   for (const double root : roots) {
     c.push_back(0);
@@ -92,7 +92,7 @@ TEST(RealRoots, AreThoseThatMadeThePolynomial) {
       for (std::size_t k = 0; k < degree; ++k)  // at least 0.05 apart: well-conditioned
         roots.push_back(-1 + (static_cast<double>(k) + random.in(0.1, 0.8)) * 2 /
                                  static_cast<double>(degree));
-      const std::vector<double> c = product(roots, random.chance(0.5) ? 7 : -0.1);
+      const std::vector<double> c = polynomial_of(roots, random.chance(0.5) ? 7 : -0.1);
       // The error of a root: the coefficients' rounding over the slope there.
       expect_roots(roots_of(c, -1, 1), roots, 1e-10);
     }
@@ -100,7 +100,7 @@ TEST(RealRoots, AreThoseThatMadeThePolynomial) {
 }
 
 TEST(RealRoots, AreThoseOfTheIntervalOnly) {
-  const std::vector<double> c = product({-3, -1, 0.5, 2, 4});
+  const std::vector<double> c = polynomial_of({-3, -1, 0.5, 2, 4});
   expect_roots(roots_of(c, -2, 3), {-1, 0.5, 2}, 1e-14);
   expect_roots(roots_of(c, -10, 10), {-3, -1, 0.5, 2, 4}, 1e-14);
   expect_roots(roots_of(c, 0.6, 1.9), {}, 0);
@@ -113,7 +113,7 @@ TEST(RealRoots, ScaleWithTheirInterval) {
     for (int i = 0; i < 100; ++i) {
       const double a = random.in(-1, -0.5), b = random.in(-0.3, 0.3), c = random.in(0.5, 1);
       const std::vector<double> roots{a * scale, b * scale, c * scale};
-      expect_roots(roots_of(product(roots), -2 * scale, 2 * scale), roots, 1e-14 * scale);
+      expect_roots(roots_of(polynomial_of(roots), -2 * scale, 2 * scale), roots, 1e-14 * scale);
     }
   }
 }
@@ -149,15 +149,15 @@ TEST(RealRoots, TouchingOnesStandTwice) {
   Random random(6);
   for (int i = 0; i < 500; ++i) {
     const double a = random.in(-1, -0.1), b = random.in(0.1, 1);
-    expect_roots(roots_of(product({a, a, b, b}), -3, 3), {a, a, b, b}, 1e-6);
-    expect_roots(roots_of(product({a, b, b}), -3, 3), {a, b, b}, 1e-6);
+    expect_roots(roots_of(polynomial_of({a, a, b, b}), -3, 3), {a, a, b, b}, 1e-6);
+    expect_roots(roots_of(polynomial_of({a, b, b}), -3, 3), {a, b, b}, 1e-6);
   }
 }
 
 // A root of order n is known to the n-th root of the rounding.
 TEST(RealRoots, OfThirdAndFourthOrderStandOnceAndTwice) {
-  expect_roots(roots_of(product({0.3, 0.3, 0.3}), -1, 1), {0.3}, 1e-4);
-  expect_roots(roots_of(product({0.3, 0.3, 0.3, 0.3}), -1, 1), {0.3, 0.3}, 1e-3);
+  expect_roots(roots_of(polynomial_of({0.3, 0.3, 0.3}), -1, 1), {0.3}, 1e-4);
+  expect_roots(roots_of(polynomial_of({0.3, 0.3, 0.3, 0.3}), -1, 1), {0.3, 0.3}, 1e-3);
   expect_roots(roots_of({0, 0, 0, 0, 1}, -1, 1), {0, 0}, 0);
 }
 
@@ -170,7 +170,7 @@ TEST(RealRoots, StandInTheirBrackets) {
     std::vector<double> made(static_cast<std::size_t>(1 + random.below(8)));
     for (double& root : made) root = random.in(-0.9, 0.9);
     if (random.chance(0.3)) made.push_back(made.front());
-    const std::vector<double> c = product(made);
+    const std::vector<double> c = polynomial_of(made);
     std::array<double, max_degree> t;
     std::array<RootBracket, max_degree> brackets;
     const auto count = static_cast<std::size_t>(real_roots(c, -1, 1, t, brackets));

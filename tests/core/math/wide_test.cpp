@@ -10,11 +10,11 @@ namespace tia {
 namespace {
 
 using test::Random;
-constexpr int n = lanes<Wide>;
-using Lanes = std::array<float, n>;
+constexpr int lane_count = lanes<Wide>;
+using Lanes = std::array<float, lane_count>;
 
-Wide load(const Lanes& from) { return Wide::load_unaligned(from.data()); }
-std::uint32_t bits_of(float f) { return std::bit_cast<std::uint32_t>(f); }
+Wide wide_of(const Lanes& from) { return Wide::load_unaligned(from.data()); }
+std::uint32_t float_bits(float f) { return std::bit_cast<std::uint32_t>(f); }
 
 // Random bit patterns: every exponent, denormals, infinities and NaN among them.
 float any_float(Random& random) {
@@ -33,12 +33,12 @@ void expect_lanes_agree(F f) {
   Random random(5);
   for (int i = 0; i < 20'000; ++i) {
     const Lanes a = any_lanes(random), b = any_lanes(random);
-    const Wide wide = f(load(a), load(b));
-    for (int k = 0; k < n; ++k) {
+    const Wide wide = f(wide_of(a), wide_of(b));
+    for (int k = 0; k < lane_count; ++k) {
       const auto at = static_cast<std::size_t>(k);
       const float alone = f(a[at], b[at]), among = lane(wide, k);
       if (std::isnan(alone)) EXPECT_TRUE(std::isnan(among)) << a[at] << ", " << b[at];
-      else EXPECT_EQ(bits_of(among), bits_of(alone)) << a[at] << ", " << b[at];
+      else EXPECT_EQ(float_bits(among), float_bits(alone)) << a[at] << ", " << b[at];
     }
   }
 }
@@ -77,15 +77,15 @@ TEST(Wide, MaximumOfNumbersThatDoNotCompareIsTheSecond) {
 }
 
 TEST(Wide, MaskBitsHaveLaneZeroLowest) {
-  for (int k = 0; k < n; ++k) {
+  for (int k = 0; k < lane_count; ++k) {
     const WideMask mask = iota<Wide>() == Wide(static_cast<float>(k));
     EXPECT_EQ(bits(mask), 1U << static_cast<unsigned>(k));
     EXPECT_TRUE(any(mask));
     EXPECT_EQ(count(mask), 1);
-    EXPECT_EQ(count(!mask), n - 1);
+    EXPECT_EQ(count(!mask), lane_count - 1);
   }
   EXPECT_FALSE(any(WideMask(false)));
-  EXPECT_EQ(count(WideMask(true)), n);
+  EXPECT_EQ(count(WideMask(true)), lane_count);
   EXPECT_EQ(bits(true), 1U);
   EXPECT_EQ(count(false), 0);
 }
@@ -94,11 +94,11 @@ TEST(Wide, StoreAndLaneGiveBackWhatWasLoaded) {
   Random random(6);
   const Lanes in = any_lanes(random);
   Lanes out{};
-  store(load(in), out.data());
-  for (int k = 0; k < n; ++k) {
+  store(wide_of(in), out.data());
+  for (int k = 0; k < lane_count; ++k) {
     const auto at = static_cast<std::size_t>(k);
-    EXPECT_EQ(bits_of(out[at]), bits_of(in[at]));
-    EXPECT_EQ(bits_of(lane(load(in), k)), bits_of(in[at]));
+    EXPECT_EQ(float_bits(out[at]), float_bits(in[at]));
+    EXPECT_EQ(float_bits(lane(wide_of(in), k)), float_bits(in[at]));
   }
 }
 
@@ -106,11 +106,11 @@ TEST(Wide, ThroughDoubleAndBackKeepsEveryLane) {
   Random random(7);
   for (int i = 0; i < 20'000; ++i) {
     const Lanes in = any_lanes(random);
-    const Wide out = narrow<Wide>(widen(load(in)));
-    for (int k = 0; k < n; ++k) {
+    const Wide out = narrow<Wide>(widen(wide_of(in)));
+    for (int k = 0; k < lane_count; ++k) {
       const float was = in[static_cast<std::size_t>(k)];
       if (std::isnan(was)) EXPECT_TRUE(std::isnan(lane(out, k)));
-      else EXPECT_EQ(bits_of(lane(out, k)), bits_of(was));
+      else EXPECT_EQ(float_bits(lane(out, k)), float_bits(was));
     }
   }
 }
@@ -125,8 +125,8 @@ TEST(Wide, DoubleLanesRoundOnceLikeDouble) {
       using std::sqrt;
       return sqrt(x) * y - x * x + y;
     };
-    const Wide wide = narrow<Wide>(f(widen(load(a)), widen(load(b))));
-    for (int k = 0; k < n; ++k) {
+    const Wide wide = narrow<Wide>(f(widen(wide_of(a)), widen(wide_of(b))));
+    for (int k = 0; k < lane_count; ++k) {
       const auto at = static_cast<std::size_t>(k);
       const double alone = f(widen(a[at]), widen(b[at]));
       EXPECT_EQ(lane(wide, k), static_cast<float>(alone));
@@ -137,7 +137,7 @@ TEST(Wide, DoubleLanesRoundOnceLikeDouble) {
 TEST(Wide, LiftRoundsOnceToFloatAndLeavesDoubleAlone) {
   const double third = 1.0 / 3;
   EXPECT_EQ(lift<float>(third), static_cast<float>(third));
-  EXPECT_EQ(lane(lift<Wide>(third), n - 1), static_cast<float>(third));
+  EXPECT_EQ(lane(lift<Wide>(third), lane_count - 1), static_cast<float>(third));
   EXPECT_EQ(lift<double>(third), third);
 }
 
