@@ -10,10 +10,8 @@
 namespace tia {
 namespace {
 
+using enum FaultKind;
 using namespace test;
-
-constexpr double far = Aabb::far;
-constexpr auto out_of_range = FaultKind::out_of_range;
 
 // Poly: a polynomial in x, y and z by its coefficients, to write surfaces as their authors do and
 // to expand them; its value is each term's powers one by one, in long double.
@@ -60,24 +58,14 @@ Poly grown(Poly f, double s) {
   return f;
 }
 
-const Poly x(std::array<int, 3>{1, 0, 0}), y(std::array<int, 3>{0, 1, 0}),
-    z(std::array<int, 3>{0, 0, 1});
-const Poly x2 = x * x, y2 = y * y, z2 = z * z, r2 = x2 + y2 + z2;
+const Poly X(std::array<int, 3>{1, 0, 0}), Y(std::array<int, 3>{0, 1, 0}),
+    Z(std::array<int, 3>{0, 0, 1});
+const Poly X2 = X * X, Y2 = Y * Y, Z2 = Z * Z, R2 = X2 + Y2 + Z2;
 
 AlgebraicForm form_of(const Poly& f) { return prepare(Algebraic{f.terms(), {}}); }
-Bounds ball(const Vec3d& center, double radius) {
-  Bounds bounds;
-  bounds.center = center;
-  bounds.radius = radius;
-  return bounds;
-}
-template <class Form>
-std::vector<Crossing> spans_along(const Form& form, const SceneLine& line) {
-  return sent(bounds(form), line, [&](const Line& l, auto emit) { spans(form, l, emit); });
-}
 
 // The sum as a distance near the surface: over its steepness.
-struct Outside {
+struct PolyDistance {
   const Poly& f;
   Long size;
   Vec3l slope(const Vec3l& p) const {
@@ -101,7 +89,7 @@ bool expect_on(const AlgebraicForm& form, const Poly& f, const Vec3l& p, Long si
   EXPECT_LE(std::fabs(f(p)), 1e-15L * magnitude);
   const Vec3d n = normal(form, static_cast<Vec3d>(p), 0);
   EXPECT_NEAR(length(n), 1, 1e-14);
-  const Vec3l slope = Outside{f, size}.slope(p);
+  const Vec3l slope = PolyDistance{f, size}.slope(p);
   const Long steepness = std::sqrt(dot(slope, slope));
   if (steepness * size < 1e-3L * f.sum(p, true)) return false;
   EXPECT_LT(length(n - static_cast<Vec3d>(slope * (1 / steepness))), 1e-6);
@@ -114,8 +102,8 @@ int expect_clipped(const Poly& unit_sized, double radius, double scale, Random& 
   const Poly f = grown(unit_sized, scale);
   const double size = radius * scale;
   const Vec3d middle = Vec3d{0.1, 0.2, -0.1} * scale;
-  const AlgebraicForm form = prepare(Algebraic{f.terms(), ball(middle, size)});
-  const Outside outside{f, size};
+  const AlgebraicForm form = prepare(Algebraic{f.terms(), ball_of(size, middle)});
+  const PolyDistance outside{f, size};
   const auto solid = [&](const Vec3l& p) {
     const Vec3l w = p - static_cast<Vec3l>(middle);
     return std::max(outside(p), std::sqrt(dot(w, w)) - static_cast<Long>(size));
@@ -139,13 +127,14 @@ int expect_clipped(const Poly& unit_sized, double radius, double scale, Random& 
 TEST(Algebraic, BallIsMetLikeASphere) {
   Random random(100);
   for (const double s : scales) {
-    const AlgebraicForm form = form_of(grown(r2 - 1, s));
+    const AlgebraicForm form = form_of(grown(R2 - 1, s));
     for (int i = 0; i < 300; ++i) {
       const SceneLine line = line_near(random, {0, 0, 0}, s);
-      expect_near(roots_along(form, line), roots_along(Sphere{{0, 0, 0}, s}, line),
-                  1e-9 * s / length(line.direction));
+      expect_distances(roots_along(form, line), roots_along(Sphere{{0, 0, 0}, s}, line),
+                       1e-9 * s / length(line.direction));
     }
-    expect_near(roots_along(form, {{-3 * s, s, 0}, {1, 0, 0}}), {3 * s, 3 * s}, 1e-7 * s, "graze");
+    expect_distances(roots_along(form, {{-3 * s, s, 0}, {1, 0, 0}}), {3 * s, 3 * s}, 1e-7 * s,
+                     "graze");
   }
 }
 
@@ -154,12 +143,12 @@ TEST(Algebraic, QuarticIsMetLikeTheTorus) {
   Random random(101);
   int seen = 0;
   for (const double s : scales) {
-    const AlgebraicForm form = form_of(grown(power(r2 + (1 - 0.16), 2) - (x2 + z2) * 4.0, s));
+    const AlgebraicForm form = form_of(grown(power(R2 + (1 - 0.16), 2) - (X2 + Z2) * 4.0, s));
     const TorusForm torus = prepare(Torus{s, 0.4 * s});
     for (int i = 0; i < 300; ++i) {
       const SceneLine line = line_near(random, {0, 0, 0}, 1.4 * s);
       const std::vector<double> expected = roots_along(torus, line);
-      expect_near(roots_along(form, line), expected, 1e-7 * s / length(line.direction));
+      expect_distances(roots_along(form, line), expected, 1e-7 * s / length(line.direction));
       seen += static_cast<int>(expected.size());
     }
   }
@@ -172,10 +161,10 @@ TEST(Algebraic, SecondDegreeIsMetLikeTheQuadricAloneAndClipped) {
   for (int i = 0; i < 200; ++i) {
     std::array<double, 10> k{};
     for (double& each : k) each = random.in(-1, 1);
-    const Poly parts[] = {x2, y2, z2, x * y, x * z, y * z, x, y, z, 1};
+    const Poly parts[] = {X2, Y2, Z2, X * Y, X * Z, Y * Z, X, Y, Z, 1};
     Poly f(0);
     for (std::size_t n = 0; n < 10; ++n) f = f + parts[n] * k[n];
-    for (const auto& bounds : {std::optional<Bounds>(), std::optional(ball({1, 0, 0}, 2))}) {
+    for (const auto& bounds : {std::optional<Bounds>(), std::optional(ball_of(2, {1, 0, 0}))}) {
       const AlgebraicForm form = prepare(Algebraic{f.terms(), bounds});
       const QuadricForm quadric = prepare(Quadric{k, bounds});
       const SceneLine line = line_near(random, {0, 0, 0}, 2);
@@ -186,7 +175,7 @@ TEST(Algebraic, SecondDegreeIsMetLikeTheQuadricAloneAndClipped) {
         if (std::isinf(all[n].t)) EXPECT_EQ(got[n].t, all[n].t);
         else EXPECT_NEAR(got[n].t, all[n].t, 1e-8 * (1 + std::fabs(all[n].t)));
       }
-      expect_near(roots_along(form, line), roots_along(quadric, line), 1e-5);
+      expect_distances(roots_along(form, line), roots_along(quadric, line), 1e-5);
       seen += static_cast<int>(all.size());
     }
   }
@@ -196,14 +185,14 @@ TEST(Algebraic, SecondDegreeIsMetLikeTheQuadricAloneAndClipped) {
 // ---- the surfaces of the books --------------------------------------------------------------
 
 // Taubin's heart, 1993.
-const Poly heart = power(x2 + y2 * 2.25 + z2 - 1, 3) - x2 * z2 * z - y2 * z2 * z * 0.1125;
+const Poly heart = power(X2 + Y2 * 2.25 + Z2 - 1, 3) - X2 * Z2 * Z - Y2 * Z2 * Z * 0.1125;
 // Goursat's cubic symmetry: x^4 + y^4 + z^4 - 5 (x^2 + y^2 + z^2) + 11.8, the tangle cube.
-const Poly tangle = x2 * x2 + y2 * y2 + z2 * z2 - r2 * 5.0 + 11.8;
+const Poly tangle = X2 * X2 + Y2 * Y2 + Z2 * Z2 - R2 * 5.0 + 11.8;
 // Barth's sextic, 65 nodes, in the plane w = 1, q the golden ratio.
 Poly barth() {
   const double q = (1 + std::sqrt(5.0)) / 2;
-  return (x2 * (q * q) - y2) * (y2 * (q * q) - z2) * (z2 * (q * q) - x2) * 4.0 -
-         power(r2 - 1, 2) * (1 + 2 * q);
+  return (X2 * (q * q) - Y2) * (Y2 * (q * q) - Z2) * (Z2 * (q * q) - X2) * 4.0 -
+         power(R2 - 1, 2) * (1 + 2 * q);
 }
 // Chmutov's: T(x) + T(y) + T(z) of a Chebyshev polynomial T.
 Poly chebyshev(int n, const Poly& t) {
@@ -215,7 +204,7 @@ Poly chebyshev(int n, const Poly& t) {
   }
   return now;
 }
-Poly chmutov(int n) { return chebyshev(n, x) + chebyshev(n, y) + chebyshev(n, z); }
+Poly chmutov(int n) { return chebyshev(n, X) + chebyshev(n, Y) + chebyshev(n, Z); }
 
 TEST(Algebraic, FamousSurfacesAreMetWhereTheirSumChangesSign) {
   Random random(103);
@@ -249,20 +238,20 @@ TEST(Algebraic, RandomSurfacesOfEveryDegreeAreMetWhereTheirSumChangesSign) {
 
 // T_32 has the 32 roots cos((2 k - 1) pi / 64).
 TEST(Algebraic, HighDegreeHasAllItsRoots) {
-  const AlgebraicForm form = form_of(chebyshev(32, y));
+  const AlgebraicForm form = form_of(chebyshev(32, Y));
   std::vector<double> expected;
   for (int k = 32; k > 0; --k) expected.push_back(cos_of((2 * k - 1) * pi / 64));
-  expect_near(roots_along(form, {{0.3, 0, 7}, {0, 1, 0}}), expected, 1e-5);
+  expect_distances(roots_along(form, {{0.3, 0, 7}, {0, 1, 0}}), expected, 1e-5);
 }
 
 // x^64 + y^64 + z^64 = 1, of the highest degree: along (1, 1, 1) 3 x^64 = 1.
 TEST(Algebraic, HighestDegreeIsACubeWithRoundEdges) {
-  const AlgebraicForm form = form_of(power(x, 64) + power(y, 64) + power(z, 64) - 1);
-  expect_near(roots_along(form, {{-2, 0, 0}, {1, 0, 0}}), {1, 3}, 1e-14);
+  const AlgebraicForm form = form_of(power(X, 64) + power(Y, 64) + power(Z, 64) - 1);
+  expect_distances(roots_along(form, {{-2, 0, 0}, {1, 0, 0}}), {1, 3}, 1e-14);
   double corner = 1.0 / 3;
   for (int i = 0; i < 6; ++i) corner = std::sqrt(corner);
-  expect_near(roots_along(form, {{-2, -2, -2}, {1, 1, 1}}), {2 - corner, 2 + corner}, 1e-14);
-  expect_near(roots_along(form, {{-2, 1.01, 0}, {1, 0, 0}}), {}, 0);
+  expect_distances(roots_along(form, {{-2, -2, -2}, {1, 1, 1}}), {2 - corner, 2 + corner}, 1e-14);
+  expect_distances(roots_along(form, {{-2, 1.01, 0}, {1, 0, 0}}), {}, 0);
 }
 
 // Written out around the middle of a chord, far from the origin, T_n(x) + T_n(y) + T_n(z) loses
@@ -272,7 +261,7 @@ TEST(Algebraic, RootsKeepTheDigitsOfTheSumAtTheirPoint) {
   int seen = 0;
   for (const int n : {8, 14, 20}) {
     const Vec3d middle{0.6, 0.6, -0.6};
-    const AlgebraicForm form = prepare(Algebraic{chmutov(n).terms(), ball(middle, 1.5)});
+    const AlgebraicForm form = prepare(Algebraic{chmutov(n).terms(), ball_of(1.5, middle)});
     const auto sum = [&](const Vec3l& p) {
       Long all = 0;
       for (const Long at : {p.x, p.y, p.z}) {
@@ -305,15 +294,15 @@ TEST(Algebraic, MultipleRootsKeepThePairs) {
     for (int code = 0; code < 64; ++code) {
       const int m[] = {1 + code % 4, 1 + code / 4 % 4, 1 + code / 16};
       const double at[] = {-2, 1, 3};
-      const Poly f = power(y + 2, m[0]) * power(y - 1, m[1]) * power(y - 3, m[2]) * sign;
+      const Poly f = power(Y + 2, m[0]) * power(Y - 1, m[1]) * power(Y - 3, m[2]) * sign;
       const bool starts = ((m[0] + m[1] + m[2]) % 2 == 0 ? sign : -sign) < 0;
       std::vector<double> expected;
-      if (starts) expected.push_back(-far);
+      if (starts) expected.push_back(-Aabb::far);
       for (int i = 0; i < 3; ++i) expected.insert(expected.end(), m[i] % 2 == 1 ? 1 : 2, at[i]);
-      if (sign < 0) expected.push_back(far);
+      if (sign < 0) expected.push_back(Aabb::far);
       const SceneLine line{{5, 0.25, 5}, {0, 1, 0}};
       for (double& each : expected) each -= 0.25;
-      expect_near(roots_along(form_of(f), line), expected, 1e-3, std::to_string(code));
+      expect_distances(roots_along(form_of(f), line), expected, 1e-3, std::to_string(code));
     }
   }
 }
@@ -328,7 +317,7 @@ TEST(Algebraic, PowersOfABallKeepThePairs) {
     return sum;
   };
   for (int n = 2; n <= 7; ++n) {
-    const AlgebraicForm form = form_of(power(r2 - 1, n)), less = form_of(power(r2 - 1, n) * -1.0);
+    const AlgebraicForm form = form_of(power(R2 - 1, n)), less = form_of(power(R2 - 1, n) * -1.0);
     for (int i = 0; i < 100; ++i) {
       SceneLine line = line_near(random, {0, 0, 0}, 1);
       line.direction = normalize(line.direction);
@@ -336,8 +325,8 @@ TEST(Algebraic, PowersOfABallKeepThePairs) {
       const std::vector<double> ball = roots_along(Sphere{{0, 0, 0}, 1}, line);
       ASSERT_EQ(t.size() % 2, 0u);
       ASSERT_EQ(rest.size() % 2, 0u);
-      EXPECT_EQ(rest.front(), -far);
-      EXPECT_EQ(rest.back(), far);
+      EXPECT_EQ(rest.front(), -Aabb::far);
+      EXPECT_EQ(rest.back(), Aabb::far);
       const double inside = n % 2 == 1 ? thickness(ball, 0, ball.size()) : 0;
       EXPECT_NEAR(thickness(t, 0, t.size()), inside, 0.1);
       EXPECT_NEAR(thickness(rest, 1, rest.size() - 1), inside, 0.1);
@@ -348,14 +337,15 @@ TEST(Algebraic, PowersOfABallKeepThePairs) {
 TEST(Algebraic, InsideMayReachTheEndsOfALine) {
   for (const double s : scales) {
     const SceneLine along{{0.5 * s, 0, 0}, {0, 1, 0}}, against{{0.5 * s, 0, 0}, {0, -1, 0}};
-    const AlgebraicForm cubic = form_of(grown(y2 * y - x, s));  // y = the cube root of 1/2
+    const AlgebraicForm cubic = form_of(grown(Y2 * Y - X, s));  // y = the cube root of 1/2
     const double root = s * 0.79370052598409973737;
-    expect_near(roots_along(cubic, along), {-far, root}, 1e-15 * s);
-    expect_near(roots_along(cubic, against), {-root, far}, 1e-15 * s);
-    const AlgebraicForm between = form_of(grown(x2 * x2 - y2 * y2, s));  // inside |x| < |y|
-    expect_near(roots_along(between, along), {-far, -0.5 * s, 0.5 * s, far}, 1e-15 * s);
-    expect_near(roots_along(form_of(grown(x2 - 1, s)), along), {-far, far}, 0);
-    expect_near(roots_along(form_of(grown(x2 - 0.2, s)), along), {}, 0);
+    expect_distances(roots_along(cubic, along), {-Aabb::far, root}, 1e-15 * s);
+    expect_distances(roots_along(cubic, against), {-root, Aabb::far}, 1e-15 * s);
+    const AlgebraicForm between = form_of(grown(X2 * X2 - Y2 * Y2, s));  // inside |x| < |y|
+    expect_distances(roots_along(between, along), {-Aabb::far, -0.5 * s, 0.5 * s, Aabb::far},
+                     1e-15 * s);
+    expect_distances(roots_along(form_of(grown(X2 - 1, s)), along), {-Aabb::far, Aabb::far}, 0);
+    expect_distances(roots_along(form_of(grown(X2 - 0.2, s)), along), {}, 0);
   }
 }
 
@@ -366,19 +356,19 @@ TEST(Algebraic, LineAlongAPipeMeetsNothingFarAway) {
     const Vec3d n = random.direction();
     // Where 1 - n.x^2 has lost digits, the coefficients are another surface's.
     if (std::max({std::fabs(n.x), std::fabs(n.y), std::fabs(n.z)}) > 0.9) continue;
-    const Poly aside2 = r2 - power(x * n.x + y * n.y + z * n.z, 2);
+    const Poly aside2 = R2 - power(X * n.x + Y * n.y + Z * n.z, 2);
     const AlgebraicForm pipe = form_of(power(aside2, 2) - 1);
     const Vec3d aside = normalize(cross(n, random.direction()));
-    expect_near(roots_along(pipe, {aside * 0.5, n}), {-far, far}, 0);
-    expect_near(roots_along(pipe, {aside * 1.5, n}), {}, 0);
-    expect_near(roots_along(pipe, {aside * -3.0, aside}), {2, 4}, 1e-12);
+    expect_distances(roots_along(pipe, {aside * 0.5, n}), {-Aabb::far, Aabb::far}, 0);
+    expect_distances(roots_along(pipe, {aside * 1.5, n}), {}, 0);
+    expect_distances(roots_along(pipe, {aside * -3.0, aside}), {2, 4}, 1e-12);
   }
 }
 
 // x y = z along (s, 1 + s e, 0): roots 0 and -1/e, met from s = -3.
 TEST(Algebraic, FarRootTakesNoDigitsFromTheNearOne) {
   for (double e = 0.1; e > 1e-8; e /= 10) {
-    const auto got = roots_along(form_of(x * y - z), {{-3, 1 - 3 * e, 0}, {1, e, 0}});
+    const auto got = roots_along(form_of(X * Y - Z), {{-3, 1 - 3 * e, 0}, {1, e, 0}});
     ASSERT_EQ(got.size(), 2u);
     EXPECT_NEAR(got[1], 3, 1e-14) << e;
     EXPECT_NEAR(got[0], 3 - 1 / e, 1e-6 / e);
@@ -412,7 +402,7 @@ TEST(Algebraic, PowersOfTwoScaleEveryRootExactly) {
   for (const bool clipped : {false, true}) {
     const auto grown_form = [&](double s) {
       Algebraic algebraic{grown(barth(), s).terms(), {}};
-      if (clipped) algebraic.bounds = ball(Vec3d{0.5, 0, 0} * s, 2 * s);
+      if (clipped) algebraic.bounds = ball_of(2 * s, Vec3d{0.5, 0, 0} * s);
       return prepare(algebraic);
     };
     const AlgebraicForm small = grown_form(1), big = grown_form(1024);
@@ -436,10 +426,10 @@ TEST(Algebraic, BoundsThatTouchTheSurfaceLeaveItWhole) {
     for (const Crossing& each : spans_along(form, {{-3, 0, 0}, {1, 0, 0}})) all.push_back(each.t);
     return all;
   };
-  EXPECT_EQ(along_axis(r2 - 1), (std::vector<double>{2, 4}));
+  EXPECT_EQ(along_axis(R2 - 1), (std::vector<double>{2, 4}));
   // The whole face x = -1 is the surface, and behind it is the outside or the inside.
-  EXPECT_EQ(along_axis(x * -1.0 - 1), (std::vector<double>{2, 4}));
-  const std::vector<double> nothing = along_axis(x + 1);
+  EXPECT_EQ(along_axis(X * -1.0 - 1), (std::vector<double>{2, 4}));
+  const std::vector<double> nothing = along_axis(X + 1);
   for (std::size_t i = 1; i < nothing.size(); i += 2) EXPECT_EQ(nothing[i - 1], nothing[i]);
 }
 
@@ -450,7 +440,7 @@ TEST(Algebraic, SpansAscendWhereSurfaceAndBoundsCoincide) {
   box.min = Vec3d{-0.7, -0.7, -0.7};
   box.max = Vec3d{0.7, 0.7, 0.7};
   int seen = 0;
-  for (const Poly& f : {x - 0.7, x * -1.0 - 0.7, x2 - 0.7 * 0.7, (x2 - 0.7 * 0.7) * -1.0}) {
+  for (const Poly& f : {X - 0.7, X * -1.0 - 0.7, X2 - 0.7 * 0.7, (X2 - 0.7 * 0.7) * -1.0}) {
     const AlgebraicForm form = prepare(Algebraic{f.terms(), box});
     for (int i = 0; i < 1000; ++i) {
       const std::vector<Crossing> all = spans_along(form, line_near(random, {0, 0, 0}, 0.7));
@@ -463,33 +453,33 @@ TEST(Algebraic, SpansAscendWhereSurfaceAndBoundsCoincide) {
 }
 
 TEST(Algebraic, LineWithinTheSurfaceMeetsNothing) {
-  expect_near(roots_along(form_of(y * (x2 + z2 + 1)), {{0, 0, 0}, {1, 0, 0}}), {}, 0);
-  EXPECT_TRUE(spans_along(prepare(Algebraic{y.terms(), ball({0, 0, 0}, 1)}), {{0, 0, 0}, {1, 0, 0}})
-                  .empty());
+  expect_distances(roots_along(form_of(Y * (X2 + Z2 + 1)), {{0, 0, 0}, {1, 0, 0}}), {}, 0);
+  EXPECT_TRUE(
+      spans_along(prepare(Algebraic{Y.terms(), ball_of(1)}), {{0, 0, 0}, {1, 0, 0}}).empty());
 }
 
 // -1e30 x^32 at x = 1e9 is no double.
 TEST(Algebraic, SumThatOverflowsIsMetNowhere) {
-  const AlgebraicForm steep = form_of(power(x, 32) * -1e30);
-  expect_near(roots_along(steep, {{1e9, 0, 0}, {0, 1, 0}}), {}, 0);
-  expect_near(roots_along(steep, {{1e3, 0, 0}, {0, 1, 0}}), {-far, far}, 0);
-  const AlgebraicForm slow = form_of(power(x, 32) * 1e-11 - power(x, 31));  // 0 at x = 1e11
+  const AlgebraicForm steep = form_of(power(X, 32) * -1e30);
+  expect_distances(roots_along(steep, {{1e9, 0, 0}, {0, 1, 0}}), {}, 0);
+  expect_distances(roots_along(steep, {{1e3, 0, 0}, {0, 1, 0}}), {-Aabb::far, Aabb::far}, 0);
+  const AlgebraicForm slow = form_of(power(X, 32) * 1e-11 - power(X, 31));  // 0 at x = 1e11
   EXPECT_EQ(normal(slow, {1e11, 0, 0}, 0), (Vec3d{0, 1, 0}));
 }
 
 TEST(Algebraic, CrossesNothingOfNan) {
   expect_nothing_from_nan(form_of(heart * -1.0));
-  expect_nothing_from_nan(prepare(Algebraic{heart.terms(), ball({0, 0, 0}, 2)}));
+  expect_nothing_from_nan(prepare(Algebraic{heart.terms(), ball_of(2)}));
 }
 
 TEST(Algebraic, ElementsNormalsAndUvFollowTheBounds) {
   EXPECT_EQ(elements(form_of(heart)), 1);
-  EXPECT_EQ(bounds(form_of(x2 * x2 - y2 * y2)), Aabb::everything());
+  EXPECT_EQ(bounds(form_of(X2 * X2 - Y2 * Y2)), Aabb::everything());
   EXPECT_TRUE(bounds(form_of(heart)).bounded());
   Bounds box;
   box.min = Vec3d{-2, -3, -2};
   box.max = Vec3d{2, 5, 2};
-  const AlgebraicForm form = prepare(Algebraic{(x2 * x2 - y2 * y2).terms(), box});
+  const AlgebraicForm form = prepare(Algebraic{(X2 * X2 - Y2 * Y2).terms(), box});
   EXPECT_EQ(elements(form), 7);
   EXPECT_EQ(bounds(form), (Aabb{{-2, -3, -2}, {2, 5, 2}}));
   EXPECT_EQ(normal(form, {0, 5, 0}, 1 + 3), (Vec3d{0, 1, 0}));

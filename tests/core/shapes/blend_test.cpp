@@ -19,7 +19,7 @@ Blend blend_of(Operation operation, double radius, std::vector<Blended> children
   blend.children = std::move(children);
   return blend;
 }
-std::vector<double> crossings_of(const FieldForm& form, const Vec3d& from, const Vec3d& way) {
+std::vector<double> crossings_from(const FieldForm& form, const Vec3d& from, const Vec3d& way) {
   const Vec3d d = normalize(way);
   const double shift = dot(bounds(form).center() - from, d);
   std::vector<double> t;
@@ -37,7 +37,7 @@ TEST(Blend, TwoWallsAtRightAnglesAreJoinedByAQuarterOfACircle) {
     // From the circle's middle towards the corner.
     const double angle = random.in(0.01, pi / 2 - 0.01), z = random.in(-2, 2);
     const Vec3d way{-std::cos(angle), -std::sin(angle), 0};
-    const auto t = crossings_of(form, {r, r, z}, way);
+    const auto t = crossings_from(form, {r, r, z}, way);
     ASSERT_FALSE(t.empty());
     const auto ahead = std::find_if(t.begin(), t.end(), [](double at) { return at > 0; });
     ASSERT_NE(ahead, t.end());
@@ -57,7 +57,7 @@ TEST(Blend, AnIntersectionRoundsItsEdgeOff) {
         prepare(blend_of(Operation::intersection, r, {placed(floor), placed(wall)}));
     const double angle = random.in(0.01, pi / 2 - 0.01), z = random.in(-2, 2);
     const Vec3d way{-std::cos(angle), -std::sin(angle), 0};
-    const auto t = crossings_of(form, Vec3d{-r, -r, z} - way * 3.0, way);
+    const auto t = crossings_from(form, Vec3d{-r, -r, z} - way * 3.0, way);
     ASSERT_FALSE(t.empty());
     EXPECT_NEAR(t.front(), 3 - r, 1e-12);
   }
@@ -71,7 +71,7 @@ TEST(Blend, FarFromTheOthersAChildIsItself) {
         prepare(blend_of(Operation::union_, random.in(0.1, 1), {placed(one), placed(other)}));
     const Vec3d from = random.vector(6, 9) + Vec3d{-3, 0, 0};
     const Vec3d way = one.center + random.vector(0, 0.9 * one.radius) - from;
-    const auto t = crossings_of(form, from, way);
+    const auto t = crossings_from(form, from, way);
     std::vector<double> expected;
     const Vec3d d = normalize(way);
     crossings(one, Line{from, d}, [&](double at, int) { expected.push_back(at); });
@@ -121,7 +121,7 @@ TEST(Blend, ManyChildrenJoinInAnyOrder) {
     std::reverse(children.begin(), children.end());
     const FieldForm other = prepare(blend_of(Operation::union_, 0.4, children));
     const Vec3d from = random.vector(4, 6), way = random.point(0.8) - from;
-    const auto t = crossings_of(form, from, way), u = crossings_of(other, from, way);
+    const auto t = crossings_from(form, from, way), u = crossings_from(other, from, way);
     ASSERT_EQ(t.size(), u.size());
     for (std::size_t k = 0; k < t.size(); ++k) EXPECT_NEAR(t[k], u[k], 1e-9);
   }
@@ -143,7 +143,7 @@ void expect_itself(const Kind& kind, Random& random) {
     std::vector<double> expected;
     crossings(own, Line{from, d}, [&](double at, int) { expected.push_back(at * scale); });
     std::sort(expected.begin(), expected.end());
-    const auto t = crossings_of(form, place.point(from), place.vector(d));
+    const auto t = crossings_from(form, place.point(from), place.vector(d));
     ASSERT_EQ(t.size(), expected.size()) << Kind::type;
     for (std::size_t k = 0; k < t.size(); ++k) EXPECT_NEAR(t[k], expected[k], 1e-8) << Kind::type;
   }

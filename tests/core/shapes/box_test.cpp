@@ -5,9 +5,8 @@
 namespace tia {
 namespace {
 
+using enum FaultKind;
 using namespace test;
-
-constexpr auto out_of_range = FaultKind::out_of_range;
 
 Long outside(const Box& box, const Vec3l& p) {
   const auto low = static_cast<Vec3l>(box.min) - p, high = p - static_cast<Vec3l>(box.max);
@@ -65,12 +64,13 @@ TEST(Box, LineInAFacesPlaneIsInsideAtMinAndOutsideAtMax) {
   for (const double sign : {-1.0, 1.0}) {
     const std::vector<double> through =
         sign < 0 ? std::vector<double>{4, 6} : std::vector<double>{};
-    expect_near(roots_along(box, {{sign, 0.5, -5}, {0, 0, 1}}), through, 0);
-    expect_near(roots_along(box, {{0.5, sign, -5}, {0, 0, 1}}), through, 0);
-    expect_near(roots_along(box, {{-5, 0.5, sign}, {1, 0, 0}}), through, 0);
-    expect_near(roots_along(box, {{sign, sign, -5}, {-0.0, 0, 1}}), through, 0, "along an edge");
+    expect_distances(roots_along(box, {{sign, 0.5, -5}, {0, 0, 1}}), through, 0);
+    expect_distances(roots_along(box, {{0.5, sign, -5}, {0, 0, 1}}), through, 0);
+    expect_distances(roots_along(box, {{-5, 0.5, sign}, {1, 0, 0}}), through, 0);
+    expect_distances(roots_along(box, {{sign, sign, -5}, {-0.0, 0, 1}}), through, 0,
+                     "along an edge");
     // From within the face's plane, but not parallel to it.
-    expect_near(roots_along(box, {{sign, 0, 0}, {-sign, 0, 0}}), {0, 2}, 0);
+    expect_distances(roots_along(box, {{sign, 0, 0}, {-sign, 0, 0}}), {0, 2}, 0);
   }
 }
 
@@ -78,9 +78,9 @@ TEST(Box, LineInAFacesPlaneIsInsideAtMinAndOutsideAtMax) {
 TEST(Box, GrazedEdgeEmitsTwiceTheSame) {
   for (const double scale : {0.125, 1.0, 1024.0}) {
     const Box box{Vec3d{-1, -1, -1} * scale, Vec3d{1, 1, 1} * scale};
-    expect_near(roots_along(box, {Vec3d{3, -1, 0} * scale, {-1, 1, 0}}), {2 * scale, 2 * scale},
-                1e-15 * scale);
-    expect_near(roots_along(box, {Vec3d{3.01, -1, 0} * scale, {-1, 1, 0}}), {}, 0);
+    expect_distances(roots_along(box, {Vec3d{3, -1, 0} * scale, {-1, 1, 0}}),
+                     {2 * scale, 2 * scale}, 1e-15 * scale);
+    expect_distances(roots_along(box, {Vec3d{3.01, -1, 0} * scale, {-1, 1, 0}}), {}, 0);
   }
 }
 

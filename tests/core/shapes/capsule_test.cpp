@@ -39,16 +39,16 @@ TEST(Capsule, LinesOfItsSymmetryMeetSidesAndCaps) {
   for (const double scale : scales) {
     const CapsuleForm form = prepare(Capsule{{-2 * scale, 0, 0}, {2 * scale, 0, 0}, scale});
     const double far = 8 * scale, near = 1e-14 * scale;
-    expect_near(roots_along(form, {{-far, 0, 0}, {1, 0, 0}}), {far - 3 * scale, far + 3 * scale},
-                near, "the axis");
-    expect_near(roots_along(form, {{0.5 * scale, far, 0}, {0, -1, 0}}), {far - scale, far + scale},
-                near, "across the side");
-    expect_near(roots_along(form, {{2.6 * scale, far, 0}, {0, -1, 0}}),
-                {far - 0.8 * scale, far + 0.8 * scale}, near, "3-4-5 through a cap");
-    expect_near(roots_along(form, {{0, 0.6 * scale, 0}, {1, 0, 0}}), {-2.8 * scale, 2.8 * scale},
-                near, "along the axis, from inside");
-    expect_near(roots_along(form, {{0, 1.001 * scale, 0}, {1, 0, 0}}), {}, 0, "beside it");
-    expect_near(roots_along(form, {{3.001 * scale, far, 0}, {0, -1, 0}}), {}, 0, "beyond it");
+    expect_distances(roots_along(form, {{-far, 0, 0}, {1, 0, 0}}),
+                     {far - 3 * scale, far + 3 * scale}, near, "the axis");
+    expect_distances(roots_along(form, {{0.5 * scale, far, 0}, {0, -1, 0}}),
+                     {far - scale, far + scale}, near, "across the side");
+    expect_distances(roots_along(form, {{2.6 * scale, far, 0}, {0, -1, 0}}),
+                     {far - 0.8 * scale, far + 0.8 * scale}, near, "3-4-5 through a cap");
+    expect_distances(roots_along(form, {{0, 0.6 * scale, 0}, {1, 0, 0}}),
+                     {-2.8 * scale, 2.8 * scale}, near, "along the axis, from inside");
+    expect_distances(roots_along(form, {{0, 1.001 * scale, 0}, {1, 0, 0}}), {}, 0, "beside it");
+    expect_distances(roots_along(form, {{3.001 * scale, far, 0}, {0, -1, 0}}), {}, 0, "beyond it");
   }
 }
 
@@ -99,7 +99,7 @@ TEST(Capsule, LongOnesKeepTheirDigits) {
   // A line across at a slant of a rod a million times as long as thick.
   const CapsuleForm form = prepare(Capsule{{-1e6, 0, 0}, {1e6, 0, 0}, 1});
   for (const double x : {-999'999.0, -5e5, 0.0, 7e5})
-    expect_near(roots_along(form, {{x, 5, 0}, {0, -1, 0}}), {4, 6}, 1e-12);
+    expect_distances(roots_along(form, {{x, 5, 0}, {0, -1, 0}}), {4, 6}, 1e-12);
 }
 
 TEST(Capsule, NaNAndLinesWithoutDirectionCrossNothing) {

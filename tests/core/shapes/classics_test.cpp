@@ -14,23 +14,8 @@ namespace {
 
 using namespace test;
 
-constexpr double far = Aabb::far;
 const double golden = (1 + std::sqrt(5.0)) / 2;
 
-std::optional<Bounds> ball(double radius) {
-  Bounds bounds;
-  bounds.center = Vec3d{0, 0, 0};
-  bounds.radius = radius;
-  return bounds;
-}
-template <class Form>
-std::vector<double> spans_along(const Form& form, const SceneLine& line) {
-  std::vector<double> all;
-  for (const Crossing& each :
-       sent(bounds(form), line, [&](const Line&l, auto emit) { spans(form, l, emit); }))
-    all.push_back(each.t);
-  return all;
-}
 SceneLine unit_line(Random& random, double size) {
   const SceneLine line = line_near(random, {0, 0, 0}, size);
   return {line.origin, normalize(line.direction)};
@@ -67,7 +52,7 @@ TEST(Classics, TorusAsAQuarticIsTheTorus) {
     const std::vector<double> expected = roots_along(prepare(Torus{R, r}), line);
     if (!apart(expected)) continue;
     const std::vector<double> got = roots_along(prepare(quartic), line);
-    expect_near(got, expected, 1e-8);
+    expect_distances(got, expected, 1e-8);
     for (const double t : got) {
       const Vec3l p = line.at(t);
       const Long ring = std::sqrt(p.x * p.x + p.z * p.z) - static_cast<Long>(R);
@@ -94,13 +79,13 @@ TEST(Classics, ParaboloidAsAQuadricAndAsTermsIsTheSame) {
     const double root = B * B - A * (o.x * o.x / a + o.z * o.z / b - o.y);
     if (std::fabs(A) < 0.01 || std::fabs(root) < 0.01) continue;
     std::vector<double> expected;
-    if (A < 0) expected.push_back(-far);
+    if (A < 0) expected.push_back(-Aabb::far);
     if (root > 0)
       for (const double sign : {-1.0, 1.0})
         expected.push_back((-B + std::copysign(sign, sign * A) * std::sqrt(root)) / A);
-    if (A < 0) expected.push_back(far);
-    expect_near(roots_along(prepare(quadric), line), expected, 1e-9);
-    expect_near(roots_along(prepare(terms), line), expected, 1e-9);
+    if (A < 0) expected.push_back(Aabb::far);
+    expect_distances(roots_along(prepare(quadric), line), expected, 1e-9);
+    expect_distances(roots_along(prepare(terms), line), expected, 1e-9);
     seen += root > 0;
   }
   EXPECT_GT(seen, 100);
@@ -117,7 +102,7 @@ TEST(Steiner, OnEachThreefoldAxisALobeReachesToAThird) {
     const double tip = way.x * way.y * way.z / 3, start = random.in(1, 3);
     const auto got = roots_along(prepare(Steiner{}), {way * -start, way});
     // 0 is a root of third order, known to the third root of rounding.
-    expect_near(got, {start + std::min(0.0, tip), start + std::max(0.0, tip)}, 1e-5);
+    expect_distances(got, {start + std::min(0.0, tip), start + std::max(0.0, tip)}, 1e-5);
     EXPECT_NEAR(got[tip > 0 ? 1 : 0], start + tip, 1e-13);
   }
 }
@@ -132,8 +117,8 @@ TEST(Steiner, SheetsCrossOnTheAxesBelowAHalf) {
     const auto got = roots_along(prepare(Steiner{}), {{-2, -2 * m, z}, {1, m, 0}});
     std::vector<double> simple = got;
     std::erase_if(simple, [](double t) { return std::fabs(t - 2) < 1e-6; });
-    if (square < 0) expect_near(simple, {}, 0);
-    else expect_near(simple, {2 - std::sqrt(square), 2 + std::sqrt(square)}, 1e-9);
+    if (square < 0) expect_distances(simple, {}, 0);
+    else expect_distances(simple, {2 - std::sqrt(square), 2 + std::sqrt(square)}, 1e-9);
     EXPECT_EQ(got.size() % 2, 0U);
   }
 }
@@ -150,14 +135,15 @@ TEST(Barth, OnThreefoldAxesItIsCrossedAtAHalfAndTouchedAtItsNodes) {
     std::vector<double> got = roots_along(prepare(BarthSextic{}), {way * -start, way});
     EXPECT_EQ(got.size() % 2, 0U);
     std::erase_if(got, [&](double t) { return std::fabs(std::fabs(t - start) - 1) < 1e-6; });
-    expect_near(got, {start - 0.5, start + 0.5}, 1e-13);
+    expect_distances(got, {start - 0.5, start + 0.5}, 1e-13);
   }
 }
 
 // Where s is a coordinate of (s, s, 0): -4 p^3 s^6 - p^3 (2 s^2 - 1)^2 < 0.
 TEST(Barth, DiagonalsOfTheCoordinatePlanesAreInsideThroughout) {
   for (const Vec3d& way : {Vec3d{1, 1, 0}, Vec3d{0, -1, 1}, Vec3d{1, 0, -1}})
-    expect_near(roots_along(prepare(BarthSextic{}), {way * -2.0, way}), {-far, far}, 0);
+    expect_distances(roots_along(prepare(BarthSextic{}), {way * -2.0, way}),
+                     {-Aabb::far, Aabb::far}, 0);
 }
 
 // Rodrigues' rotation.
@@ -168,7 +154,7 @@ Vec3d rotated(const Vec3d& v, const Vec3d& axis, double cosine) {
 // The largest difference between the roots of random lines and of the same lines turned; infinite
 // where their numbers differ.
 double change_by_turning(Random& random, const Vec3d& axis, double cosine) {
-  const AlgebraicForm form = prepare(BarthSextic{ball(1.9)});
+  const AlgebraicForm form = prepare(BarthSextic{ball_of(1.9)});
   double most = 0;
   for (int i = 0; i < 20; ++i) {
     const SceneLine line = unit_line(random, 1.5);
@@ -176,7 +162,7 @@ double change_by_turning(Random& random, const Vec3d& axis, double cosine) {
                           rotated(line.direction, axis, cosine)};
     const auto before = roots_along(form, line), after = roots_along(form, other);
     if (!apart(before)) continue;
-    if (before.size() != after.size()) return far;
+    if (before.size() != after.size()) return Aabb::far;
     for (std::size_t k = 0; k < before.size(); ++k)
       most = std::max(most, std::fabs(before[k] - after[k]));
   }
@@ -203,7 +189,7 @@ TEST(Barth, HasTheTurnsOfTheIcosahedronThroughItsVerticesAndItsFaces) {
 
 // ---- Chmutov ----------------------------------------------------------------------------------
 
-double chebyshev(int n, double x) {
+double chebyshev_at(int n, double x) {
   double before = 1, now = x;
   for (int i = 1; i < n; ++i) before = std::exchange(now, 2 * x * now - before);
   return now;
@@ -215,20 +201,20 @@ TEST(Chmutov, RaysAlongAnAxisMeetAllCosines) {
   const double turn = 2 * std::acos(-1.0);
   int seen = 0;
   for (int n = 2; n <= 20; n += n < 8 ? 1 : 4) {
-    const AlgebraicForm whole = prepare(Chmutov{n, {}}), clipped = prepare(Chmutov{n, ball(2)});
+    const AlgebraicForm whole = prepare(Chmutov{n, {}}), clipped = prepare(Chmutov{n, ball_of(2)});
     for (int i = 0; i < 30; ++i) {
       const double u = random.in(-1, 1), v = random.in(-1, 1);
-      const double c = -chebyshev(n, u) - chebyshev(n, v);
+      const double c = -chebyshev_at(n, u) - chebyshev_at(n, v);
       if (std::fabs(c) > 0.98) continue;
       std::vector<double> expected;
       for (int k = 0; k < n; ++k) expected.push_back(std::cos((std::acos(c) + turn * k) / n));
       std::sort(expected.begin(), expected.end());
       const int places = random.below(3);
       const SceneLine line{turned({0, u, v}, places), turned({1, 0, 0}, places)};
-      expect_near(roots_along(clipped, line), expected, 1e-7, std::to_string(n));
+      expect_distances(roots_along(clipped, line), expected, 1e-7, std::to_string(n));
       std::vector<double> all = roots_along(whole, line);
       std::erase_if(all, [](double t) { return std::isinf(t); });
-      expect_near(all, expected, 1e-7, std::to_string(n));
+      expect_distances(all, expected, 1e-7, std::to_string(n));
       ++seen;
     }
   }
@@ -261,9 +247,9 @@ TEST(Heart, SectionAcrossIsTheCurveOfTheHeart) {
 // On the axes it is (x^2 - 1)^3, (9/4 y^2 - 1)^3 and (z^2 - 1)^3.
 TEST(Heart, ReachesOneAndTwoThirdsOnItsAxes) {
   const AlgebraicForm form = prepare(Heart{});
-  expect_near(roots_along(form, {{-2, 0, 0}, {1, 0, 0}}), {1, 3}, 1e-4);
-  expect_near(roots_along(form, {{0, -2, 0}, {0, 1, 0}}), {2 - 2.0 / 3, 2 + 2.0 / 3}, 1e-4);
-  expect_near(roots_along(form, {{0, 0, -2}, {0, 0, 1}}), {1, 3}, 1e-4);
+  expect_distances(roots_along(form, {{-2, 0, 0}, {1, 0, 0}}), {1, 3}, 1e-4);
+  expect_distances(roots_along(form, {{0, -2, 0}, {0, 1, 0}}), {2 - 2.0 / 3, 2 + 2.0 / 3}, 1e-4);
+  expect_distances(roots_along(form, {{0, 0, -2}, {0, 0, 1}}), {1, 3}, 1e-4);
 }
 
 // ---- the cubics -------------------------------------------------------------------------------
@@ -274,7 +260,7 @@ std::array<Long, 5> cubed_at(const Vec3l& p) {
   return {12 * p.x - sum - 1, 12 * p.y - sum - 1, 12 * p.z - sum - 1, 2 - 2 * sum, sum + 1};
 }
 // Of each of these the gradient.
-constexpr Vec3d slopes[] = {{9, -3, -3}, {-3, 9, -3}, {-3, -3, 9}, {-6, -6, -6}, {3, 3, 3}};
+constexpr Vec3d gradients[] = {{9, -3, -3}, {-3, 9, -3}, {-3, -3, 9}, {-6, -6, -6}, {3, 3, 3}};
 
 // Where one of the five is 0, and of the others two and two are each other's negative: on 15 lines,
 // for five times three choices.
@@ -288,7 +274,7 @@ std::vector<SceneLine> rational_lines() {
       if (i != zero) rest.push_back(i);
     for (std::size_t partner = 1; partner < 4; ++partner) {
       // The planes a . p = h and b . p = k; their line's point nearest to the origin.
-      const Vec3d a = slopes[zero], b = slopes[rest[0]] + slopes[rest[partner]];
+      const Vec3d a = gradients[zero], b = gradients[rest[0]] + gradients[rest[partner]];
       const double h = -number(zero), k = -number(rest[0]) - number(rest[partner]);
       const Vec3d way = cross(a, b);
       if (!(dot(way, way) > 0)) continue;  // at infinity
@@ -301,11 +287,11 @@ std::vector<SceneLine> rational_lines() {
 
 TEST(Clebsch, HoldsTheLinesOfTheSumOfFiveCubes) {
   Random random(127);
-  const AlgebraicForm form = prepare(Clebsch{ball(4)});
+  const AlgebraicForm form = prepare(Clebsch{ball_of(4)});
   const auto lines = rational_lines();
   EXPECT_GT(lines.size(), 10U);
   for (const SceneLine& on : lines) {
-    expect_near(roots_along(form, on), {}, 0, "along it");
+    expect_distances(roots_along(form, on), {}, 0, "along it");
     int seen = 0;
     for (int i = 0; i < 20; ++i) {
       const Vec3d p = on.origin + on.direction * random.in(-1, 1);
@@ -367,9 +353,9 @@ TEST(Cayley, LineThroughANodeHasOneRootBesidesIt) {
 TEST(Cayley, AxisThroughANodeLeavesTheMiddleAtAQuarter) {
   for (const Vec3d& way : {Vec3d{-1, -1, -1}, Vec3d{1, 1, -1}, Vec3d{1, -1, 1}, Vec3d{-1, 1, 1}}) {
     std::vector<double> t = roots_along(prepare(Cayley{}), {way * -2.0, way});
-    EXPECT_EQ(t.back(), far) << "beyond the node is inside";
+    EXPECT_EQ(t.back(), Aabb::far) << "beyond the node is inside";
     std::erase_if(t, [](double each) { return std::fabs(each - 2.5) < 1e-6; });
-    expect_near(t, {1.75, far}, 1e-13);
+    expect_distances(t, {1.75, Aabb::far}, 1e-13);
   }
 }
 

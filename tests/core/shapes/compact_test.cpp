@@ -11,8 +11,8 @@ namespace {
 using test::Random;
 
 // ((x - c.x)^2 + ...)^2 expands to many terms; these are built of them as lists.
-std::vector<AlgebraicTerm> product(const std::vector<AlgebraicTerm>& a,
-                                   const std::vector<AlgebraicTerm>& b) {
+std::vector<AlgebraicTerm> product_of(const std::vector<AlgebraicTerm>& a,
+                                      const std::vector<AlgebraicTerm>& b) {
   std::vector<AlgebraicTerm> all;
   for (const AlgebraicTerm& m : a)
     for (const AlgebraicTerm& n : b)
@@ -65,7 +65,7 @@ TEST(CompactBounds, HoldATorusClosely) {
   for (int i = 0; i < 20; ++i) {
     const double R = random.in(0.5, 2), r = random.in(0.1, 0.9) * R;
     const auto s = square_around({0, 0, 0}, {1, 1, 1}, R * R - r * r);
-    const auto torus = sum(product(s, s), {{{2, 0, 0}, -4 * R * R}, {{0, 0, 2}, -4 * R * R}});
+    const auto torus = sum(product_of(s, s), {{{2, 0, 0}, -4 * R * R}, {{0, 0, 2}, -4 * R * R}});
     const auto box = compact_bounds(torus);
     ASSERT_TRUE(box);
     EXPECT_GE(box->max.x, R + r);

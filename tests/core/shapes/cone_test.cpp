@@ -5,9 +5,8 @@
 namespace tia {
 namespace {
 
+using enum FaultKind;
 using namespace test;
-
-constexpr auto out_of_range = FaultKind::out_of_range;
 
 // Above 0 outside: how far above the ends' planes or beside the side's line, the larger of them.
 Long outside(const Cone& cone, const Vec3l& p) {
@@ -49,16 +48,16 @@ TEST(Cone, IsMetWhereItsSectionsEnd) {
   for (const double scale : scales) {
     const Frustum cone = prepare(Cone{{0, 0, 0}, Vec3d{0, 1, 0} * scale, scale, 0});
     const double y = 0.25 * scale, r = 0.75 * scale, near = 1e-14 * scale;
-    expect_near(roots_along(cone, {{-3 * scale, y, 0}, {1, 0, 0}}), {3 * scale - r, 3 * scale + r},
-                near, "from outside");
-    expect_near(roots_along(cone, {{0, y, 0}, {0, 0, 1}}), {-r, r}, near, "from inside");
+    expect_distances(roots_along(cone, {{-3 * scale, y, 0}, {1, 0, 0}}),
+                     {3 * scale - r, 3 * scale + r}, near, "from outside");
+    expect_distances(roots_along(cone, {{0, y, 0}, {0, 0, 1}}), {-r, r}, near, "from inside");
     // A chord 0.6 off the middle of that circle is half sqrt(0.75^2 - 0.6^2) = 0.45 long.
-    expect_near(roots_along(cone, {{-scale, y, 0.6 * scale}, {1, 0, 0}}),
-                {0.55 * scale, 1.45 * scale}, near);
-    expect_near(roots_along(cone, {{r / 3, -scale, 0}, {0, 1, 0}}), {scale, 1.75 * scale}, near,
-                "along the axis, at 0.25: up to y = 0.75");
-    expect_near(roots_along(cone, {{0, -scale, 0}, {0, 1, 0}}), {scale, 2 * scale}, near,
-                "the axis, to the tip");
+    expect_distances(roots_along(cone, {{-scale, y, 0.6 * scale}, {1, 0, 0}}),
+                     {0.55 * scale, 1.45 * scale}, near);
+    expect_distances(roots_along(cone, {{r / 3, -scale, 0}, {0, 1, 0}}), {scale, 1.75 * scale},
+                     near, "along the axis, at 0.25: up to y = 0.75");
+    expect_distances(roots_along(cone, {{0, -scale, 0}, {0, 1, 0}}), {scale, 2 * scale}, near,
+                     "the axis, to the tip");
   }
 }
 
@@ -66,8 +65,8 @@ TEST(Cone, IsMetWhereItsSectionsEnd) {
 TEST(Cone, LineAlongTheSideIsInsideOrOutside) {
   const Frustum cone = prepare(Cone{{0, 0, 0}, {0, 1, 0}, 1, 0});
   const double in = 0.01;
-  expect_near(roots_along(cone, {{1 - in, 0, 0}, {-1, 1, 0}}), {0, 1 - in / 2}, 1e-12,
-              "to the opposite side, x = y - 1");
+  expect_distances(roots_along(cone, {{1 - in, 0, 0}, {-1, 1, 0}}), {0, 1 - in / 2}, 1e-12,
+                   "to the opposite side, x = y - 1");
   EXPECT_TRUE(roots_along(cone, {{1 + in, 0, 0}, {-1, 1, 0}}).empty());
 }
 
@@ -123,18 +122,19 @@ TEST(Cylinder, HitAndMissPartAtTheRadius) {
       const double away = random.in(-4, 4) * scale;
       const std::vector<double> roots = roots_along(can, {foot - way * away, way});
       if (share > 1) EXPECT_TRUE(roots.empty());
-      else expect_near(roots, {away - std::sqrt(2e-9) * r, away + std::sqrt(2e-9) * r}, 1e-6 * r);
+      else
+        expect_distances(roots, {away - std::sqrt(2e-9) * r, away + std::sqrt(2e-9) * r}, 1e-6 * r);
     }
   }
   // Where all is exact in double, the tangent itself hits, twice in one place.
   const Frustum can = prepare(Cylinder{{0, -1, 0}, {0, 1, 0}, 1});
-  expect_near(roots_along(can, {{-3, 0.5, 1}, {1, 0, 0}}), {3, 3}, 0);
+  expect_distances(roots_along(can, {{-3, 0.5, 1}, {1, 0, 0}}), {3, 3}, 0);
 }
 
 TEST(Cylinder, LineInAnEndsPlaneIsInsideAtTheBaseAndOutsideAtTheCap) {
   const Frustum can = prepare(Cylinder{{0, -1, 0}, {0, 1, 0}, 1});
-  expect_near(roots_along(can, {{-3, -1, 0}, {1, 0, 0}}), {2, 4}, 1e-15);
-  expect_near(roots_along(can, {{-3, 1, 0}, {1, 0, 0}}), {}, 0);
+  expect_distances(roots_along(can, {{-3, -1, 0}, {1, 0, 0}}), {2, 4}, 1e-15);
+  expect_distances(roots_along(can, {{-3, 1, 0}, {1, 0, 0}}), {}, 0);
 }
 
 // A wire of radius 1e-3 and length 2000 near its end, crossed: t = 5 -+ 1e-3 for all that length.
@@ -145,8 +145,8 @@ TEST(Cylinder, LongWireKeepsItsRadius) {
     const Vec3d slanted = normalize(across + axis * random.in(-1, 1));
     const double sine = length(cross(axis, slanted)), r = 1e-3;
     const Frustum wire = prepare(Cylinder{axis * -1000.0, axis * 1000.0, r});
-    expect_near(roots_along(wire, {axis * 900.0 - slanted * 5.0, slanted}),
-                {5 - r / sine, 5 + r / sine}, 1e-9);
+    expect_distances(roots_along(wire, {axis * 900.0 - slanted * 5.0, slanted}),
+                     {5 - r / sine, 5 + r / sine}, 1e-9);
   }
 }
 

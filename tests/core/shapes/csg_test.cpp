@@ -12,21 +12,20 @@ namespace {
 
 using test::Random;
 
-constexpr double far = Aabb::far;
 constexpr Operation operations[] = {Operation::union_, Operation::intersection,
                                     Operation::difference};
 
 // Spans at some of the integers 0 .. 11, perhaps from or to infinity; parts numbered from `first`.
 Spans random_spans(Random& random, int first) {
   Spans spans;
-  if (random.chance(0.2)) spans.push_back({-far, first++, 0});
+  if (random.chance(0.2)) spans.push_back({-Aabb::far, first++, 0});
   for (int t = 0; t < 12; ++t)
     if (random.chance(0.35)) spans.push_back({double(t), first++, t});
-  if (spans.size() % 2 != 0) spans.push_back({far, first++, 0});
+  if (spans.size() % 2 != 0) spans.push_back({Aabb::far, first++, 0});
   return spans;
 }
 
-bool inside(const Spans& spans, double t) {
+bool inside_spans(const Spans& spans, double t) {
   bool in = false;
   for (const Boundary& each : spans) in = in != (each.t <= t);
   return in;
@@ -59,7 +58,9 @@ TEST(Csg, MergedSpansHoldJustThePointsThatTheOperationKeeps) {
     for (const Operation operation : operations) {
       const Spans result = merged(operation, a, b);
       for (double t = -1.5; t < 14; t += 0.5)  // on the boundaries, too: the half-open rule
-        ASSERT_EQ(inside(result, t), expected(operation, inside(a, t), inside(b, t))) << t;
+        ASSERT_EQ(inside_spans(result, t),
+                  expected(operation, inside_spans(a, t), inside_spans(b, t)))
+            << t;
     }
   }
 }
@@ -88,7 +89,7 @@ TEST(Csg, MergedSpansAscendInPairsAndTakeTheirSurfacesFromTheOperands) {
 
 TEST(Csg, AlgebraOfSetsHoldsForSpans) {
   Random random(302);
-  const Spans all{{-far, 7, 0}, {far, 7, 0}};
+  const Spans all{{-Aabb::far, 7, 0}, {Aabb::far, 7, 0}};
   const auto places = [](const Spans& spans) {
     std::vector<double> t;
     for (const Boundary& each : spans) t.push_back(each.t);
@@ -122,34 +123,35 @@ TEST(Csg, AlgebraOfSetsHoldsForSpans) {
 
 // ---- the half-open rule -----------------------------------------------------------------------
 
-const Spans one{{1, 10, 0}, {2, 11, 0}}, next{{2, 20, 0}, {3, 21, 0}};
+const Spans from_1_to_2{{1, 10, 0}, {2, 11, 0}}, from_2_to_3{{2, 20, 0}, {3, 21, 0}};
 
 TEST(Csg, TouchingSolidsHaveNoFaceBetweenThemInTheirUnion) {
-  EXPECT_EQ(ends(merged(Operation::union_, one, next)), (Ends{{1, 10}, {3, 21}}));
-  EXPECT_EQ(ends(merged(Operation::union_, next, one)), (Ends{{1, 10}, {3, 21}}));
+  EXPECT_EQ(ends(merged(Operation::union_, from_1_to_2, from_2_to_3)), (Ends{{1, 10}, {3, 21}}));
+  EXPECT_EQ(ends(merged(Operation::union_, from_2_to_3, from_1_to_2)), (Ends{{1, 10}, {3, 21}}));
 }
 
 TEST(Csg, TouchingSolidsHaveNothingInCommonAndLoseNothing) {
-  EXPECT_TRUE(merged(Operation::intersection, one, next).empty());
-  EXPECT_EQ(ends(merged(Operation::difference, one, next)), ends(one));
-  EXPECT_EQ(ends(merged(Operation::difference, next, one)), ends(next));
+  EXPECT_TRUE(merged(Operation::intersection, from_1_to_2, from_2_to_3).empty());
+  EXPECT_EQ(ends(merged(Operation::difference, from_1_to_2, from_2_to_3)), ends(from_1_to_2));
+  EXPECT_EQ(ends(merged(Operation::difference, from_2_to_3, from_1_to_2)), ends(from_2_to_3));
 }
 
 TEST(Csg, CoincidentFacesShowTheFirstOperand) {
   const Spans longer{{1, 30, 0}, {4, 31, 0}};
-  EXPECT_EQ(ends(merged(Operation::union_, one, longer)), (Ends{{1, 10}, {4, 31}}));
-  EXPECT_EQ(ends(merged(Operation::union_, longer, one)), (Ends{{1, 30}, {4, 31}}));
-  EXPECT_EQ(ends(merged(Operation::intersection, longer, one)), (Ends{{1, 30}, {2, 11}}));
-  EXPECT_EQ(ends(merged(Operation::difference, longer, one)), (Ends{{2, 11}, {4, 31}}))
+  EXPECT_EQ(ends(merged(Operation::union_, from_1_to_2, longer)), (Ends{{1, 10}, {4, 31}}));
+  EXPECT_EQ(ends(merged(Operation::union_, longer, from_1_to_2)), (Ends{{1, 30}, {4, 31}}));
+  EXPECT_EQ(ends(merged(Operation::intersection, longer, from_1_to_2)), (Ends{{1, 30}, {2, 11}}));
+  EXPECT_EQ(ends(merged(Operation::difference, longer, from_1_to_2)), (Ends{{2, 11}, {4, 31}}))
       << "a cut face is the cutter's";
 }
 
 TEST(Csg, BoundariesWithinRoundingAreOne) {
   const double e = 1e-9;
   const Spans near{{1 + e, 40, 0}, {2 - e, 41, 0}}, far_off{{1 + 3 * e, 50, 0}, {2 + 3 * e, 51, 0}};
-  EXPECT_TRUE(merged(Operation::difference, one, near, 2 * e).empty());
-  EXPECT_EQ(merged(Operation::difference, one, near, e / 2).size(), 4U);
-  EXPECT_EQ(merged(Operation::difference, one, far_off, 2 * e).size(), 2U) << "a sliver stays";
+  EXPECT_TRUE(merged(Operation::difference, from_1_to_2, near, 2 * e).empty());
+  EXPECT_EQ(merged(Operation::difference, from_1_to_2, near, e / 2).size(), 4U);
+  EXPECT_EQ(merged(Operation::difference, from_1_to_2, far_off, 2 * e).size(), 2U)
+      << "a sliver stays";
   // 1000 and its next double are one for the rounding of t alone.
   const Spans a{{1000, 0, 0}, {2000, 1, 0}}, b{{std::nextafter(1000, 2000), 2, 0}, {2000, 3, 0}};
   EXPECT_TRUE(merged(Operation::difference, a, b).empty());
@@ -158,9 +160,9 @@ TEST(Csg, BoundariesWithinRoundingAreOne) {
 TEST(Csg, GrazedSpanOfNoLengthIsNothing) {
   const Spans graze{{5, 0, 0}, {5, 1, 0}};
   EXPECT_TRUE(merged(Operation::union_, graze, {}).empty());
-  EXPECT_EQ(ends(merged(Operation::union_, one, graze)), ends(one));
+  EXPECT_EQ(ends(merged(Operation::union_, from_1_to_2, graze)), ends(from_1_to_2));
   const Spans within{{1.5, 0, 0}, {1.5, 1, 0}};
-  EXPECT_EQ(ends(merged(Operation::difference, one, within)), ends(one));
+  EXPECT_EQ(ends(merged(Operation::difference, from_1_to_2, within)), ends(from_1_to_2));
 }
 
 }  // namespace

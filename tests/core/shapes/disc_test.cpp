@@ -5,9 +5,8 @@
 namespace tia {
 namespace {
 
+using enum FaultKind;
 using namespace test;
-
-constexpr auto out_of_range = FaultKind::out_of_range;
 
 // A point is chosen in the disc's plane, then a line through it: t is known, and whether it hits.
 TEST(Disc, IsHitWithinTheRadiusAndMissedBeyond) {
@@ -49,8 +48,8 @@ TEST(Disc, IsHitWithinTheRadiusAndMissedBeyond) {
 TEST(Disc, RayThroughTheRimHits) {
   for (const double scale : {0.125, 1.0, 1024.0}) {
     const DiscForm disc = prepare(Disc{{0, 0, 0}, {0, 0, 1}, scale});
-    expect_near(roots_along(disc, {{scale, 0, 2 * scale}, {0, 0, -1}}), {2 * scale}, 0);
-    expect_near(roots_along(disc, {{scale * (1 + 1e-12), 0, 2 * scale}, {0, 0, -1}}), {}, 0);
+    expect_distances(roots_along(disc, {{scale, 0, 2 * scale}, {0, 0, -1}}), {2 * scale}, 0);
+    expect_distances(roots_along(disc, {{scale * (1 + 1e-12), 0, 2 * scale}, {0, 0, -1}}), {}, 0);
   }
 }
 

@@ -32,10 +32,11 @@ TEST(Explicit, ParaboloidIsTheImplicitTheAlgebraicAndTheQuadric) {
       const double tolerance = 1e-9 / length(line.direction);
       // Roots that nearly meet are known to half the digits.
       if (expected.size() == 2 && expected[1] - expected[0] < 1e5 * tolerance) continue;
-      expect_near(roots_along(own, line), expected, tolerance);
-      expect_near(roots_along(field, line), expected, tolerance);
-      expect_near(roots_along(algebraic, line), expected, tolerance);
-      expect_near(ends_of(spans_along(own, line)), ends_of(spans_along(field, line)), tolerance);
+      expect_distances(roots_along(own, line), expected, tolerance);
+      expect_distances(roots_along(field, line), expected, tolerance);
+      expect_distances(roots_along(algebraic, line), expected, tolerance);
+      expect_distances(ends_of(spans_along(own, line)), ends_of(spans_along(field, line)),
+                       tolerance);
       roots += static_cast<int>(expected.size());
     }
   }
@@ -49,29 +50,29 @@ TEST(Explicit, LineFromAboveMeetsTheGraphOnceAndGoesInside) {
     const double x = random.in(-2, 2), y = random.in(-2, 2);
     const double z = std::sin(3 * x) * std::cos(2 * y) + 0.2 * std::floor(x);
     const SceneLine down{{x, y, 7}, {0, 0, -1}};
-    expect_near(roots_along(form, down), {7 - z}, 1e-9);
-    expect_near(ends_of(spans_along(form, down)), {7 - z, 9}, 1e-9);
+    expect_distances(roots_along(form, down), {7 - z}, 1e-9);
+    expect_distances(ends_of(spans_along(form, down)), {7 - z, 9}, 1e-9);
     EXPECT_GT(normal(form, {x, y, z}, 0).z, 0);
   }
 }
 
 TEST(Explicit, IsOnlyWhereItsFormulaIs) {
   const auto form = graph("sqrt(x)", cube_of(2));
-  expect_near(roots_along(form, {{1, 0, 5}, {0, 0, -1}}), {4}, 1e-9);
+  expect_distances(roots_along(form, {{1, 0, 5}, {0, 0, -1}}), {4}, 1e-9);
   EXPECT_TRUE(roots_along(form, {{-1, 0, 5}, {0, 0, -1}}).empty());
   EXPECT_TRUE(spans_along(form, {{-1, 0, 5}, {0, 0, -1}}).empty());
   // Along x at height 1 it is met at 1; from the formula's edge to it the line is above.
-  expect_near(ends_of(spans_along(form, {{-5, 0, 1}, {1, 0, 0}})), {6, 7}, 1e-9);
-  expect_near(ends_of(spans_along(form, {{-5, 0, -1}, {1, 0, 0}})), {5, 7}, 1e-9);
+  expect_distances(ends_of(spans_along(form, {{-5, 0, 1}, {1, 0, 0}})), {6, 7}, 1e-9);
+  expect_distances(ends_of(spans_along(form, {{-5, 0, -1}, {1, 0, 0}})), {5, 7}, 1e-9);
 }
 
 TEST(Explicit, PolesAndJumpsAreNoSurface) {
   const auto pole = graph("1/x", cube_of(2));
-  expect_near(roots_along(pole, {{-5, 0, 1}, {1, 0, 0}}), {6}, 1e-9);
-  expect_near(ends_of(spans_along(pole, {{-5, 0, 1}, {1, 0, 0}})), {5, 6}, 1e-9);
+  expect_distances(roots_along(pole, {{-5, 0, 1}, {1, 0, 0}}), {6}, 1e-9);
+  expect_distances(ends_of(spans_along(pole, {{-5, 0, 1}, {1, 0, 0}})), {5, 6}, 1e-9);
   const auto stairs = graph("floor(x)", cube_of(2));
   EXPECT_TRUE(roots_along(stairs, {{-5, 0, 0.5}, {1, 0, 0}}).empty());
-  expect_near(ends_of(spans_along(stairs, {{-5, 0, 0.5}, {1, 0, 0}})), {6, 7}, 1e-9);
+  expect_distances(ends_of(spans_along(stairs, {{-5, 0, 0.5}, {1, 0, 0}})), {6, 7}, 1e-9);
 }
 
 TEST(Explicit, DoesNotKnowZ) {

@@ -9,10 +9,8 @@
 namespace tia {
 namespace {
 
+using enum FaultKind;
 using namespace test;
-
-constexpr auto missing = FaultKind::missing, range = FaultKind::out_of_range,
-               unknown = FaultKind::unknown_name, wrong = FaultKind::wrong_type;
 
 std::string implicit_of(const std::string& f, const std::string& more = "") {
   return R"({"f":")" + f + R"(","bounds":{"center":[0,0,0],"radius":1})" + more + "}";
@@ -25,17 +23,17 @@ TEST(FormulaFaults, ImplicitNeedsAFormulaAndBounds) {
   expect_faults(faults_in<Implicit>("{}"), {{missing, "/f", "", ""}, {missing, "/bounds", "", ""}});
   const auto faults = faults_in<Implicit>(R"({"f":5,"bounds":{"center":[0,0,0],"radius":1}})");
   ASSERT_FALSE(faults.empty());
-  EXPECT_EQ(faults[0].kind, wrong);
+  EXPECT_EQ(faults[0].kind, wrong_type);
   EXPECT_EQ(faults[0].pointer, "/f");
   expect_faults(faults_in<Implicit>(R"({"f":"x","bounds":{"center":[0,0,0]}})"),
                 {{missing, "/bounds/radius", "", "min and max, or center and radius"}});
   expect_faults(faults_in<Implicit>(R"({"f":"x","bounds":{"min":[0,0,0],"max":[1,0,1]}})"),
-                {{range, "/bounds/max", "[1,0,1]", "above min"}});
+                {{out_of_range, "/bounds/max", "[1,0,1]", "above min"}});
 }
 
 TEST(FormulaFaults, FormulasSayTheColumn) {
   expect_faults(faults_in<Implicit>(implicit_of("x+")),
-                {{range, "/f", R"("x+")", "at column 3 not the end"}});
+                {{out_of_range, "/f", R"("x+")", "at column 3 not the end"}});
   EXPECT_EQ(column_of(faults_in<Implicit>(implicit_of("x+"))), 3U);
   EXPECT_EQ(column_of(faults_in<Implicit>(implicit_of("x + * y"))), 5U);
   EXPECT_EQ(column_of(faults_in<Implicit>(implicit_of("x + 2*w"))), 7U);
@@ -64,7 +62,7 @@ TEST(FormulaFaults, ExplicitKnowsXAndYOnly) {
   const auto faults =
       faults_in<Explicit>(R"({"z":"x*y-z","bounds":{"center":[0,0,0],"radius":1}})");
   ASSERT_EQ(faults.size(), 1U);
-  EXPECT_EQ(faults[0].kind, unknown);
+  EXPECT_EQ(faults[0].kind, unknown_name);
   EXPECT_EQ(faults[0].pointer, "/z");
   EXPECT_EQ(faults[0].column, 5U);
 }
@@ -80,8 +78,8 @@ TEST(FormulaFaults, ParametricNeedsThreeFormulasAndTwoRanges) {
                                  R"(,"v":[0,1]})");
   };
   EXPECT_TRUE(with("u", "[0,1]").empty());
-  expect_faults(with("u", "[1,1]"), {{range, "/u", "[1,1]", "from below to"}});
-  expect_faults(with("u", "[2,1]"), {{range, "/u", "[2,1]", "from below to"}});
+  expect_faults(with("u", "[1,1]"), {{out_of_range, "/u", "[1,1]", "from below to"}});
+  expect_faults(with("u", "[2,1]"), {{out_of_range, "/u", "[2,1]", "from below to"}});
   for (const char* bad : {"[0]", "[0,1,2]", "1", "[0,1e10]", R"(["0",1])", "null"}) {
     const auto faults = with("u", bad);
     ASSERT_FALSE(faults.empty()) << bad;

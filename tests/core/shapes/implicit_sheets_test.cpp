@@ -9,7 +9,7 @@ namespace {
 
 using namespace test;
 
-World world_of(const Implicit& implicit) {
+World world_of_implicit(const Implicit& implicit) {
   Scene scene;
   scene.objects.push_back({"", implicit, {}, {}});
   return compile(scene);
@@ -19,11 +19,11 @@ World world_of(const Implicit& implicit) {
 void expect_everywhere(const World& world, const SceneLine& line,
                        const std::vector<double>& expected, double tolerance) {
   const auto& form = std::get<FieldForm>(world.part(0).form);
-  expect_near(roots_along(form, line), expected, tolerance);
+  expect_distances(roots_along(form, line), expected, tolerance);
   const Ray<double> ray{line.origin, line.direction};
   std::vector<double> all;
   for (const Meeting& each : all_hits(world, ray)) all.push_back(each.t);
-  expect_near(all, expected, tolerance, "all hits: ");
+  expect_distances(all, expected, tolerance, "all hits: ");
   Effort effort;
   const double first = closest_hit(world, ray, true, effort).t;
   if (expected.empty()) EXPECT_EQ(first, double(infinity));
@@ -33,7 +33,7 @@ void expect_everywhere(const World& world, const SceneLine& line,
 // ---- sums of Chebyshev polynomials -----------------------------------------------------------
 
 // T_2, T_3 and T_5 of each other: T_m(T_n) = T_mn.
-std::string chebyshev(std::string x, const std::vector<int>& factors) {
+std::string chebyshev_text(std::string x, const std::vector<int>& factors) {
   for (const int n : factors) {
     const std::string a = "(" + x + ")";
     if (n == 2) x = "2*" + a + "^2-1";
@@ -67,11 +67,11 @@ TEST(ImplicitSheets, ChebyshevSumsHaveAllTheirRoots) {
   for (const auto& [n, parts] : factors) {
     const std::vector<int> of = parts;
     const Implicit polynomial{
-        sum_of([&](const auto& x) { return chebyshev(x, of); }), cube_of(1), {}};
+        sum_of([&](const auto& x) { return chebyshev_text(x, of); }), cube_of(1), {}};
     const Implicit cosine{sum_of([](const auto& x) { return "cos(n*acos(" + x + "))"; }),
                           random.chance(0.5) ? cube_of(1) : cube_of(1.3),
                           {{"n", double(n)}}};
-    const World one = world_of(polynomial), other = world_of(cosine);
+    const World one = world_of_implicit(polynomial), other = world_of_implicit(cosine);
     for (int i = 0; i < 25; ++i) {
       const double y = random.in(-1, 1), z = random.in(-1, 1);
       const double c = -(std::cos(n * std::acos(y)) + std::cos(n * std::acos(z)));
@@ -81,8 +81,9 @@ TEST(ImplicitSheets, ChebyshevSumsHaveAllTheirRoots) {
       for (double& each : expected) each += 3;
       expect_everywhere(one, {{-3, y, z}, {1, 0, 0}}, expected, 1e-10);
       expect_everywhere(other, {{-3, y, z}, {1, 0, 0}}, expected, 1e-10);
-      expect_near(roots_along(std::get<FieldForm>(other.part(0).form), {{z, -3, y}, {0, 1, 0}}),
-                  expected, 1e-10);
+      expect_distances(
+          roots_along(std::get<FieldForm>(other.part(0).form), {{z, -3, y}, {0, 1, 0}}), expected,
+          1e-10);
       roots += n;
     }
   }
@@ -112,7 +113,7 @@ TEST(ImplicitSheets, GyroidHasAllItsRoots) {
   int roots = 0;
   for (const double half : {1.0, pi, 6 * pi, 40 * pi}) {
     const Implicit gyroid{"sin(x)*cos(y)+sin(y)*cos(z)+sin(z)*cos(x)", cube_of(half), {}};
-    const World world = world_of(gyroid);
+    const World world = world_of_implicit(gyroid);
     const auto& form = std::get<FieldForm>(world.part(0).form);
     for (int i = 0; i < 60; ++i) {
       const double y = random.in(-half, half), z = random.in(-half, half), start = half + 2;
@@ -123,8 +124,8 @@ TEST(ImplicitSheets, GyroidHasAllItsRoots) {
       for (double& each : t) each += start;
       roots += static_cast<int>(t.size());
       // It is the same in x, y, z by turns.
-      expect_near(roots_along(form, {{-start, y, z}, {1, 0, 0}}), t, 1e-9);
-      expect_near(roots_along(form, {{z, -start, y}, {0, 1, 0}}), t, 1e-9);
+      expect_distances(roots_along(form, {{-start, y, z}, {1, 0, 0}}), t, 1e-9);
+      expect_distances(roots_along(form, {{z, -start, y}, {0, 1, 0}}), t, 1e-9);
       if (i < 10) expect_everywhere(world, {{y, z, -start}, {0, 0, 1}}, t, 1e-9);
     }
   }
@@ -144,7 +145,7 @@ TEST(ImplicitSheets, GyroidWithinABall) {
     bool touches = false;
     for (std::size_t k = 1; k < t.size(); ++k) touches = touches || t[k] - t[k - 1] < 1e-4;
     if (touches) continue;
-    expect_near(roots_along(form, {{0, y, z}, {1, 0, 0}}), t, 1e-9);
+    expect_distances(roots_along(form, {{0, y, z}, {1, 0, 0}}), t, 1e-9);
     roots += static_cast<int>(t.size());
   }
   EXPECT_GT(roots, 500);

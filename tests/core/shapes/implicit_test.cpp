@@ -25,7 +25,7 @@ int expect_same_roots(const A& a, const B& b, const Vec3d& center, double size, 
     for (std::size_t k = 1; k < expected.size(); ++k)
       touches = touches || (expected[k] - expected[k - 1]) * pace < 1e-4 * size;
     if (touches) continue;
-    expect_near(roots_along(a, line), expected, 1e-9 * size / pace);
+    expect_distances(roots_along(a, line), expected, 1e-9 * size / pace);
     roots += static_cast<int>(expected.size());
   }
   return roots;
@@ -94,7 +94,7 @@ TEST(Implicit, FarFromTheOriginKeepsItsShape) {
       const std::vector<double> expected = roots_along(Sphere{c, 1}, line);
       const double pace = length(line.direction);
       if (expected.size() == 2 && (expected[1] - expected[0]) * pace < 0.01) continue;
-      expect_near(roots_along(form, line), expected, 1e-7 / pace);
+      expect_distances(roots_along(form, line), expected, 1e-7 / pace);
     }
   }
 }
@@ -106,8 +106,8 @@ TEST(Implicit, FlatBoundsAreSearchedAsWell) {
     const auto form = implicit("y - 0.5*sin(x)*cos(z)", box_of({-length, -1, -1}, {length, 1, 1}));
     for (int i = 0; i < 200; ++i) {
       const double x = random.in(-length, length), z = random.in(-1, 1);
-      expect_near(roots_along(form, {{x, 7, z}, {0, -1, 0}}), {7 - 0.5 * std::sin(x) * std::cos(z)},
-                  1e-9);
+      expect_distances(roots_along(form, {{x, 7, z}, {0, -1, 0}}),
+                       {7 - 0.5 * std::sin(x) * std::cos(z)}, 1e-9);
     }
   }
 }
@@ -123,7 +123,7 @@ TEST(Implicit, SmallBallInALongBoxKeepsItsShape) {
     for (int k = 0; k < rounds(40, 5); ++k) {
       const Vec3d target = c + random.vector(0, 0.9 * r), d = random.direction();
       const SceneLine line{target - d * 3.0, d};
-      expect_near(roots_along(form, line), roots_along(Sphere{c, r}, line), 1e-7);
+      expect_distances(roots_along(form, line), roots_along(Sphere{c, r}, line), 1e-7);
       roots += 2;
     }
   }
@@ -142,7 +142,7 @@ TEST(Implicit, TouchedSurfaceStandsTwice) {
     std::vector<double> twice;
     for (const double t : roots_along(Sphere{{}, 1}, line)) twice.insert(twice.end(), 2, t);
     if (twice.size() == 4 && (twice[2] - twice[1]) * pace < 0.05) continue;
-    expect_near(roots_along(form, line), twice, 1e-7 / pace);
+    expect_distances(roots_along(form, line), twice, 1e-7 / pace);
     const std::vector<Crossing> solid = spans_along(form, line);
     for (std::size_t k = 0; k + 1 < solid.size(); k += 2)
       EXPECT_EQ(solid[k].t, solid[k + 1].t) << "it has no inside";
@@ -160,8 +160,8 @@ TEST(Implicit, ThinSheetsKeepBothSides) {
       const Vec3d d = normalize(Vec3d{1, random.in(-0.4, 0.4), random.in(-0.4, 0.4)});
       const SceneLine line{p - d * 3.0, d};
       const std::vector<double> expected{3 - half / d.x, 3 + half / d.x};
-      expect_near(roots_along(form, line), expected, 1e-11);
-      expect_near(ends_of(spans_along(form, line)), expected, 1e-11);
+      expect_distances(roots_along(form, line), expected, 1e-11);
+      expect_distances(ends_of(spans_along(form, line)), expected, 1e-11);
     }
   }
 }
@@ -171,7 +171,8 @@ TEST(Implicit, NearlyTangentLinesFindBothRoots) {
   const auto form = implicit("x^2+y^2+z^2-1", cube_of(1.25));
   for (const double e : {1e-3, 1e-5, 1e-7, 1e-9, 1e-11}) {
     const double half = std::sqrt(2 * e - e * e);
-    expect_near(roots_along(form, {{-5, 1 - e, 0}, {1, 0, 0}}), {5 - half, 5 + half}, 1e-14 / half);
+    expect_distances(roots_along(form, {{-5, 1 - e, 0}, {1, 0, 0}}), {5 - half, 5 + half},
+                     1e-14 / half);
     EXPECT_TRUE(roots_along(form, {{-5, 1 + e, 0}, {1, 0, 0}}).empty()) << e;
   }
 }
@@ -188,10 +189,10 @@ TEST(Implicit, BoundsCutTheSurfaceOpenAndTheSolidClosed) {
       continue;
     }
     const double tolerance = 1e-7 / length(line.direction);
-    expect_near(roots_along(form, line), clipped(ball, box[0], box[1]), tolerance);
+    expect_distances(roots_along(form, line), clipped(ball, box[0], box[1]), tolerance);
     const double in = std::max(box[0], ball[0]), out = std::min(box[1], ball[1]);
-    expect_near(ends_of(spans_along(form, line)),
-                in < out ? std::vector{in, out} : std::vector<double>{}, tolerance);
+    expect_distances(ends_of(spans_along(form, line)),
+                     in < out ? std::vector{in, out} : std::vector<double>{}, tolerance);
   }
 }
 

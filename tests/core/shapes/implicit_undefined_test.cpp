@@ -10,9 +10,9 @@ namespace {
 
 using namespace test;
 
-const SceneLine along_x{{-5, 0.1, 0.2}, {1, 0, 0}};
+const SceneLine line_along_x{{-5, 0.1, 0.2}, {1, 0, 0}};
 
-std::vector<double> moved(std::vector<double> x) {
+std::vector<double> distances_to(std::vector<double> x) {
   for (double& each : x) each += 5;
   return x;
 }
@@ -20,8 +20,9 @@ std::vector<double> moved(std::vector<double> x) {
 void expect_along_x(const std::string& f, const std::vector<double>& roots,
                     const std::vector<double>& ends) {
   const auto form = implicit(f, cube_of(2));
-  expect_near(roots_along(form, along_x), moved(roots), 1e-9, f + " roots: ");
-  expect_near(ends_of(spans_along(form, along_x)), moved(ends), 1e-9, f + " ends: ");
+  expect_distances(roots_along(form, line_along_x), distances_to(roots), 1e-9, f + " roots: ");
+  expect_distances(ends_of(spans_along(form, line_along_x)), distances_to(ends), 1e-9,
+                   f + " ends: ");
 }
 
 TEST(ImplicitUndefined, OutsideOfItsDomainThereIsNothing) {
@@ -42,15 +43,15 @@ TEST(ImplicitUndefined, HemisphereEndsAtItsRim) {
     const double r = random.in(0, 0.99), angle = random.in(0, 6);
     const double x = r * std::cos(angle), y = r * std::sin(angle), z = std::sqrt(1 - r * r);
     const SceneLine down{{x, y, 5}, {0, 0, -1}};
-    expect_near(roots_along(form, down), {5 - z}, 1e-9);
-    expect_near(ends_of(spans_along(form, down)), {5 - z, 7}, 1e-9);
+    expect_distances(roots_along(form, down), {5 - z}, 1e-9);
+    expect_distances(ends_of(spans_along(form, down)), {5 - z, 7}, 1e-9);
     // At height h the ball is as wide as the rim is far.
     const double h = random.in(0.05, 0.95), aside = random.in(-0.9, 0.9) * std::sqrt(1 - h * h);
     const double half = std::sqrt(1 - h * h - aside * aside), rim = std::sqrt(1 - aside * aside);
-    expect_near(roots_along(form, {{-5, aside, h}, {1, 0, 0}}), {5 - half, 5 + half}, 1e-9);
+    expect_distances(roots_along(form, {{-5, aside, h}, {1, 0, 0}}), {5 - half, 5 + half}, 1e-9);
     const SceneLine below{{-5, aside, -h}, {1, 0, 0}};
     EXPECT_TRUE(roots_along(form, below).empty());
-    expect_near(ends_of(spans_along(form, below)), {5 - rim, 5 + rim}, 1e-9);
+    expect_distances(ends_of(spans_along(form, below)), {5 - rim, 5 + rim}, 1e-9);
   }
 }
 
@@ -80,7 +81,7 @@ TEST(ImplicitUndefined, KinksAreSurfaces) {
   expect_along_x("max(abs(x)-1,0.5-abs(x))", {-1, -0.5, 0.5, 1}, {-1, -0.5, 0.5, 1});
   expect_along_x("max(x,2*x)", {0}, {-2, 0});
   const auto touched = implicit("abs(x-0.3)", cube_of(2));
-  expect_near(roots_along(touched, along_x), {5.3, 5.3}, 1e-9);
+  expect_distances(roots_along(touched, line_along_x), {5.3, 5.3}, 1e-9);
 }
 
 TEST(ImplicitUndefined, ConstantsHaveNoSurface) {

@@ -13,10 +13,23 @@
 
 namespace tia::test {
 
-using Long = long double;
 using Vec3l = Vec3<Long>;
 
 constexpr double scales[] = {1e-3, 1, 1e3};
+
+inline Bounds box_of(const Vec3d& min, const Vec3d& max) {
+  Bounds b;
+  b.min = min, b.max = max;
+  return b;
+}
+inline Bounds cube_of(double half, const Vec3d& center = {0, 0, 0}) {
+  return box_of(center - Vec3d{half, half, half}, center + Vec3d{half, half, half});
+}
+inline Bounds ball_of(double radius, const Vec3d& center = {0, 0, 0}) {
+  Bounds b;
+  b.center = center, b.radius = radius;
+  return b;
+}
 
 /// A line of the scene: its direction has any length, and t counts such lengths.
 struct SceneLine {
@@ -50,8 +63,23 @@ std::vector<double> roots_along(const Form& form, const SceneLine& line) {
   return all;
 }
 
-inline void expect_near(const std::vector<double>& got, const std::vector<double>& expected,
-                        double tolerance, const std::string& what = "") {
+template <class Form>
+std::vector<Crossing> spans_along(const Form& form, const SceneLine& line) {
+  return sent(bounds(form), line, [&](const Line& l, auto emit) { spans(form, l, emit); });
+}
+inline std::vector<double> ends_of(const std::vector<Crossing>& all) {
+  std::vector<double> t;
+  for (const Crossing& each : all) t.push_back(each.t);
+  return t;
+}
+/// How much work the form's crossings take, the line sent as it is.
+template <class Form>
+std::int64_t work_along(const Form& form, const SceneLine& line) {
+  return crossings(form, Line{line.origin, line.direction}, [](double, int) {});
+}
+
+inline void expect_distances(const std::vector<double>& got, const std::vector<double>& expected,
+                             double tolerance, const std::string& what = "") {
   ASSERT_EQ(got.size(), expected.size()) << what << testing::PrintToString(got);
   for (std::size_t i = 0; i < got.size(); ++i) {
     if (std::isinf(expected[i])) EXPECT_EQ(got[i], expected[i]) << what;

@@ -7,22 +7,20 @@
 namespace tia {
 namespace {
 
+using test::Long;
 using test::Random;
-using Long = long double;
-
-int whole(Random& random, int low, int high) { return low + random.below(high - low + 1); }
 
 std::vector<AlgebraicTerm> random_terms(Random& random, int degree) {
   std::vector<AlgebraicTerm> terms;
-  for (int count = whole(random, 1, 20); count > 0; --count) {
-    const int i = whole(random, 0, degree), j = whole(random, 0, degree - i);
-    const int k = whole(random, 0, degree - i - j);
+  for (int count = random.whole(1, 20); count > 0; --count) {
+    const int i = random.whole(0, degree), j = random.whole(0, degree - i);
+    const int k = random.whole(0, degree - i - j);
     terms.push_back({{i, j, k}, random.in(-2, 2)});
   }
   return collected(terms);
 }
 
-Long power(double base, int exponent) {
+Long long_power(double base, int exponent) {
   Long product = 1;
   for (int i = 0; i < exponent; ++i) product *= static_cast<Long>(base);
   return product;
@@ -33,7 +31,7 @@ Long term_at(const AlgebraicTerm& term, const Vec3d& p, int by) {
   Long factor = static_cast<Long>(term.coefficient);
   if (by >= 0) factor *= n[static_cast<std::size_t>(by)]--;
   if (factor == 0) return 0;
-  return factor * power(p.x, n[0]) * power(p.y, n[1]) * power(p.z, n[2]);
+  return factor * long_power(p.x, n[0]) * long_power(p.y, n[1]) * long_power(p.z, n[2]);
 }
 struct Sums {
   Long value = 0, size = 0;
@@ -54,7 +52,7 @@ void expect_sum(double got, const Sums& expected) {
 TEST(NestedPolynomial, IsTheSumOfItsTermsWithItsGradient) {
   Random random(74);
   for (int i = 0; i < 2000; ++i) {
-    const std::vector<AlgebraicTerm> terms = random_terms(random, whole(random, 0, 12));
+    const std::vector<AlgebraicTerm> terms = random_terms(random, random.whole(0, 12));
     const NestedPolynomial polynomial(terms);
     const Vec3d p = random.vector(0, 2), way = normalize(random.vector(0.1, 1));
     const auto at = polynomial.sum<ValueAndGradient<double>>(p);

@@ -11,10 +11,6 @@ using namespace test;
 
 constexpr std::array<double, 2> unit_range{0, 1}, both{-1, 1};
 
-std::int64_t work_along(const ParametricForm& form, const SceneLine& line) {
-  return crossings(form, Line{line.origin, line.direction}, [](double, int) {});
-}
-
 TEST(ParametricEdges, CurvesAndPointsAreBoundedWork) {
   Random random(1);
   const std::vector<Parametric> all{{"u", "0", "0", both, both, {}},
@@ -64,8 +60,8 @@ TEST(ParametricEdges, WhereAFormulaIsUndefinedThereIsNothing) {
   for (int i = 0; i < 300; ++i) {
     const double u = random.in(-1, 1), v = random.in(-1, 1);
     const SceneLine along{{-3, v, u}, {1, 0, 0}};
-    expect_near(roots_along(form, along),
-                u > 0 ? std::vector{3 + std::sqrt(u)} : std::vector<double>{}, 1e-9);
+    expect_distances(roots_along(form, along),
+                     u > 0 ? std::vector{3 + std::sqrt(u)} : std::vector<double>{}, 1e-9);
   }
 }
 
@@ -77,14 +73,14 @@ TEST(ParametricEdges, PolesLeaveTheRestAsItIs) {
     const double u = random.in(0, pi), v = random.in(-1, 1);
     if (std::fabs(u - pi / 2) < 0.05) continue;
     const SceneLine down{{u, v, 50}, {0, 0, -1}};
-    expect_near(roots_along(form, down), {50 - std::tan(u)}, 1e-7);
+    expect_distances(roots_along(form, down), {50 - std::tan(u)}, 1e-7);
   }
 }
 
 TEST(ParametricEdges, EdgesOfTheDomainAreEdgesOfTheSurface) {
   const ParametricForm form = prepare(Parametric{"u", "v", "u*v", unit_range, unit_range, {}});
   for (const double v : {0.0, 0.25, 0.5, 1.0}) {
-    expect_near(roots_along(form, {{1 - 1e-6, v, 3}, {0, 0, -1}}), {3 - v * (1 - 1e-6)}, 1e-9);
+    expect_distances(roots_along(form, {{1 - 1e-6, v, 3}, {0, 0, -1}}), {3 - v * (1 - 1e-6)}, 1e-9);
     EXPECT_TRUE(roots_along(form, {{1 + 1e-6, v, 3}, {0, 0, -1}}).empty());
     EXPECT_TRUE(roots_along(form, {{-1e-6, v, 3}, {0, 0, -1}}).empty());
     // In the edges themselves.

@@ -14,9 +14,9 @@ namespace {
 
 using namespace test;
 
-const Parametric sphere{"cos(u)*cos(v)", "sin(v)",          "sin(u)*cos(v)",
-                        {-pi, pi},       {-pi / 2, pi / 2}, {}};
-const Parametric torus{
+const Parametric sphere_by_angles{"cos(u)*cos(v)", "sin(v)",          "sin(u)*cos(v)",
+                                  {-pi, pi},       {-pi / 2, pi / 2}, {}};
+const Parametric torus_by_angles{
     "(1+0.4*cos(v))*cos(u)", "0.4*sin(v)", "(1+0.4*cos(v))*sin(u)", {0, 2 * pi}, {0, 2 * pi}, {}};
 
 // A grid of rays from an eye, most of which meet the ball of radius 1.6.
@@ -58,25 +58,21 @@ void expect_same_picture(const ParametricForm& form, const Form& other, UvOf uv_
 }
 
 TEST(Parametric, SphereIsTheSphere) {
-  expect_same_picture(prepare(sphere), Sphere{{}, 1}, [](const Vec3d& p) {
+  expect_same_picture(prepare(sphere_by_angles), Sphere{{}, 1}, [](const Vec3d& p) {
     return Vec2d{(std::atan2(p.z, p.x) + pi) / (2 * pi), std::asin(p.y) / pi + 0.5};
   });
 }
 
 TEST(Parametric, TorusIsTheTorus) {
-  expect_same_picture(prepare(torus), prepare(Torus{1, 0.4}), [](const Vec3d& p) {
+  expect_same_picture(prepare(torus_by_angles), prepare(Torus{1, 0.4}), [](const Vec3d& p) {
     const double ring = std::sqrt(p.x * p.x + p.z * p.z) - 1;
     return Vec2d{std::atan2(p.z, p.x) / (2 * pi), std::atan2(p.y, ring) / (2 * pi)};
   });
 }
 
-std::int64_t work_along(const ParametricForm& form, const SceneLine& line) {
-  return crossings(form, Line{line.origin, line.direction}, [](double, int) {});
-}
-
 TEST(Parametric, SeamsAndPolesHaveNoCracks) {
   Random random(1);
-  const ParametricForm form = prepare(sphere);
+  const ParametricForm form = prepare(sphere_by_angles);
   int missed = 0, doubled = 0;
   std::int64_t most = 0;
   for (int i = 0; i < rounds(10'000); ++i) {
@@ -145,7 +141,7 @@ const std::vector<Known>& surfaces() {
 }
 
 // How often a line meets a triangle: by the signs of volumes.
-bool meets(const SceneLine& line, const Vec3d& a, const Vec3d& b, const Vec3d& c) {
+bool meets_triangle(const SceneLine& line, const Vec3d& a, const Vec3d& b, const Vec3d& c) {
   const Vec3d &o = line.origin, &d = line.direction;
   const auto side = [&](const Vec3d& p, const Vec3d& q) { return dot(d, cross(p - o, q - o)) > 0; };
   return side(a, b) == side(b, c) && side(b, c) == side(c, a);
@@ -161,8 +157,8 @@ int met_of_triangles(const Known& known, const SceneLine& line, int n) {
   for (int i = 1; i <= n; ++i, row.swap(next)) {
     for (int k = 0; k <= n; ++k) next[std::size_t(k)] = at(i, k);
     for (std::size_t k = 0; k < std::size_t(n); ++k)
-      met +=
-          meets(line, row[k], row[k + 1], next[k]) + meets(line, next[k], row[k + 1], next[k + 1]);
+      met += meets_triangle(line, row[k], row[k + 1], next[k]) +
+             meets_triangle(line, next[k], row[k + 1], next[k + 1]);
   }
   return met;
 }

@@ -5,10 +5,8 @@
 namespace tia {
 namespace {
 
+using enum FaultKind;
 using namespace test;
-
-constexpr double far = Aabb::far;
-constexpr auto out_of_range = FaultKind::out_of_range;
 
 TEST(Plane, AsASolidIsTheHalfSpaceBehindItsNormal) {
   Random random(20);
@@ -31,18 +29,22 @@ TEST(Plane, IsEnteredAgainstItsNormalAndLeftAlongIt) {
   for (const double scale : scales) {
     const PlaneForm floor = prepare(Plane{{0, scale, 0}, {0, 3, 0}});
     const Vec3d above{0, 5 * scale, 0}, below{0, -3 * scale, 0};
-    expect_near(roots_along(floor, {above, {1, -2, 0}}), {2 * scale, far}, 1e-15 * scale);
-    expect_near(roots_along(floor, {above, {1, 2, 0}}), {-far, -2 * scale}, 1e-15 * scale);
-    expect_near(roots_along(floor, {below, {1, 2, 0}}), {-far, 2 * scale}, 1e-15 * scale);
-    expect_near(roots_along(floor, {below, {1, -2, 0}}), {-2 * scale, far}, 1e-15 * scale);
+    expect_distances(roots_along(floor, {above, {1, -2, 0}}), {2 * scale, Aabb::far},
+                     1e-15 * scale);
+    expect_distances(roots_along(floor, {above, {1, 2, 0}}), {-Aabb::far, -2 * scale},
+                     1e-15 * scale);
+    expect_distances(roots_along(floor, {below, {1, 2, 0}}), {-Aabb::far, 2 * scale},
+                     1e-15 * scale);
+    expect_distances(roots_along(floor, {below, {1, -2, 0}}), {-2 * scale, Aabb::far},
+                     1e-15 * scale);
   }
 }
 
 TEST(Plane, HoldsAParallelLineWhollyOrNotAtAll) {
   const PlaneForm floor = prepare(Plane{{0, 1, 0}, {0, 1, 0}});
-  expect_near(roots_along(floor, {{0, 0.5, 0}, {1, 0, 2}}), {-far, far}, 0);
-  expect_near(roots_along(floor, {{0, 1.5, 0}, {1, 0, 2}}), {}, 0);
-  expect_near(roots_along(floor, {{0, 1, 0}, {1, 0, 2}}), {}, 0, "in the plane");
+  expect_distances(roots_along(floor, {{0, 0.5, 0}, {1, 0, 2}}), {-Aabb::far, Aabb::far}, 0);
+  expect_distances(roots_along(floor, {{0, 1.5, 0}, {1, 0, 2}}), {}, 0);
+  expect_distances(roots_along(floor, {{0, 1, 0}, {1, 0, 2}}), {}, 0, "in the plane");
 }
 
 TEST(Plane, CrossesNothingOfNan) { expect_nothing_from_nan(prepare(Plane{{0, 1, 0}, {1, 1, 1}})); }

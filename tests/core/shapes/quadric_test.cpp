@@ -5,10 +5,8 @@
 namespace tia {
 namespace {
 
+using enum FaultKind;
 using namespace test;
-
-constexpr double far = Aabb::far;
-constexpr auto out_of_range = FaultKind::out_of_range;
 using Ten = std::array<double, 10>;
 
 // x2 y2 z2 xy xz yz x y z 1
@@ -21,7 +19,7 @@ constexpr Ten bowl{1, 0, 1, 0, 0, 0, 0, -1, 0, 0};        // paraboloid y = x2 +
 constexpr Ten half_space{0, 0, 0, 0, 0, 0, 0, 2, 0, -2};  // y < 1
 constexpr Ten saddle{0, 0, 0, 1, 0, 0, 0, 0, -1, 0};      // z = x y
 
-Long value(const Ten& k, const Vec3l& p) {
+Long quadric_at(const Ten& k, const Vec3l& p) {
   const Long terms[] = {p.x * p.x, p.y * p.y, p.z * p.z, p.x * p.y, p.x * p.z,
                         p.y * p.z, p.x,       p.y,       p.z,       1};
   Long sum = 0;
@@ -29,32 +27,29 @@ Long value(const Ten& k, const Vec3l& p) {
   return sum;
 }
 // Scaled so that it is a distance near the surface: the sum over its steepness.
-struct Outside {
+struct QuadricDistance {
   Ten k;
   Long size;
   Long operator()(const Vec3l& p) const {
     const Long h = size * 1e-6L;
-    const Vec3l slope{value(k, p + Vec3l{h, 0, 0}) - value(k, p - Vec3l{h, 0, 0}),
-                      value(k, p + Vec3l{0, h, 0}) - value(k, p - Vec3l{0, h, 0}),
-                      value(k, p + Vec3l{0, 0, h}) - value(k, p - Vec3l{0, 0, h})};
-    return value(k, p) / (std::sqrt(dot(slope, slope)) / (2 * h));
+    const Vec3l slope{quadric_at(k, p + Vec3l{h, 0, 0}) - quadric_at(k, p - Vec3l{h, 0, 0}),
+                      quadric_at(k, p + Vec3l{0, h, 0}) - quadric_at(k, p - Vec3l{0, h, 0}),
+                      quadric_at(k, p + Vec3l{0, 0, h}) - quadric_at(k, p - Vec3l{0, 0, h})};
+    return quadric_at(k, p) / (std::sqrt(dot(slope, slope)) / (2 * h));
   }
 };
 // The surface grown by a factor: f(p / s) times s^2.
-Ten grown(Ten k, double s) {
+Ten grown_quadric(Ten k, double s) {
   for (std::size_t i = 6; i < 9; ++i) k[i] *= s;
   k[9] *= s * s;
   return k;
 }
-QuadricForm form_of(const Ten& k) { return prepare(Quadric{k, {}}); }
+QuadricForm quadric_form(const Ten& k) { return prepare(Quadric{k, {}}); }
 QuadricForm clipped(const Ten& k, const Vec3d& min, const Vec3d& max) {
   Bounds bounds;
   bounds.min = min;
   bounds.max = max;
   return prepare(Quadric{k, bounds});
-}
-std::vector<Crossing> spans_along(const QuadricForm& form, const SceneLine& line) {
-  return sent(bounds(form), line, [&](const Line& l, auto emit) { spans(form, l, emit); });
 }
 
 TEST(Quadric, PairsAndNormalsOfEveryClassHoldOnRandomLines) {
@@ -63,8 +58,9 @@ TEST(Quadric, PairsAndNormalsOfEveryClassHoldOnRandomLines) {
   for (const double scale : scales)
     for (const Ten& k : {unit_ball, pipe, hourglass, two_bowls, bowl, half_space, saddle})
       for (int i = 0; i < 5; ++i)
-        seen += expect_solid(form_of(grown(k, scale)), Outside{grown(k, scale), scale}, {0, 0, 0},
-                             3 * scale, random, false);
+        seen += expect_solid(quadric_form(grown_quadric(k, scale)),
+                             QuadricDistance{grown_quadric(k, scale), scale}, {0, 0, 0}, 3 * scale,
+                             random, false);
   EXPECT_GT(seen, 2000);
 }
 
@@ -75,8 +71,9 @@ TEST(Quadric, PairsAndNormalsHoldForRandomCoefficients) {
     for (int i = 0; i < 30; ++i) {
       Ten k{};
       for (double& each : k) each = random.in(-1, 1);
-      seen += expect_solid(form_of(grown(k, scale)), Outside{grown(k, scale), scale}, {0, 0, 0},
-                           3 * scale, random, false);
+      seen += expect_solid(quadric_form(grown_quadric(k, scale)),
+                           QuadricDistance{grown_quadric(k, scale), scale}, {0, 0, 0}, 3 * scale,
+                           random, false);
     }
   }
   EXPECT_GT(seen, 1500);
@@ -85,41 +82,46 @@ TEST(Quadric, PairsAndNormalsHoldForRandomCoefficients) {
 TEST(Quadric, BallIsMetLikeASphere) {
   Random random(92);
   for (const double scale : scales) {
-    const QuadricForm ball = form_of(grown(unit_ball, scale));
+    const QuadricForm ball = quadric_form(grown_quadric(unit_ball, scale));
     for (int i = 0; i < 500; ++i) {
       const SceneLine line = line_near(random, {0, 0, 0}, scale);
       const std::vector<double> as_sphere = roots_along(Sphere{{0, 0, 0}, scale}, line);
-      expect_near(roots_along(ball, line), as_sphere, 1e-9 * scale / length(line.direction));
+      expect_distances(roots_along(ball, line), as_sphere, 1e-9 * scale / length(line.direction));
     }
-    expect_near(roots_along(ball, {{-3 * scale, scale, 0}, {1, 0, 0}}), {3 * scale, 3 * scale},
-                1e-7 * scale, "grazing");
+    expect_distances(roots_along(ball, {{-3 * scale, scale, 0}, {1, 0, 0}}), {3 * scale, 3 * scale},
+                     1e-7 * scale, "grazing");
   }
 }
 
 // Between the sheets lies the outside: x2 + 1 < y2 on the line along y at x is |y| > sqrt(x2 + 1).
 TEST(Quadric, InsideMayReachBothEndsOfALine) {
   for (const double s : scales) {
-    const QuadricForm bowls = form_of(grown(two_bowls, s));
+    const QuadricForm bowls = quadric_form(grown_quadric(two_bowls, s));
     const double y = s * std::sqrt(1.25), near = 1e-15 * s;
-    expect_near(roots_along(bowls, {{0.5 * s, 0, 0}, {0, 1, 0}}), {-far, -y, y, far}, near);
-    const QuadricForm waist = form_of(grown(hourglass, s));
-    expect_near(roots_along(waist, {{0.5 * s, 0, 0}, {0, 1, 0}}), {-far, far}, 0);
-    expect_near(roots_along(waist, {{0, 0, 0}, {1, 0, 0}}), {-s, s}, near);
+    expect_distances(roots_along(bowls, {{0.5 * s, 0, 0}, {0, 1, 0}}),
+                     {-Aabb::far, -y, y, Aabb::far}, near);
+    const QuadricForm waist = quadric_form(grown_quadric(hourglass, s));
+    expect_distances(roots_along(waist, {{0.5 * s, 0, 0}, {0, 1, 0}}), {-Aabb::far, Aabb::far}, 0);
+    expect_distances(roots_along(waist, {{0, 0, 0}, {1, 0, 0}}), {-s, s}, near);
     const double out = s * std::sqrt(1.25);  // at x = 1.5: y2 > 1.25
-    expect_near(roots_along(waist, {{1.5 * s, 0, 0}, {0, 1, 0}}), {-far, -out, out, far}, near);
+    expect_distances(roots_along(waist, {{1.5 * s, 0, 0}, {0, 1, 0}}),
+                     {-Aabb::far, -out, out, Aabb::far}, near);
   }
 }
 
 TEST(Quadric, LinearAndConstantAlongALineAreMetOnceOrNever) {
   for (const double s : scales) {
-    const QuadricForm below = form_of(grown(half_space, s));
-    expect_near(roots_along(below, {{0, 5 * s, 0}, {0, -2, 0}}), {2 * s, far}, 1e-15 * s);
-    expect_near(roots_along(below, {{0, 5 * s, 0}, {0, 2, 0}}), {-far, -2 * s}, 1e-15 * s);
-    expect_near(roots_along(below, {{0, 0, 0}, {1, 0, 0}}), {-far, far}, 0);
-    expect_near(roots_along(below, {{0, 2 * s, 0}, {1, 0, 0}}), {}, 0);
+    const QuadricForm below = quadric_form(grown_quadric(half_space, s));
+    expect_distances(roots_along(below, {{0, 5 * s, 0}, {0, -2, 0}}), {2 * s, Aabb::far},
+                     1e-15 * s);
+    expect_distances(roots_along(below, {{0, 5 * s, 0}, {0, 2, 0}}), {-Aabb::far, -2 * s},
+                     1e-15 * s);
+    expect_distances(roots_along(below, {{0, 0, 0}, {1, 0, 0}}), {-Aabb::far, Aabb::far}, 0);
+    expect_distances(roots_along(below, {{0, 2 * s, 0}, {1, 0, 0}}), {}, 0);
     // The paraboloid along its axis: in at y = x2, never out.
-    const QuadricForm cup = form_of(grown(bowl, s));
-    expect_near(roots_along(cup, {{0.5 * s, -s, 0}, {0, 1, 0}}), {1.25 * s, far}, 1e-15 * s);
+    const QuadricForm cup = quadric_form(grown_quadric(bowl, s));
+    expect_distances(roots_along(cup, {{0.5 * s, -s, 0}, {0, 1, 0}}), {1.25 * s, Aabb::far},
+                     1e-15 * s);
   }
 }
 
@@ -130,19 +132,20 @@ TEST(Quadric, LineAlongAPipeMeetsNothingFarAway) {
     const Vec3d n = random.direction();  // the pipe around n: p.p - (n.p)^2 - 1
     // Where 1 - n.x^2 has lost digits, the coefficients are another surface's.
     if (std::max({std::fabs(n.x), std::fabs(n.y), std::fabs(n.z)}) > 0.9) continue;
-    const QuadricForm turned = form_of({1 - n.x * n.x, 1 - n.y * n.y, 1 - n.z * n.z, -2 * n.x * n.y,
-                                        -2 * n.x * n.z, -2 * n.y * n.z, 0, 0, 0, -1});
+    const QuadricForm turned =
+        quadric_form({1 - n.x * n.x, 1 - n.y * n.y, 1 - n.z * n.z, -2 * n.x * n.y, -2 * n.x * n.z,
+                      -2 * n.y * n.z, 0, 0, 0, -1});
     const Vec3d aside = normalize(cross(n, random.direction()));
-    expect_near(roots_along(turned, {aside * 0.5, n}), {-far, far}, 0);
-    expect_near(roots_along(turned, {aside * 1.5, n}), {}, 0);
-    expect_near(roots_along(turned, {aside * -3.0, aside}), {2, 4}, 1e-13);
+    expect_distances(roots_along(turned, {aside * 0.5, n}), {-Aabb::far, Aabb::far}, 0);
+    expect_distances(roots_along(turned, {aside * 1.5, n}), {}, 0);
+    expect_distances(roots_along(turned, {aside * -3.0, aside}), {2, 4}, 1e-13);
   }
 }
 
 TEST(Quadric, CrossesNothingOfNan) {
-  expect_nothing_from_nan(form_of(unit_ball));
-  expect_nothing_from_nan(form_of(two_bowls));
-  expect_nothing_from_nan(form_of(half_space));
+  expect_nothing_from_nan(quadric_form(unit_ball));
+  expect_nothing_from_nan(quadric_form(two_bowls));
+  expect_nothing_from_nan(quadric_form(half_space));
   expect_nothing_from_nan(clipped(half_space, {-2, -2, -2}, {2, 2, 2}));
 }
 
@@ -150,10 +153,10 @@ TEST(Quadric, CrossesNothingOfNan) {
 TEST(Quadric, BoundsCutTheSurfaceOpenAndCloseTheSolid) {
   for (const double s : scales) {
     const Vec3d corner = Vec3d{2, 2, 2} * s;
-    const QuadricForm form = clipped(grown(pipe, s), -corner, corner);
+    const QuadricForm form = clipped(grown_quadric(pipe, s), -corner, corner);
     const double near = 1e-14 * s;
     const SceneLine through_end{Vec3d{0, 3, 0} * s, {0.5, -1, 0}};  // leaves at x = 1, y = 1
-    expect_near(roots_along(form, through_end), {2 * s}, near);
+    expect_distances(roots_along(form, through_end), {2 * s}, near);
     const std::vector<Crossing> solid = spans_along(form, through_end);
     ASSERT_EQ(solid.size(), 2u);
     EXPECT_NEAR(solid[0].t, s, near);
@@ -191,12 +194,12 @@ TEST(Quadric, ClippedSolidIsTheInsideWithinTheBounds) {
       Bounds bounds;
       bounds.center = Vec3d{0.3, 0.2, 0.1} * s;
       bounds.radius = 2 * s;
-      const QuadricForm form = prepare(Quadric{grown(k, s), bounds});
+      const QuadricForm form = prepare(Quadric{grown_quadric(k, s), bounds});
       const auto beyond = [&](const Vec3l& p) {
         const auto w = p - static_cast<Vec3l>(*bounds.center);
         return std::sqrt(dot(w, w)) - static_cast<Long>(*bounds.radius);
       };
-      const Outside outside{grown(k, s), static_cast<Long>(s)};
+      const QuadricDistance outside{grown_quadric(k, s), static_cast<Long>(s)};
       for (int i = 0; i < 30; ++i) {
         const SceneLine line = line_near(random, *bounds.center, 2 * s);
         expect_pairs_hold(
@@ -204,9 +207,9 @@ TEST(Quadric, ClippedSolidIsTheInsideWithinTheBounds) {
             [&](const Vec3l& p) { return std::max(outside(p), beyond(p)); }, line, *bounds.center,
             2 * s);
         std::vector<double> within;  // the unclipped roots that the bounds hold
-        for (const double t : roots_along(form_of(grown(k, s)), line))
+        for (const double t : roots_along(quadric_form(grown_quadric(k, s)), line))
           if (std::isfinite(t) && beyond(line.at(static_cast<Long>(t))) < 0) within.push_back(t);
-        expect_near(roots_along(form, line), within, 1e-8 * s / length(line.direction));
+        expect_distances(roots_along(form, line), within, 1e-8 * s / length(line.direction));
         seen += static_cast<int>(within.size());
         for (const Crossing& each : crossings_along(form, line)) EXPECT_EQ(each.element, 0);
       }
@@ -216,13 +219,13 @@ TEST(Quadric, ClippedSolidIsTheInsideWithinTheBounds) {
 }
 
 TEST(Quadric, ElementsNormalsAndUvFollowTheBounds) {
-  EXPECT_EQ(elements(form_of(pipe)), 1);
-  EXPECT_EQ(bounds(form_of(pipe)), Aabb::everything());
+  EXPECT_EQ(elements(quadric_form(pipe)), 1);
+  EXPECT_EQ(bounds(quadric_form(pipe)), Aabb::everything());
   const QuadricForm form = clipped(pipe, {-2, -3, -2}, {2, 5, 2});
   EXPECT_EQ(elements(form), 7);
   EXPECT_EQ(bounds(form), (Aabb{{-2, -3, -2}, {2, 5, 2}}));
   EXPECT_EQ(normal(form, {0, 5, 0}, 1 + 3), (Vec3d{0, 1, 0}));
-  EXPECT_EQ(normal(form_of(double_cone), {0, 0, 0}, 0), (Vec3d{0, 1, 0})) << "at a tip: some";
+  EXPECT_EQ(normal(quadric_form(double_cone), {0, 0, 0}, 0), (Vec3d{0, 1, 0})) << "at a tip: some";
   EXPECT_EQ(uv(form, {1, 5, 0}, 1 + 3), (Vec2d{0.5, 0.75})) << "as the box has it: along z, x";
   EXPECT_EQ(uv(form, {1, 1, 0}, 0), (Vec2d{0.25, 0.5})) << "longitude, latitude from the middle";
 }

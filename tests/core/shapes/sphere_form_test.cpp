@@ -34,10 +34,11 @@ TEST(SphereForm, HitAndMissPartAtTheRadiusFromFarAndNear) {
       const double away = random.in(-100, 100) * s.radius;
       const auto roots = roots_along(s, {s.center + side * (share * s.radius) - way * away, way});
       if (share > 1) EXPECT_TRUE(roots.empty());
-      else expect_near(roots, {away - half * s.radius, away + half * s.radius}, 1e-6 * s.radius);
+      else
+        expect_distances(roots, {away - half * s.radius, away + half * s.radius}, 1e-6 * s.radius);
     }
   }
-  expect_near(roots_along(Sphere{{0, 0, 0}, 1}, {{-3, 1, 0}, {2, 0, 0}}), {1.5, 1.5}, 0);
+  expect_distances(roots_along(Sphere{{0, 0, 0}, 1}, {{-3, 1, 0}, {2, 0, 0}}), {1.5, 1.5}, 0);
 }
 
 TEST(SphereForm, CrossesNothingOfNan) { expect_nothing_from_nan(Sphere{{1, 2, 3}, 4}); }

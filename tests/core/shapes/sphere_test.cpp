@@ -10,11 +10,10 @@
 namespace tia {
 namespace {
 
+using test::Long;
 using test::Random;
 
 // ---- an independent answer: the quadratic in long double ------------------------------------
-
-using Long = long double;
 
 // The nearest root t > 0 of |o + t d - c|^2 = r^2, by the form without cancellation
 // (Press et al., Numerical Recipes, 5.6).

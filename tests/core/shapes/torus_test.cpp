@@ -5,9 +5,8 @@
 namespace tia {
 namespace {
 
+using enum FaultKind;
 using namespace test;
-
-constexpr auto out_of_range = FaultKind::out_of_range;
 
 // The distance from the tube's middle circle, less its radius.
 Long outside(const Torus& torus, const Vec3l& p) {
@@ -36,16 +35,16 @@ TEST(Torus, LinesOfItsSymmetryMeetItsCircles) {
     const double r = 0.5 * scale, major = 2 * scale, near = 1e-14 * scale;
     const TorusForm ring = prepare(Torus{major, r});
     const double far = 5 * scale;
-    expect_near(roots_along(ring, {{-far, 0, 0}, {1, 0, 0}}),
-                {far - major - r, far - major + r, far + major - r, far + major + r}, near,
-                "across, from outside");
-    expect_near(roots_along(ring, {{major, 0, 0}, {0, 0.5, 0}}), {-2 * r, 2 * r}, near,
-                "up through the tube, from inside");
-    expect_near(roots_along(ring, {{major + 0.6 * r, -far, 0}, {0, 1, 0}}),
-                {far - 0.8 * r, far + 0.8 * r}, near, "3-4-5 in the tube");
-    expect_near(roots_along(ring, {{0, far, 0}, {0, -1, 0}}), {}, 0, "the axis");
-    expect_near(roots_along(ring, {{0, 0, -far}, {0, 0, 1}}),
-                {far - major - r, far - major + r, far + major - r, far + major + r}, near);
+    expect_distances(roots_along(ring, {{-far, 0, 0}, {1, 0, 0}}),
+                     {far - major - r, far - major + r, far + major - r, far + major + r}, near,
+                     "across, from outside");
+    expect_distances(roots_along(ring, {{major, 0, 0}, {0, 0.5, 0}}), {-2 * r, 2 * r}, near,
+                     "up through the tube, from inside");
+    expect_distances(roots_along(ring, {{major + 0.6 * r, -far, 0}, {0, 1, 0}}),
+                     {far - 0.8 * r, far + 0.8 * r}, near, "3-4-5 in the tube");
+    expect_distances(roots_along(ring, {{0, far, 0}, {0, -1, 0}}), {}, 0, "the axis");
+    expect_distances(roots_along(ring, {{0, 0, -far}, {0, 0, 1}}),
+                     {far - major - r, far - major + r, far + major - r, far + major + r}, near);
   }
 }
 
@@ -54,15 +53,15 @@ TEST(Torus, GrazingLinesEmitTwice) {
   for (const double scale : scales) {
     const double r = 0.5 * scale, major = 2 * scale, near = 1e-6 * scale;
     const TorusForm ring = prepare(Torus{major, r});
-    expect_near(roots_along(ring, {{0, r, 0}, {1, 0, 0}}), {-major, -major, major, major}, near,
-                "the top's circle, at both ends of a diameter");
+    expect_distances(roots_along(ring, {{0, r, 0}, {1, 0, 0}}), {-major, -major, major, major},
+                     near, "the top's circle, at both ends of a diameter");
     // Along z at x = R - r the hole is touched, the rim crossed at z^2 = (R+r)^2 - (R-r)^2 = 4Rr.
     const double z = 2 * std::sqrt(major * r);
-    expect_near(roots_along(ring, {{major - r, 0, 0}, {0, 0, 1}}), {-z, 0, 0, z}, near);
-    expect_near(roots_along(ring, {{major + r, 0, 0}, {0, 0, 1}}), {0, 0}, near, "the rim");
+    expect_distances(roots_along(ring, {{major - r, 0, 0}, {0, 0, 1}}), {-z, 0, 0, z}, near);
+    expect_distances(roots_along(ring, {{major + r, 0, 0}, {0, 0, 1}}), {0, 0}, near, "the rim");
     // Through the middle with the sine r/R: it touches both circles, at sqrt(R^2 - r^2).
     const double sine = r / major, cosine = std::sqrt(1 - sine * sine), t = major * cosine;
-    expect_near(roots_along(ring, {{0, 0, 0}, {cosine, sine, 0}}), {-t, -t, t, t}, near);
+    expect_distances(roots_along(ring, {{0, 0, 0}, {cosine, sine, 0}}), {-t, -t, t, t}, near);
   }
 }
 
@@ -88,7 +87,7 @@ TEST(Torus, TopsTangentsTouchWhicheverWayTheyRun) {
     const Vec3d way{std::cos(angle), 0, std::sin(angle)};
     const Vec3d foot = Vec3d{-way.z, 0, way.x} * (0.6 * major) + Vec3d{0, r, 0};
     const double t = 0.8 * major;  // 3-4-5
-    expect_near(roots_along(ring, {foot, way}), {-t, -t, t, t}, 1e-6);
+    expect_distances(roots_along(ring, {foot, way}), {-t, -t, t, t}, 1e-6);
   }
 }
 

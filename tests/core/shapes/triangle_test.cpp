@@ -5,9 +5,8 @@
 namespace tia {
 namespace {
 
+using enum FaultKind;
 using namespace test;
-
-constexpr auto out_of_range = FaultKind::out_of_range;
 
 // A point a + u (b - a) + v (c - a) is chosen, then a line through it: t, u, v are known.
 TEST(Triangle, IsHitWhereTheBarycentricCoordinatesSay) {
@@ -56,7 +55,7 @@ TEST(Triangle, RayThroughAnEdgeOrACornerHits) {
         prepare(Triangle{{0, 0, 0}, Vec3d{4, 0, 0} * scale, Vec3d{0, 4, 0} * scale});
     for (const Vec3d& p : {Vec3d{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {2, 0, 0}, {0, 1, 0}, {2, 2, 0}}) {
       const Vec3d origin = (p + Vec3d{0, 0, 2}) * scale;
-      expect_near(roots_along(form, {origin, {0, 0, -1}}), {2 * scale}, 0);
+      expect_distances(roots_along(form, {origin, {0, 0, -1}}), {2 * scale}, 0);
     }
     for (const Vec3d& p : {Vec3d{-1e-9, 1, 0}, {1, -1e-9, 0}, {2, 2 + 1e-9, 0}}) {
       const Vec3d origin = (p + Vec3d{0, 0, 2}) * scale;
