@@ -61,6 +61,17 @@ inline Object object(const Shape& shape, const Finish& finish) {
   return is;
 }
 
+inline Light lamp_of(const decltype(Light::kind)& kind, const Color& color = {1, 1, 1}) {
+  Light light;
+  light.kind = kind;
+  light.color = color;
+  return light;
+}
+/// A way at an angle to the y axis, towards x.
+inline Vec3d slanted(double angle, bool downwards = true) {
+  return {std::sin(angle), downwards ? -std::cos(angle) : std::cos(angle), 0};
+}
+
 inline void expect_near(const Vec3f& got, const Vec3d& expected, double tolerance) {
   EXPECT_NEAR(got.x, expected.x, tolerance);
   EXPECT_NEAR(got.y, expected.y, tolerance);

@@ -9,13 +9,13 @@ namespace tia {
 namespace {
 
 using test::built;
+using test::Long;
 using test::Random;
 using test::random_box;
 
 // What a box test must never miss: the ray, exact in long double, within the box for some t in
 // [0, t_max].
-bool meets(const Aabb& box, const Ray<float>& ray, double t_max) {
-  using Long = long double;
+bool ray_meets(const Aabb& box, const Ray<float>& ray, double t_max) {
   Long near = 0, far = t_max;
   const auto slab = [&](Long low, Long high, Long o, Long d) {
     if (d == 0) {
@@ -54,7 +54,7 @@ TEST(BoxRay, NeverMissesABoxThatTheRayMeets) {
     const double t_max = random.in(0, 12);
     const BoxRay<float> test(ray.origin, ray.direction, 0);
     const bool enters = test.enters(rounded_outwards(box), static_cast<float>(t_max));
-    const bool expected = meets(box, ray, t_max);
+    const bool expected = ray_meets(box, ray, t_max);
     EXPECT_TRUE(enters || !expected);
     met += expected;
     entered += enters;
@@ -111,7 +111,7 @@ TEST(Bundle, NeverMissesABoxThatOneOfItsRaysMeets) {
       EXPECT_EQ(lone >> count, 0U);
       EXPECT_EQ(alone & ~entered, 0U);
       for (std::size_t i = 0; i < boxes.count; ++i) {
-        const bool meets_it = meets(exact[i], rays[lane], double(t_max));
+        const bool meets_it = ray_meets(exact[i], rays[lane], double(t_max));
         EXPECT_TRUE(!meets_it || (alone >> i & 1U) != 0);
         EXPECT_EQ((alone >> i & 1U) != 0, one.enters(boxes.box(i), t_max));
         EXPECT_TRUE(!meets_it || (lone >> i & 1U) != 0);
@@ -166,7 +166,7 @@ TEST(Bvh, RayVisitsEveryThingWhoseBoxItMeets) {
     for (std::size_t k = 0; k < boxes.size(); ++k) {
       EXPECT_LE(visits[k], 1);
       EXPECT_LE(lone_visits[k], 1);
-      EXPECT_GE(std::min(visits[k], lone_visits[k]), meets(boxes[k], ray, double(t_max)));
+      EXPECT_GE(std::min(visits[k], lone_visits[k]), ray_meets(boxes[k], ray, double(t_max)));
     }
   }
   EXPECT_LT(effort.tests(), 500 * 200) << "of 500 boxes and more";

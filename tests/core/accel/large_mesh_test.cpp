@@ -22,7 +22,7 @@ Image ground_picture(Object ground) {
   return test::picture(scene, 96, 72).image;
 }
 
-Object quad(const Vec3d& middle, double half, double scale) {
+Object ground_quad(const Vec3d& middle, double half, double scale) {
   Mesh mesh;
   const Vec3d corners[] = {{-half, 0, -half}, {half, 0, -half}, {half, 0, half}, {-half, 0, half}};
   for (const Vec3d& corner : corners) {
@@ -38,7 +38,7 @@ Object quad(const Vec3d& middle, double half, double scale) {
 }
 
 // How many pixels differ by more than a code; the ends of both are far apart at the horizon.
-int differences(const Image& a, const Image& b) {
+int differing_pixels(const Image& a, const Image& b) {
   int different = 0;
   for (int y = 24; y < a.height; ++y)
     for (int x = 0; x < a.width; ++x)
@@ -50,8 +50,8 @@ TEST(LargeMesh, GroundIsLitAndShadowedAsAPlaneIs) {
   const Image plane = ground_picture(object_of(Plane{{0, 0, 0}, {0, 1, 0}}));
   for (const double half : {20.0, 1e3, 1e4, 1e5}) {
     for (const double scale : {1.0, half}) {
-      const Image mesh = ground_picture(quad({0, 0, 0}, half, scale));
-      EXPECT_LE(differences(mesh, plane), 2) << half << " " << scale;
+      const Image mesh = ground_picture(ground_quad({0, 0, 0}, half, scale));
+      EXPECT_LE(differing_pixels(mesh, plane), 2) << half << " " << scale;
     }
   }
 }
@@ -59,11 +59,11 @@ TEST(LargeMesh, GroundIsLitAndShadowedAsAPlaneIs) {
 // A tile below the eye, in a mesh whose other triangles are high above.
 TEST(LargeMesh, TileFarFromItsMeshsMiddleIsLitAsAPlaneIs) {
   const Image plane = ground_picture(object_of(Plane{{0, 0, 0}, {0, 1, 0}}));
-  Object object = quad({0, 0, 0}, 20, 1);
+  Object object = ground_quad({0, 0, 0}, 20, 1);
   Mesh& mesh = std::get<Mesh>(object.shape);
   mesh.positions.values.insert(mesh.positions.values.end(), {0, 900, 0, 5, 901, 0, 0, 902, 5});
   mesh.indices.values.insert(mesh.indices.values.end(), {4, 5, 6});
-  EXPECT_LE(differences(ground_picture(object), plane), 2);
+  EXPECT_LE(differing_pixels(ground_picture(object), plane), 2);
 }
 
 // What is settled late must not let the order decide in which things are tried: balls that touch
@@ -73,8 +73,8 @@ TEST(LargeMesh, IsMetAlikeInWhateverOrderThingsAreTried) {
   Random random(420);
   for (const double half : {100.0, 1e4}) {
     Scene scene;
-    scene.objects.push_back(quad({0, 0, 0}, half, 1));
-    scene.objects.push_back(quad({0, half * 1e-8, 0}, half, half));
+    scene.objects.push_back(ground_quad({0, 0, 0}, half, 1));
+    scene.objects.push_back(ground_quad({0, half * 1e-8, 0}, half, half));
     for (int i = 0; i < 30; ++i) {
       const Vec3d at = random.point(3);
       scene.objects.push_back(object_of(Sphere{{at.x, 0.2, at.z}, 0.2 * random.in(1, 1 + 1e-6)}));

@@ -12,6 +12,7 @@ using test::hit_of;
 using test::matte;
 using test::object_of;
 using test::Random;
+using test::world_of;
 
 Placement steps(const std::vector<Placement::Step>& list) { return {list}; }
 Object group(const std::vector<Object>& children, const Placement& place = {}) {
@@ -21,18 +22,13 @@ Object repeated(const std::vector<Object>& children, const Repeat& repeat,
                 const Placement& place = {}) {
   return object_of(Group{children, repeat}, place);
 }
-World world_of(const std::vector<Object>& objects) {
-  Scene scene;
-  scene.objects = objects;
-  return compile(scene);
-}
 Normals normals_of(const World& world, const Ray<double>& ray, const Hit<double>& hit) {
   return normals_at(world, ray.at(hit.t), static_cast<int>(hit.part), static_cast<int>(hit.element),
                     static_cast<std::int64_t>(hit.copy));
 }
 
 // All rays meet both worlds at one place and under one normal.
-void expect_same(const World& a, const World& b, double extent, double slack = 1e-12) {
+void expect_same_hits(const World& a, const World& b, double extent, double slack = 1e-12) {
   Random random(500);
   int hits = 0;
   for (int i = 0; i < 4000; ++i) {
@@ -87,7 +83,7 @@ TEST(Placed, StretchedBallIsTheQuadric) {
   const Quadric quadric{{a, b, c, 0, 0, 0, -2 * a, 2 * b, 0, a + b - 1}, {}};
   const Object stretched =
       object_of(Sphere{{0, 0, 0}, 1}, steps({Scale{Vec3d{2, 0.5, 1.5}}, Translate{{1, -1, 0}}}));
-  expect_same(world_of({stretched}), world_of({object_of(quadric)}), 3);
+  expect_same_hits(world_of({stretched}), world_of({object_of(quadric)}), 3);
 }
 
 TEST(Placed, BallUnderASimilarityIsTheBallWrittenThere) {
@@ -116,7 +112,7 @@ TEST(Placed, ChildsTransformActsBeforeItsParents) {
   const Object box = object_of(Box{{-1, 0, 0}, {1, 2, 1}}, steps({Translate{{1, 0, 0}}}));
   const Object nested =
       group({group({box}, steps({RotateDegrees{{20, 30, 90}}}))}, steps({Scale{Vec3d{2, 1, 1}}}));
-  expect_same(world_of({alone}), world_of({nested}), 4);
+  expect_same_hits(world_of({alone}), world_of({nested}), 4);
 }
 
 TEST(Placed, MirrorKeepsNormalsOutwards) {
@@ -169,7 +165,7 @@ TEST(Repeat, IsItsCopiesWrittenOut) {
        {Repeat{{4, 3, 2}, {1.5, 1.7, 2.1}}, Repeat{{3, 2, 4}, {-1.5, 1.7, -2.1}},
         Repeat{{1, 1, 1}, {0, 0, 0}}, Repeat{{1, 9, 1}, {0, 0.25, 0}}}) {
     const World copies = world_of({repeated(motif(), repeat, place)});
-    expect_same(copies, world_of({written_out(motif(), repeat, place)}), 4);
+    expect_same_hits(copies, world_of({written_out(motif(), repeat, place)}), 4);
     EXPECT_EQ(copies.of_objects->parts.size(), 5U) << "one copy in memory";
   }
 }
@@ -179,7 +175,7 @@ TEST(Repeat, OfRepeatsIsItsCopiesWrittenOut) {
   const Placement place = steps({RotateDegrees{{0, 0, 30}}}), above = steps({Scale{0.5}});
   const World copies = world_of({repeated({repeated(motif(), inner, place)}, outer, above)});
   const World all = world_of({written_out({written_out(motif(), inner, place)}, outer, above)});
-  expect_same(copies, all, 3);
+  expect_same_hits(copies, all, 3);
   EXPECT_EQ(copies.of_objects->parts.size(), 5U);
 }
 

@@ -15,7 +15,7 @@ using test::object_of;
 using test::Random;
 using test::ray_in;
 
-const int objects = test::watched() ? 100 : 1000, packets = test::watched() ? 10 : 42;
+const int object_count = test::watched() ? 100 : 1000, packet_count = test::watched() ? 10 : 42;
 
 std::vector<Ray<float>> some_rays(Random& random, double scale, const World& world) {
   std::vector<Ray<float>> rays;
@@ -33,10 +33,10 @@ INSTANTIATE_TEST_SUITE_P(Scales, MixedWorld, testing::Values(1e-3, 1.0, 1e3));
 TEST_P(MixedWorld, ClosestHitEqualsBruteForceInEveryWidth) {
   Random random(200);
   int hits = 0, in_copies = 0;
-  const int some = GetParam() == 1 ? objects : objects / 4;
+  const int some = GetParam() == 1 ? object_count : object_count / 4;
   const Scene scene = test::mixed_scene(random, some, GetParam());
   const World world = compile(scene), brute = test::without_index(world);
-  for (int i = 0; i < 5 * packets; ++i) {
+  for (int i = 0; i < 5 * packet_count; ++i) {
     const auto rays = some_rays(random, GetParam(), world);
     const Hit<Wide> wide = hit_of(world, test::packed(rays));
     for (int k = 0; k < lanes<Wide>; ++k) {
@@ -50,7 +50,7 @@ TEST_P(MixedWorld, ClosestHitEqualsBruteForceInEveryWidth) {
     const Ray<double> ray = random_ray(random, GetParam(), world);
     ASSERT_EQ(all_of(hit_of(world, ray)), all_of(hit_of(brute, ray)));
   }
-  EXPECT_GT(hits, 16 * packets);
+  EXPECT_GT(hits, 16 * packet_count);
   if (GetParam() == 1) {
     EXPECT_GT(in_copies, 5);
   }
@@ -58,12 +58,12 @@ TEST_P(MixedWorld, ClosestHitEqualsBruteForceInEveryWidth) {
 
 TEST_P(MixedWorld, OccludedEqualsBruteForceInEveryWidth) {
   Random random(201);
-  const Scene scene = test::mixed_scene(random, objects / 10, GetParam());
+  const Scene scene = test::mixed_scene(random, object_count / 10, GetParam());
   const World world = compile(scene), brute = test::without_index(world);
   const Lamp lamp;
   Effort effort;
   int dark = 0, all = 0;
-  for (int i = 0; i < 5 * packets; ++i) {
+  for (int i = 0; i < 5 * packet_count; ++i) {
     const auto rays = some_rays(random, GetParam(), world);
     const float far = static_cast<float>(random.in(0, 20) * GetParam());
     const auto wide = occluded(world, test::packed(rays), Wide(far), lamp, WideMask(true), effort);
@@ -82,8 +82,8 @@ TEST_P(MixedWorld, OccludedEqualsBruteForceInEveryWidth) {
 // A lane is the same whatever its neighbours are and whether they are active.
 TEST_P(MixedWorld, LanesThatAreNotActiveChangeNothing) {
   Random random(202);
-  const World world = compile(test::mixed_scene(random, objects / 10, GetParam()));
-  for (int i = 0; i < packets; ++i) {
+  const World world = compile(test::mixed_scene(random, object_count / 10, GetParam()));
+  for (int i = 0; i < packet_count; ++i) {
     const auto rays = some_rays(random, GetParam(), world);
     const Wide number = iota<Wide>();
     Effort effort;
@@ -103,9 +103,9 @@ TEST_P(MixedWorld, LanesThatAreNotActiveChangeNothing) {
 
 TEST(Search, RaysOfNothingHitNothingAmongOtherRays) {
   Random random(203);
-  const World world = compile(test::mixed_scene(random, objects / 10, 1));
+  const World world = compile(test::mixed_scene(random, object_count / 10, 1));
   const float nan = std::nanf("");
-  for (int i = 0; i < packets; ++i) {
+  for (int i = 0; i < packet_count; ++i) {
     auto rays = some_rays(random, 1, world);
     rays[3].origin.y = nan;
     rays[4].direction = {nan, nan, nan};

@@ -13,23 +13,23 @@ using test::hit_of;
 using test::matte;
 using test::object_of;
 using test::Random;
+using test::world_of;
 
 Object csg(Operation operation, const std::vector<Object>& children) {
   return object_of(Csg{operation, children});
 }
-Object both(const std::vector<Object>& children) { return csg(Operation::intersection, children); }
-Object any(const std::vector<Object>& children) { return csg(Operation::union_, children); }
-Object cut(const std::vector<Object>& children) { return csg(Operation::difference, children); }
+Object intersection_of(const std::vector<Object>& children) {
+  return csg(Operation::intersection, children);
+}
+Object union_of(const std::vector<Object>& children) { return csg(Operation::union_, children); }
+Object difference_of(const std::vector<Object>& children) {
+  return csg(Operation::difference, children);
+}
 
-Placement turned(const Vec3d& degrees) {
+Placement rotated_by(const Vec3d& degrees) {
   Placement placement;
   placement.steps = {RotateDegrees{degrees}};
   return placement;
-}
-World world_of(const Object& object) {
-  Scene scene;
-  scene.objects = {object};
-  return compile(scene);
 }
 
 // ---- volumes ----------------------------------------------------------------------------------
@@ -40,7 +40,7 @@ World world_of(const Object& object) {
 double volume(const Object& solid, double reach, int n = 200) {
   Group all;
   all.children = {solid};
-  const World world = world_of(any({object_of(all, turned({31, 17, 58}))}));
+  const World world = world_of({union_of({object_of(all, rotated_by({31, 17, 58}))})});
   const Geometry& geometry = *world.of_objects;
   const double side = 2 * reach / n;
   Effort effort;
@@ -59,7 +59,7 @@ Object rod(const Vec3d& half, double radius) { return object_of(Cylinder{-half, 
 TEST(SolidVolume, OfTwoCrossedCylindersIsThatOfArchimedes) {
   // Steinmetz: 16 r^3 / 3. The cross section at height z is a square of side 2 sqrt(r^2 - z^2).
   for (const double r : {1e-3, 0.7, 1e3}) {
-    const Object solid = both({rod({2 * r, 0, 0}, r), rod({0, 2 * r, 0}, r)});
+    const Object solid = intersection_of({rod({2 * r, 0, 0}, r), rod({0, 2 * r, 0}, r)});
     EXPECT_NEAR(volume(solid, 1.6 * r) / (16 * r * r * r / 3), 1, 5e-4) << r;
   }
 }
@@ -67,7 +67,7 @@ TEST(SolidVolume, OfTwoCrossedCylindersIsThatOfArchimedes) {
 TEST(SolidVolume, OfThreeCrossedCylinders) {
   // 8 (2 - sqrt 2) r^3.
   const double r = 0.8;
-  const Object solid = both({rod({2, 0, 0}, r), rod({0, 2, 0}, r), rod({0, 0, 2}, r)});
+  const Object solid = intersection_of({rod({2, 0, 0}, r), rod({0, 2, 0}, r), rod({0, 0, 2}, r)});
   EXPECT_NEAR(volume(solid, 1.2), 8 * (2 - std::sqrt(2.0)) * r * r * r, 1e-3);
 }
 
@@ -76,7 +76,7 @@ TEST(SolidVolume, OfANapkinRingDependsOnItsHeightAlone) {
   const double h = 1.2;
   for (const double radius : {0.7, 1.0, 1.5}) {
     const double hole = std::sqrt(radius * radius - h * h / 4);
-    const Object ring = cut({ball({}, radius), rod({0, 2, 0}, hole)});
+    const Object ring = difference_of({ball({}, radius), rod({0, 2, 0}, hole)});
     EXPECT_NEAR(volume(ring, 1.5 * radius, 300), pi * h * h * h / 6, 2e-3) << radius;
   }
 }
@@ -85,33 +85,35 @@ TEST(SolidVolume, OfALensOfTwoBalls) {
   // Two balls of radius R whose centres are d apart: pi (4 R + d) (2 R - d)^2 / 12.
   const double r = 1;
   for (const double d : {0.1, 0.8, 1.7}) {
-    const Object lens = both({ball({-d / 2, 0, 0}, r), ball({d / 2, 0, 0}, r)});
+    const Object lens = intersection_of({ball({-d / 2, 0, 0}, r), ball({d / 2, 0, 0}, r)});
     EXPECT_NEAR(volume(lens, 1.1), pi * (4 * r + d) * (2 * r - d) * (2 * r - d) / 12, 2e-3);
   }
 }
 
 TEST(SolidVolume, OfACubeWithoutABall) {
   const Object cube = object_of(Box{{-1, -1, -1}, {1, 1, 1}});
-  EXPECT_NEAR(volume(cut({cube, ball({}, 0.9)}), 1.8), 8 - 4 * pi / 3 * 0.9 * 0.9 * 0.9, 5e-3);
+  EXPECT_NEAR(volume(difference_of({cube, ball({}, 0.9)}), 1.8), 8 - 4 * pi / 3 * 0.9 * 0.9 * 0.9,
+              5e-3);
   // An eighth of a ball is cut from a corner.
-  EXPECT_NEAR(volume(cut({cube, ball({1, 1, 1}, 1)}), 1.8), 8 - pi / 6, 5e-3);
+  EXPECT_NEAR(volume(difference_of({cube, ball({1, 1, 1}, 1)}), 1.8), 8 - pi / 6, 5e-3);
 }
 
 TEST(SolidVolume, OfAUnionIsTheSumLessWhatIsCommon) {
   const Object a = ball({-0.3, 0, 0}, 0.8), b = object_of(Box{{-0.2, -0.5, -0.7}, {1, 0.6, 0.5}});
-  EXPECT_NEAR(volume(any({a, b}), 1.6) + volume(both({a, b}), 1.6), volume(a, 1.6) + volume(b, 1.6),
-              1e-9);
+  EXPECT_NEAR(volume(union_of({a, b}), 1.6) + volume(intersection_of({a, b}), 1.6),
+              volume(a, 1.6) + volume(b, 1.6), 1e-9);
 }
 
 TEST(SolidVolume, PlanesAreHalfSpaces) {
   const Object below = object_of(Plane{{0, 0, 0}, {0, 1, 0}});
-  EXPECT_NEAR(volume(both({ball({}, 1), below}), 1.1), 2 * pi / 3, 2e-3) << "half a ball";
+  EXPECT_NEAR(volume(intersection_of({ball({}, 1), below}), 1.1), 2 * pi / 3, 2e-3)
+      << "half a ball";
   std::vector<Object> faces;
   for (const Vec3d& n : {Vec3d{1, 0, 0}, Vec3d{0, 1, 0}, Vec3d{0, 0, 1}}) {
     faces.push_back(object_of(Plane{n * 0.5, n}));
     faces.push_back(object_of(Plane{n * -0.5, -n}));
   }
-  EXPECT_NEAR(volume(both(faces), 1, 300), 1, 2e-3) << "a cube of six";
+  EXPECT_NEAR(volume(intersection_of(faces), 1, 300), 1, 2e-3) << "a cube of six";
 }
 
 // ---- membership -------------------------------------------------------------------------------
@@ -131,7 +133,7 @@ TEST(Solid, NestedTwentyDeepHoldsJustWhatTheOperationsKeep) {
                                       : Operation::difference);
       solid = csg(operations.back(), {solid, object_of(balls.back())});
     }
-    const World world = world_of(solid);
+    const World world = world_of({solid});
     const Geometry& geometry = *world.of_objects;
     const auto kept = [&](const Vec3d& p) {
       const auto in = [&](const Sphere& s) { return length(p - s.center) < s.radius; };
@@ -161,7 +163,8 @@ TEST(Solid, NestedTwentyDeepHoldsJustWhatTheOperationsKeep) {
 
 TEST(Solid, HitIsTheFirstBoundaryAheadFromOutsideAndFromInside) {
   // A cube [-2, 2]^3 with a ball of radius 1 taken out of its middle.
-  const World world = world_of(cut({object_of(Box{{-2, -2, -2}, {2, 2, 2}}), ball({}, 1)}));
+  const World world =
+      world_of({difference_of({object_of(Box{{-2, -2, -2}, {2, 2, 2}}), ball({}, 1)})});
   const auto t_from = [&](double z) { return hit_of(world, Ray<double>{{0, 0, z}, {0, 0, -1}}).t; };
   EXPECT_EQ(t_from(5), 3) << "outside: the face at 2";
   EXPECT_EQ(t_from(1.5), 0.5) << "in the matter: the hollow's wall at 1";
@@ -171,7 +174,8 @@ TEST(Solid, HitIsTheFirstBoundaryAheadFromOutsideAndFromInside) {
 }
 
 TEST(Solid, CutFaceTurnsToTheViewerAndKeepsItsBallsElementAndNormal) {
-  const World world = world_of(cut({object_of(Box{{-2, -2, -2}, {2, 2, 2}}), ball({0, 0, 2}, 1)}));
+  const World world =
+      world_of({difference_of({object_of(Box{{-2, -2, -2}, {2, 2, 2}}), ball({0, 0, 2}, 1)})});
   const Ray<double> ray{{0, 0, 5}, {0, 0, -1}};  // into the dent, to its bottom at z = 1
   const auto hit = hit_of(world, ray);
   EXPECT_EQ(hit.t, 4);
@@ -186,8 +190,8 @@ TEST(Solid, GroupAsOperandIsTheUnionOfItsChildrenInItsPlace) {
   const Object cube = object_of(Box{{-1, -1, -1}, {1, 1, 1}});
   Object moved_a = a, moved_b = b;
   moved_a.transform = moved_b.transform = place;
-  const World grouped = world_of(cut({cube, object_of(Group{{a, b}, {}}, place)}));
-  const World apart = world_of(cut({cube, moved_a, moved_b}));
+  const World grouped = world_of({difference_of({cube, object_of(Group{{a, b}, {}}, place)})});
+  const World apart = world_of({difference_of({cube, moved_a, moved_b})});
   for (int i = 0; i < 2000; ++i) {
     const Ray<double> ray{random.point(3), random.direction()};
     EXPECT_EQ(hit_of(grouped, ray).t, hit_of(apart, ray).t);
@@ -195,12 +199,12 @@ TEST(Solid, GroupAsOperandIsTheUnionOfItsChildrenInItsPlace) {
 }
 
 TEST(Solid, OfNothingIsNeverHitAndIsInNoIndex) {
-  const World apart = world_of(both({ball({-3, 0, 0}, 1), ball({3, 0, 0}, 1)}));
+  const World apart = world_of({intersection_of({ball({-3, 0, 0}, 1), ball({3, 0, 0}, 1)})});
   EXPECT_TRUE(apart.of_objects->spaces[0].items.empty());
-  const World gone = world_of(cut({ball({}, 1), ball({}, 2)}));
-  const World same = world_of(cut({ball({}, 1), ball({}, 1)}));
-  const Object box = object_of(Box{{-1, -1, -1}, {1, 1, 1}}, turned({30, 20, 10}));
-  const World turned_same = world_of(cut({box, box}));
+  const World gone = world_of({difference_of({ball({}, 1), ball({}, 2)})});
+  const World same = world_of({difference_of({ball({}, 1), ball({}, 1)})});
+  const Object box = object_of(Box{{-1, -1, -1}, {1, 1, 1}}, rotated_by({30, 20, 10}));
+  const World turned_same = world_of({difference_of({box, box})});
   Random random(312);
   for (int i = 0; i < 1000; ++i) {
     const Ray<double> ray{random.point(3), random.direction()};
@@ -216,9 +220,9 @@ TEST(Solid, CutFaceShowsTheMaterialOfTheOperandWhoseSurfaceItIs) {
   cube.material = matte({1, 0, 0});
   Object bare = ball({1.5, 1.5, 2}, 0.4);
   bare.material.reset();
-  Object whole = cut({cube, ball({0, 0, 2}, 1, matte({0, 1, 0})), bare});
+  Object whole = difference_of({cube, ball({0, 0, 2}, 1, matte({0, 1, 0})), bare});
   whole.material = matte({0, 0, 1});
-  const World world = world_of(whole);
+  const World world = world_of({whole});
   const auto color = [&](double x, double y) {
     const auto hit = hit_of(world, Ray<double>{{x, y, 5}, {0, 0, -1}});
     return world.matter_of(static_cast<int>(hit.part)).albedo.exact;
@@ -231,7 +235,7 @@ TEST(Solid, CutFaceShowsTheMaterialOfTheOperandWhoseSurfaceItIs) {
 // ---- pictures ---------------------------------------------------------------------------------
 
 // Where two feature images differ.
-int differences(const Object& one, const Object& other, IntegratorName feature) {
+int feature_differences(const Object& one, const Object& other, IntegratorName feature) {
   Scene scene;
   scene.camera.location = {4, 3, 7};
   scene.camera.look_at = Vec3d{0, 0, 0};
@@ -256,7 +260,7 @@ int differences(const Object& one, const Object& other, IntegratorName feature) 
 void expect_equal_pictures(const Object& one, const Object& other) {
   for (const IntegratorName feature :
        {IntegratorName::normal, IntegratorName::depth, IntegratorName::object})
-    EXPECT_LE(differences(one, other, feature), 4) << "silhouette pixels aside";
+    EXPECT_LE(feature_differences(one, other, feature), 4) << "silhouette pixels aside";
 }
 
 TEST(Solid, DeMorgansLawsAreEqualPictures) {
@@ -264,13 +268,15 @@ TEST(Solid, DeMorgansLawsAreEqualPictures) {
   const Object x = object_of(Box{{-1, -1, -1}, {1, 1, 1}});
   for (int i = 0; i < 4; ++i) {
     const Object a =
-        object_of(test::random_solid(random, random.point(0.8), 0.8), turned(random.point(90)));
+        object_of(test::random_solid(random, random.point(0.8), 0.8), rotated_by(random.point(90)));
     const Object b =
-        object_of(test::random_solid(random, random.point(0.8), 0.8), turned(random.point(90)));
-    expect_equal_pictures(cut({x, any({a, b})}), both({cut({x, a}), cut({x, b})}));
-    expect_equal_pictures(cut({x, both({a, b})}), any({cut({x, a}), cut({x, b})}));
-    expect_equal_pictures(cut({x, a, b}), cut({cut({x, a}), b}));
-    expect_equal_pictures(both({x, a}), cut({x, cut({x, a})}));
+        object_of(test::random_solid(random, random.point(0.8), 0.8), rotated_by(random.point(90)));
+    expect_equal_pictures(difference_of({x, union_of({a, b})}),
+                          intersection_of({difference_of({x, a}), difference_of({x, b})}));
+    expect_equal_pictures(difference_of({x, intersection_of({a, b})}),
+                          union_of({difference_of({x, a}), difference_of({x, b})}));
+    expect_equal_pictures(difference_of({x, a, b}), difference_of({difference_of({x, a}), b}));
+    expect_equal_pictures(intersection_of({x, a}), difference_of({x, difference_of({x, a})}));
   }
 }
 

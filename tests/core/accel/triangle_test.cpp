@@ -49,13 +49,13 @@ struct Exact {
   long double t, margin, width;
 };
 Exact exact(const Corners& corners, const Vec3f& from, const Vec3f& way) {
-  using Long = Vec3<long double>;
-  const auto corner = [&](std::size_t i) -> Long {
+  using Vec3l = Vec3<long double>;
+  const auto corner = [&](std::size_t i) -> Vec3l {
     return {corners(i, 0), corners(i, 1), corners(i, 2)};
   };
-  const Long d = static_cast<Long>(way), a = corner(0);
-  const Long e1 = corner(1) - a, e2 = corner(2) - a, s = static_cast<Long>(from) - a;
-  const Long p = cross(d, e2), q = cross(s, e1);
+  const Vec3l d = static_cast<Vec3l>(way), a = corner(0);
+  const Vec3l e1 = corner(1) - a, e2 = corner(2) - a, s = static_cast<Vec3l>(from) - a;
+  const Vec3l p = cross(d, e2), q = cross(s, e1);
   const long double determinant = dot(e1, p);
   const long double v = dot(s, p) / determinant, w = dot(d, q) / determinant;
   return {dot(e2, q) / determinant, std::min({v, w, 1 - v - w}),

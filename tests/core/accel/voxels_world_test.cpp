@@ -11,14 +11,14 @@ namespace {
 
 using namespace test;
 
-const std::vector<Color> colors{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+const std::vector<Color> cell_colors{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
 
 Object voxels_of(const Voxels& shape) {
   Object object;
   object.shape = shape;
   object.material = matte({0.5, 0.5, 0.5});
   if (shape.occupied.has_materials())
-    for (const Color& color : colors) object.materials.push_back(matte(color));
+    for (const Color& color : cell_colors) object.materials.push_back(matte(color));
   return object;
 }
 
@@ -42,7 +42,7 @@ Model random_model(Random& random, double share) {
         const Vec3d low = v.origin + Vec3d{double(i), double(j), double(k)};
         Object box;
         box.shape = Box{low, low + Vec3d{1, 1, 1}};
-        box.material = matte(colors[static_cast<std::size_t>(material - 1)]);
+        box.material = matte(cell_colors[static_cast<std::size_t>(material - 1)]);
         model.boxes.push_back(box);
       }
   model.voxels = voxels_of(v);
@@ -61,10 +61,6 @@ Object sphere_of(const Vec3d& center, double radius) {
   return ball(center, radius, matte({1, 1, 0}));
 }
 
-Hit<double> hit_of(const World& world, const Ray<double>& ray) {
-  Effort effort;
-  return closest_hit(world, ray, true, effort);
-}
 Ray<double> ray_at(Random& random) {
   const Vec3d origin = random.direction() * 12.0;
   return {origin, normalize(random.point(2) - origin)};
@@ -116,7 +112,7 @@ TEST(VoxelsWorld, CellsWithoutNumbersWearTheObjectsMaterial) {
   Voxels v;
   v.occupied = {3, {0, 0, 0}};
   const World world = compile(scene_of({voxels_of(v)}));
-  const Hit<double> hit = hit_of(world, {{0.5, 0.5, 9}, {0, 0, -1}});
+  const Hit<double> hit = hit_of(world, Ray<double>{{0.5, 0.5, 9}, {0, 0, -1}});
   EXPECT_EQ(hit.t, 8);
   EXPECT_EQ(world.matter_of(static_cast<int>(hit.part)).albedo.exact, (Vec3d{0.5, 0.5, 0.5}));
 }
@@ -126,7 +122,7 @@ TEST(VoxelsWorld, ThePartsOfOneObjectAreOneObject) {
   const World world =
       compile(scene_of({random_model(random, 0.5).voxels, sphere_of({20, 0, 0}, 1)}));
   EXPECT_EQ(world.objects, 2);
-  const Hit<double> hit = hit_of(world, {{20, 0, 9}, {0, 0, -1}});
+  const Hit<double> hit = hit_of(world, Ray<double>{{20, 0, 9}, {0, 0, -1}});
   EXPECT_EQ(world.part(static_cast<int>(hit.part)).object, 1);
 }
 
@@ -201,7 +197,7 @@ TEST(VoxelsWorld, CopiesOfAGroupWearTheirMaterialsToo) {
   object.shape = group;
   const World world = compile(scene_of({object}));
   for (int i = 0; i < 6; ++i) {
-    const Hit<double> hit = hit_of(world, {{i + 0.5, 0.5, 9}, {0, 0, -1}});
+    const Hit<double> hit = hit_of(world, Ray<double>{{i + 0.5, 0.5, 9}, {0, 0, -1}});
     ASSERT_EQ(hit.t, 8);
     EXPECT_EQ(world.matter_of(static_cast<int>(hit.part)).albedo.exact,
               i % 2 == 0 ? (Vec3d{1, 0, 0}) : (Vec3d{0, 0, 1}));

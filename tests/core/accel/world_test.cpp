@@ -13,7 +13,7 @@ using test::ball;
 using test::matte;
 using test::Random;
 
-std::vector<int> all_of(const World& world) {
+std::vector<int> all_balls(const World& world) {
   std::vector<int> all(world.balls.size());
   std::iota(all.begin(), all.end(), 0);
   return all;
@@ -91,7 +91,7 @@ TEST(World, ClosestHitIsTheNearestOfAllObjects) {
           nearest = t;
           object = static_cast<int>(s);
         }
-      const Hit<double> hit = closest_ball(world, all_of(world), ray);
+      const Hit<double> hit = closest_ball(world, all_balls(world), ray);
       EXPECT_EQ(hit.t, nearest);
       EXPECT_EQ(hit.part, object);
       hits += object >= 0;
@@ -105,11 +105,11 @@ TEST(World, AtEqualDistanceTheEarlierObjectWins) {
   scene.objects = {ball({9, 9, 9}, 1), ball({0, 0, -5}, 1), ball({0, 0, -5}, 1),
                    ball({0, 0, -6}, 2)};  // all three start at z = -4
   const World world = compile(scene);
-  EXPECT_EQ(closest_ball(world, all_of(world), Ray<float>{{0, 0, 0}, {0, 0, -1}}).part, 1);
-  EXPECT_EQ(closest_ball(world, all_of(world), Ray<double>{{0, 0, 0}, {0, 0, -1}}).part, 1);
+  EXPECT_EQ(closest_ball(world, all_balls(world), Ray<float>{{0, 0, 0}, {0, 0, -1}}).part, 1);
+  EXPECT_EQ(closest_ball(world, all_balls(world), Ray<double>{{0, 0, 0}, {0, 0, -1}}).part, 1);
   const Wide zero(0), minus(-1);
   const Hit<Wide> hit =
-      closest_ball(world, all_of(world), Ray<Wide>{{zero, zero, zero}, {zero, zero, minus}});
+      closest_ball(world, all_balls(world), Ray<Wide>{{zero, zero, zero}, {zero, zero, minus}});
   for (int k = 0; k < lanes<Wide>; ++k) EXPECT_EQ(lane(hit.part, k), 1);
 }
 

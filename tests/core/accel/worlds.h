@@ -13,6 +13,12 @@ inline Object object_of(const Shape& shape, const Placement& transform = {}) {
   return {"", shape, transform, {}};
 }
 
+inline World world_of(const std::vector<Object>& objects) {
+  Scene scene;
+  scene.objects = objects;
+  return compile(scene);
+}
+
 inline Placement random_placement(Random& random, double scale) {
   Placement placement;
   const int steps = random.below(4);

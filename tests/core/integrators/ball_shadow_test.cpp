@@ -38,12 +38,12 @@ struct Sender {
 };
 
 // A plane through the origin, any way up, with a ball above it.
-struct Stage {
+struct BallOnPlane {
   Scene scene;
   Onb frame;  ///< n is the plane's normal
   double height, radius;
 
-  explicit Stage(Random& random)
+  explicit BallOnPlane(Random& random)
       : frame(onb_around(random.direction())), height(random.in(2, 5)), radius(random.in(0.2, 1)) {
     scene.objects = {object(Plane{{0, 0, 0}, frame.n}, Finish{}), ball(center(), radius)};
   }
@@ -89,7 +89,7 @@ Ellipse circle(const Vec3d& middle, double radius, const Onb& frame) {
 TEST(BallShadow, LampStraightAboveCastsTheCircleOfTheTangents) {
   Random random(440);
   for (int i = 0; i < 100; ++i) {
-    Stage stage(random);
+    BallOnPlane stage(random);
     const double gap = stage.radius * random.in(1.2, 8), top = stage.height + gap;
     const Vec3d lamp = stage.frame.n * top;
     stage.scene.lights = {point_light(lamp)};
@@ -117,7 +117,7 @@ TEST(BallShadow, PythagoreanTangentsGiveARoundNumber) {
 TEST(BallShadow, LampAsideCastsTheEllipseThatCutsTheTangentCone) {
   Random random(441);
   for (int i = 0; i < 200; ++i) {
-    Stage stage(random);
+    BallOnPlane stage(random);
     const double distance = stage.radius * random.in(1.2, 8);
     const double alpha = std::asin(stage.radius / distance);
     const double phi = random.in(0, 0.9) * (pi / 2 - alpha);
@@ -143,7 +143,7 @@ TEST(BallShadow, LampAsideCastsTheEllipseThatCutsTheTangentCone) {
 TEST(BallShadow, DirectionalLightCastsAnEllipseOfTheRadiusOverTheSineOfItsElevation) {
   Random random(442);
   for (int i = 0; i < 200; ++i) {
-    Stage stage(random);
+    BallOnPlane stage(random);
     const double elevation = random.in(0.1, 1) * pi / 2, turn = random.in(0, 2 * pi);
     const Vec3d aside = stage.frame.u * std::cos(turn) + stage.frame.v * std::sin(turn);
     const Vec3d to_light = stage.frame.n * std::sin(elevation) + aside * std::cos(elevation);

@@ -17,9 +17,6 @@ Scene water(double ior, bool with_fresnel = true) {
   scene.objects = {object(Plane{{0, 0, 0}, {0, 1, 0}}, finish)};
   return scene;
 }
-Vec3d slanted(double angle, bool downwards = true) {
-  return {std::sin(angle), downwards ? -std::cos(angle) : std::cos(angle), 0};
-}
 
 TEST(Glass, RefractsBySnellsLawFromBothSides) {
   Random random(410);

@@ -10,7 +10,7 @@ namespace {
 using namespace test;
 
 // A floor at y = 0 with that finish.
-Scene floor_of(const Finish& finish) {
+Scene scene_of_floor(const Finish& finish) {
   Scene scene;
   scene.objects = {object(Plane{{0, 0, 0}, {0, 1, 0}}, finish)};
   return scene;
@@ -21,11 +21,6 @@ Finish shiny(double specular, double roughness) {
   finish.roughness = roughness;
   return finish;
 }
-Light lamp_of(const decltype(Light::kind)& kind) {
-  Light light;
-  light.kind = kind;
-  return light;
-}
 Vec3d above(Random& random, double least) {
   for (;;) {
     const Vec3d way = random.direction();
@@ -33,7 +28,7 @@ Vec3d above(Random& random, double least) {
   }
 }
 // What the ray sees that comes down to the origin from there.
-Vec3f seen_from(const Scene& scene, const Vec3d& way) {
+Vec3f color_from(const Scene& scene, const Vec3d& way) {
   return tree(scene, way * 3.0, -way)->color;
 }
 
@@ -49,11 +44,11 @@ TEST(Highlight, IsThePowerOfTheCosineToTheMirroredRayFromEverySide) {
     if (random.chance(0.5)) to_lamp = normalize(mirrored + random.direction() * 0.3);
     if (to_lamp.y < 0.05) continue;
     const double specular = random.in(0.1, 1), exponent = random.in(1, 40);
-    Scene scene = floor_of(shiny(specular, 1 / exponent));
+    Scene scene = scene_of_floor(shiny(specular, 1 / exponent));
     scene.lights = {point_light(to_lamp * random.in(1, 9), {1, 0.5, 0.25})};
     const double cosine = std::max(0.0, dot(mirrored, to_lamp));
     const double highlight = specular * std::pow(cosine, exponent);
-    expect_near(seen_from(scene, eye), Vec3d{1, 0.5, 0.25} * highlight, 3e-5);
+    expect_near(color_from(scene, eye), Vec3d{1, 0.5, 0.25} * highlight, 3e-5);
     bright += highlight > 0.1;
   }
   EXPECT_GT(bright, 300);
@@ -62,10 +57,10 @@ TEST(Highlight, IsThePowerOfTheCosineToTheMirroredRayFromEverySide) {
 TEST(Highlight, RoughnessIsOneOverTheExponentToItsLeast) {
   // At 1e-5 the exponent is 100 000: half as bright at 3.7e-3 from the mirrored ray.
   const double half = std::acos(std::pow(0.5, 1e-5));
-  Scene scene = floor_of(shiny(1, 1e-5));
+  Scene scene = scene_of_floor(shiny(1, 1e-5));
   const auto at = [&](double angle) {
     scene.lights = {point_light({std::sin(angle), std::cos(angle), 0})};
-    return double(seen_from(scene, {0, 1, 0}).x);
+    return double(color_from(scene, {0, 1, 0}).x);
   };
   EXPECT_NEAR(at(0), 1, 1e-2);
   EXPECT_NEAR(at(half), 0.5, 1e-2);
@@ -84,7 +79,7 @@ TEST(Spot, FollowsItsFormulaAtAnyAxisAndAngles) {
     spot.radius_degrees = random.in(0, 120);
     spot.falloff_degrees = random.in(spot.radius_degrees + 5, 180);
     spot.tightness = random.chance(0.5) ? 0 : random.in(0.2, 20);
-    Scene scene = floor_of(Finish{});
+    Scene scene = scene_of_floor(Finish{});
     scene.lights = {lamp_of(spot)};
     const Vec3d way = normalize(-*spot.position);
     const double c = dot(way, normalize(spot.point_at - *spot.position));
@@ -93,7 +88,7 @@ TEST(Spot, FollowsItsFormulaAtAnyAxisAndAngles) {
     const double s = std::clamp((c - outer) / (inner - outer), 0.0, 1.0);
     const double expected = -way.y * s * s * (3 - 2 * s) *
                             (spot.tightness > 0 ? std::pow(std::max(c, 0.0), spot.tightness) : 1);
-    EXPECT_NEAR(double(seen_from(scene, {0, 1, 0}).x), expected, 3e-5);
+    EXPECT_NEAR(double(color_from(scene, {0, 1, 0}).x), expected, 3e-5);
     rims += s > 0 && s < 1;
   }
   EXPECT_GT(rims, 500);
@@ -107,7 +102,7 @@ TEST(Spot, EdgesStandAtTheirAngles) {
     spot.position = Vec3d{0, random.in(0.5, 3), 0};
     spot.radius_degrees = random.in(5, 40);
     spot.falloff_degrees = random.chance(0.3) ? spot.radius_degrees : random.in(45, 70);
-    Scene scene = floor_of(Finish{});
+    Scene scene = scene_of_floor(Finish{});
     scene.lights = {lamp_of(spot)};
     const auto strength = [&](double angle) {
       const double x = spot.position->y * std::tan(angle);
@@ -146,20 +141,20 @@ TEST(Fading, IsByTheDistanceAndAlikeForAllThatStandSomewhere) {
     }
     light.fade_distance = random.in(0.1, 20);
     light.fade_power = random.in(0, 10);
-    Scene scene = floor_of(shiny(0, 1));
+    Scene scene = scene_of_floor(shiny(0, 1));
     std::get<Finish>(std::get<Material>(*scene.objects[0].material).kind).diffuse = 1;
     scene.lights = {light};
     const double d = length(place);
     const double factor = 2 / (1 + std::pow(d / *light.fade_distance, light.fade_power));
-    EXPECT_NEAR(double(seen_from(scene, {0, 1, 0}).x), place.y / d * factor, 2e-5 * factor + 1e-7);
+    EXPECT_NEAR(double(color_from(scene, {0, 1, 0}).x), place.y / d * factor, 2e-5 * factor + 1e-7);
   }
 }
 
 TEST(Fading, DimsHighlightsToo) {
-  Scene scene = floor_of(shiny(0.5, 0.1));
+  Scene scene = scene_of_floor(shiny(0.5, 0.1));
   scene.lights = {point_light({0, 6, 0})};
   scene.lights[0].fade_distance = 3;
-  EXPECT_NEAR(double(seen_from(scene, {0, 1, 0}).x), 0.5 * 2 / 5, 1e-6) << "2 / (1 + 2^2)";
+  EXPECT_NEAR(double(color_from(scene, {0, 1, 0}).x), 0.5 * 2 / 5, 1e-6) << "2 / (1 + 2^2)";
 }
 
 // ---- sums ---------------------------------------------------------------------------------------
@@ -172,15 +167,15 @@ TEST(Superposition, TwoEqualLampsAreOneOfTwiceTheIntensityBitForBit) {
     Finish finish;
     finish.color = random_color(random);
     finish.brilliance = random.in(0.5, 3);
-    Scene scene = floor_of(finish);
+    Scene scene = scene_of_floor(finish);
     const Light lamp = point_light(above(random, 0.1) * random.in(1, 9), random_color(random));
     const Vec3d eye = above(random, 0.1);
     scene.lights = {lamp};
     scene.lights[0].intensity = 2;
-    const Vec3f one = seen_from(scene, eye);
+    const Vec3f one = color_from(scene, eye);
     scene.lights = {lamp, lamp};
     EXPECT_GT(one.x + one.y + one.z, 0.0F);
-    EXPECT_EQ(seen_from(scene, eye), one);
+    EXPECT_EQ(color_from(scene, eye), one);
   }
 }
 

@@ -11,11 +11,11 @@ using namespace test;
 
 // A luminous ball of radius `big` at the height `top`, a ball of radius `small` at `low` below it,
 // and the floor at 0.
-struct Stage {
+struct BallUnderLamp {
   double big, top, small, low;
   Scene scene;
 
-  Stage(double lamp_radius, double lamp_height, double radius, double height, int samples)
+  BallUnderLamp(double lamp_radius, double lamp_height, double radius, double height, int samples)
       : big(lamp_radius), top(lamp_height), small(radius), low(height) {
     Light light = sphere_light({0, top, 0}, big);
     std::get<SphereLight>(light.kind).samples = samples;
@@ -43,7 +43,7 @@ TEST(Penumbra, UmbraAndPenumbraEndAtTheTangents) {
   Random random(460);
   for (int i = 0; i < 25; ++i) {
     const double low = random.in(2, 5), top = low + random.in(4, 9), small = random.in(0.7, 1.3);
-    const Stage stage(random.in(0.2, 0.6), top, small, low, 1024);
+    const BallUnderLamp stage(random.in(0.2, 0.6), top, small, low, 1024);
     const double umbra = stage.umbra(), penumbra = stage.penumbra(), width = penumbra - umbra;
     ASSERT_GT(umbra, 0);
     for (const double share : {0.0, 0.5, 0.999}) EXPECT_EQ(stage.visible(share * umbra), 0);
@@ -60,7 +60,7 @@ TEST(Penumbra, RingAroundAFarBallIsTheDifferenceOfTheCones) {
   for (int i = 0; i < 25; ++i) {
     const double low = random.in(4, 6), top = low + random.in(4, 9), big = random.in(2, 3);
     const double small = random.in(0.2, 0.9) * big * low / top;
-    const Stage stage(big, top, small, low, 4096);
+    const BallUnderLamp stage(big, top, small, low, 4096);
     const auto height = [](double sine) { return 1 - std::sqrt(1 - sine * sine); };
     EXPECT_NEAR(stage.visible(0), 1 - height(small / low) / height(big / top), 6e-3);
   }
@@ -73,7 +73,7 @@ TEST(Penumbra, IsTheShareOfTheLampsSolidAngleThatIsSeen) {
   constexpr int n = 300;
   for (int i = 0; i < 12; ++i) {
     const double low = random.in(2, 4), top = low + random.in(3, 6), small = random.in(0.4, 1.2);
-    const Stage stage(random.in(0.3, 1.5), top, small, low, 4096);
+    const BallUnderLamp stage(random.in(0.3, 1.5), top, small, low, 4096);
     const double x = random.in(0, 1.1) * stage.penumbra();
     const Vec3d p{x, 0, 0}, to_lamp = Vec3d{0, top, 0} - p, to_ball = Vec3d{0, low, 0} - p;
     const Onb frame = onb_around(normalize(to_lamp));

@@ -28,45 +28,45 @@ struct Stage {
   }
   Vec3f light() const { return light_along(scene, {0, 3, 3}, {0, -1, -1}); }
 };
-const Vec3f lit{1, 1, 1}, dark{0, 0, 0};
-const Light lamp = point_light({0, 0, 10});
+const Vec3f fully_lit{1, 1, 1}, unlit{0, 0, 0};
+const Light overhead_light = point_light({0, 0, 10});
 
-TEST(Shadow, OpenPointIsFullyLit) { EXPECT_EQ(Stage(lamp).light(), lit); }
+TEST(Shadow, OpenPointIsFullyLit) { EXPECT_EQ(Stage(overhead_light).light(), fully_lit); }
 
 TEST(Shadow, BallBetweenPointAndLightLeavesExactlyNothing) {
   for (const double height : {0.5, 1.0, 5.0, 9.0, 9.94})
-    EXPECT_EQ(Stage(lamp).with(ball({0, 0, height}, 0.05)).light(), dark) << height;
+    EXPECT_EQ(Stage(overhead_light).with(ball({0, 0, height}, 0.05)).light(), unlit) << height;
 }
 
 TEST(Shadow, BallBeyondTheLightCastsNone) {
   for (const double height : {10.06, 11.0, 100.0})
-    EXPECT_EQ(Stage(lamp).with(ball({0, 0, height}, 0.05)).light(), lit) << height;
+    EXPECT_EQ(Stage(overhead_light).with(ball({0, 0, height}, 0.05)).light(), fully_lit) << height;
 }
 
 TEST(Shadow, BallBelowOrBesideCastsNone) {
-  EXPECT_EQ(Stage(lamp).with(ball({0, 0, -30}, 5)).light(), lit);
-  EXPECT_EQ(Stage(lamp).with(ball({1.01, 0, 5}, 1)).light(), lit);
-  EXPECT_EQ(Stage(lamp).with(ball({0.99, 0, 5}, 1)).light(), dark);
+  EXPECT_EQ(Stage(overhead_light).with(ball({0, 0, -30}, 5)).light(), fully_lit);
+  EXPECT_EQ(Stage(overhead_light).with(ball({1.01, 0, 5}, 1)).light(), fully_lit);
+  EXPECT_EQ(Stage(overhead_light).with(ball({0.99, 0, 5}, 1)).light(), unlit);
 }
 
 TEST(Shadow, WhiteBlockerBlocksAsABlackOneDoes) {
-  EXPECT_EQ(Stage(lamp).with(ball({0, 0, 5}, 1, matte({1, 1, 1}))).light(), dark);
-  EXPECT_EQ(Stage(lamp).with(ball({0, 0, 5}, 1, matte({0, 0, 0}))).light(), dark);
+  EXPECT_EQ(Stage(overhead_light).with(ball({0, 0, 5}, 1, matte({1, 1, 1}))).light(), unlit);
+  EXPECT_EQ(Stage(overhead_light).with(ball({0, 0, 5}, 1, matte({0, 0, 0}))).light(), unlit);
 }
 
 TEST(Shadow, LightInsideABallIsHiddenByIt) {
-  EXPECT_EQ(Stage(lamp).with(ball({0, 0, 10}, 1)).light(), dark);
+  EXPECT_EQ(Stage(overhead_light).with(ball({0, 0, 10}, 1)).light(), unlit);
 }
 
 TEST(Shadow, LightsOwnSphereNeverShadowsItself) {
   for (const double radius : {0.1, 3.0, 9.9})
-    EXPECT_EQ(Stage(sphere_light({0, 0, 10}, radius)).light(), lit) << radius;
+    EXPECT_EQ(Stage(sphere_light({0, 0, 10}, radius)).light(), fully_lit) << radius;
 }
 
 TEST(Shadow, LuminousObjectNeverShadowsItsOwnLight) {
-  Stage stage(lamp);
+  Stage stage(overhead_light);
   stage.scene.lights.clear();
-  EXPECT_EQ(stage.with(ball({0, 0, 10}, 3, matte({0, 0, 0}, {1, 1, 1}))).light(), lit);
+  EXPECT_EQ(stage.with(ball({0, 0, 10}, 3, matte({0, 0, 0}, {1, 1, 1}))).light(), fully_lit);
 }
 
 TEST(Shadow, LuminousSphereBlocksOtherLights) {
@@ -82,11 +82,11 @@ TEST(Shadow, KeyLightsSphereBlocksAndNeverItself) {
 }
 
 TEST(Shadow, TwoBlockersOfOneLightCountAsOne) {
-  EXPECT_EQ(Stage(lamp).with(ball({0, 0, 3}, 1)).with(ball({0, 0, 6}, 1)).light(), dark);
+  EXPECT_EQ(Stage(overhead_light).with(ball({0, 0, 3}, 1)).with(ball({0, 0, 6}, 1)).light(), unlit);
 }
 
 TEST(Shadow, OneLightsShadowLeavesTheOthersLight) {
-  Stage stage(lamp);
+  Stage stage(overhead_light);
   stage.scene.lights.push_back(point_light({0, -6, 8}));  // n.l = 4/5, clear of the blocker
   stage.with(ball({0, 0, 5}, 0.5));
   EXPECT_NEAR(stage.light().x, 0.8, 3e-7);

@@ -9,7 +9,6 @@ namespace {
 
 using namespace test;
 
-Vec3d slanted(double angle) { return {std::sin(angle), -std::cos(angle), 0}; }
 Finish clear(double ior, bool fresnel = false) {
   Finish finish = glass(ior);
   finish.fresnel = fresnel;

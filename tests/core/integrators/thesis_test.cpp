@@ -3,36 +3,33 @@
 #include <gtest/gtest.h>
 
 #include "tests/core/random_scene.h"
+#include "tests/core/tree.h"
 
 namespace tia {
 namespace {
 
 using test::ball;
+using test::expect_near;
 using test::light_along;
 using test::matte;
 using test::point_light;
 using test::Random;
 using test::sphere_light;
 
-const Material black = matte({0, 0, 0}), white = matte({1, 1, 1});
+const Material black_matte = matte({0, 0, 0}), white_matte = matte({1, 1, 1});
 
 // One ball, seen at the point where its normal is n, from an eye straight above that point.
-struct Seen {
+struct SeenBall {
   Scene scene;
   Vec3d n, p;
-  explicit Seen(const Sphere& sphere, const Vec3d& normal, const Material& material = white)
+  explicit SeenBall(const Sphere& sphere, const Vec3d& normal,
+                    const Material& material = white_matte)
       : n(normal), p(sphere.center + normal * sphere.radius) {
     scene.background = {9, 9, 9};  // never mistaken for a shaded value
     scene.objects.push_back(ball(sphere.center, sphere.radius, material));
   }
   Vec3f light() const { return light_along(scene, p + n * 2.0, -n); }
 };
-
-void expect_near(const Vec3f& got, const Vec3d& expected, double tolerance) {
-  EXPECT_NEAR(got.x, expected.x, tolerance);
-  EXPECT_NEAR(got.y, expected.y, tolerance);
-  EXPECT_NEAR(got.z, expected.z, tolerance);
-}
 
 TEST(Thesis, RayThatHitsNothingSeesTheBackground) {
   Scene scene;
@@ -44,7 +41,7 @@ TEST(Thesis, RayThatHitsNothingSeesTheBackground) {
 
 TEST(Thesis, LambertIsTheCosineOfAPythagoreanTriangle) {
   // n = z at p = (0,0,4). A light 3 aside and 4 above has n.l = 4/5, one 4 aside and 3 above 3/5.
-  Seen seen({{0, 0, 0}, 4}, {0, 0, 1});
+  SeenBall seen({{0, 0, 0}, 4}, {0, 0, 1});
   seen.scene.lights = {point_light({3, 0, 8})};
   expect_near(seen.light(), {0.8, 0.8, 0.8}, 3e-7);
   seen.scene.lights = {point_light({0, -40, 34})};
@@ -59,7 +56,7 @@ TEST(Thesis, LambertIsTheCosineAtEveryNormalAndDistance) {
   for (int i = 0; i < 3000; ++i) {
     const Vec3d n = random.direction(), l = random.direction();
     const Color color = test::random_color(random);
-    Seen seen({random.point(5), random.in(0.5, 5)}, n, matte(color));
+    SeenBall seen({random.point(5), random.in(0.5, 5)}, n, matte(color));
     seen.scene.lights = {point_light(seen.p + l * random.in(0.5, 50))};
     const double cosine = std::max(0.0, dot(n, l));
     if (std::fabs(dot(n, l)) < 1e-4) continue;  // the terminator
@@ -71,7 +68,7 @@ TEST(Thesis, LambertIsTheCosineAtEveryNormalAndDistance) {
 }
 
 TEST(Thesis, ValueIsDiffuseTimesColourTimesLightTimesIntensity) {
-  Seen seen({{0, 0, 0}, 1}, {0, 0, 1});
+  SeenBall seen({{0, 0, 0}, 1}, {0, 0, 1});
   seen.scene.objects[0].material = Material{Finish{.color = {0.5, 0.25, 1}, .diffuse = 0.5}};
   Light light = point_light({0, 0, 3}, {1, 0.5, 0.25});
   light.intensity = 3;
@@ -80,16 +77,16 @@ TEST(Thesis, ValueIsDiffuseTimesColourTimesLightTimesIntensity) {
 }
 
 TEST(Thesis, LightDoesNotFallOffWithDistance) {
-  Seen near({{0, 0, 0}, 1}, {0, 0, 1}), far = near;
+  SeenBall near({{0, 0, 0}, 1}, {0, 0, 1}), far = near;
   near.scene.lights = {point_light({0, 0, 1.5})};
   far.scene.lights = {point_light({0, 0, 1e6})};
   EXPECT_EQ(near.light(), far.light());
 }
 
 TEST(Thesis, EmissionAddsToWhatTheLightsGive) {
-  Seen plain({{0, 0, 0}, 1}, {0, 0, 1}, matte({0.5, 0.5, 0.5}));
+  SeenBall plain({{0, 0, 0}, 1}, {0, 0, 1}, matte({0.5, 0.5, 0.5}));
   plain.scene.lights = {point_light({3, 1, 4})};
-  Seen glowing = plain;
+  SeenBall glowing = plain;
   glowing.scene.objects[0].material = matte({0.5, 0.5, 0.5}, {0.125, 0.25, 2});
   const Vec3f lit = plain.light();
   EXPECT_GT(lit.x, 0.1F);
@@ -101,7 +98,7 @@ TEST(Thesis, EmissionAddsToWhatTheLightsGive) {
 TEST(Thesis, SeveralLightsSuperpose) {
   Random random(71);
   for (int i = 0; i < 200; ++i) {
-    Seen seen({random.point(2), 1}, random.direction());
+    SeenBall seen({random.point(2), 1}, random.direction());
     const Light a = point_light(seen.p + random.point(9), {0.2, 0.4, 0.8});
     const Light b = sphere_light(seen.p + random.direction() * 9.0, 0.1, {0.9, 0.3, 0.1});
     seen.scene.lights = {a};
@@ -114,7 +111,7 @@ TEST(Thesis, SeveralLightsSuperpose) {
 }
 
 TEST(Thesis, LuminousObjectLightsLikeALightAtItsCentre) {
-  Seen by_object({{0, 0, 0}, 1}, {0, 0, 1}), by_light = by_object, by_point = by_object;
+  SeenBall by_object({{0, 0, 0}, 1}, {0, 0, 1}), by_light = by_object, by_point = by_object;
   by_object.scene.objects.push_back(ball({3, 0, 5}, 0.5, matte({0, 0, 0}, {0.5, 0.75, 1})));
   by_light.scene.lights = {sphere_light({3, 0, 5}, 0.5, {0.5, 0.75, 1})};
   by_point.scene.lights = {point_light({3, 0, 5}, {0.5, 0.75, 1})};
@@ -134,7 +131,7 @@ TEST(Thesis, LuminousBallIsSeenInItsColourTimesIntensity) {
 }
 
 TEST(Thesis, KeyLightWithoutAPlaceLightsNothing) {
-  Seen seen({{0, 0, 0}, 1}, {0, 0, 1});
+  SeenBall seen({{0, 0, 0}, 1}, {0, 0, 1});
   seen.scene.key_light = Light{SphereLight{std::nullopt, 3}, {1, 1, 1}, 1};
   EXPECT_EQ(seen.light(), (Vec3f{0, 0, 0}));
   seen.scene.key_light->move_to({0, 0, 40}, {});
@@ -144,14 +141,14 @@ TEST(Thesis, KeyLightWithoutAPlaceLightsNothing) {
 TEST(Thesis, OriginInsideABallLookingAwayFromItsCentreHitsIt) {
   Scene scene;
   scene.background = {9, 9, 9};
-  scene.objects.push_back(ball({0, 0, -20}, 4, black));
+  scene.objects.push_back(ball({0, 0, -20}, 4, black_matte));
   EXPECT_EQ(light_along(scene, {0, 0, -22}, {0, 0, -1}), (Vec3f{0, 0, 0}));
 }
 
 TEST(Thesis, InsideOfABallIsLitByALightInsideIt) {
   // The surface faces the viewer: at z = -5 the inner normal is +z, the light 3 aside and 4 before.
   Scene scene;
-  scene.objects.push_back(ball({0, 0, 0}, 5, white));
+  scene.objects.push_back(ball({0, 0, 0}, 5, white_matte));
   scene.lights = {point_light({3, 0, -1})};
   expect_near(light_along(scene, {0, 0, 0}, {0, 0, -1}), {0.8, 0.8, 0.8}, 3e-7);
   scene.lights = {point_light({0, 0, 50})};  // outside: the near wall stands between

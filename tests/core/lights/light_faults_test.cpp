@@ -14,20 +14,21 @@ namespace {
 using enum FaultKind;
 using test::expect_faults;
 
-Light light(const std::string& json) { return read_described<Light>(parse_json(json)); }
-const auto expect_refused = test::refusal_by([](const std::string& json) { light(json); });
+Light read_light(const std::string& json) { return read_described<Light>(parse_json(json)); }
+const auto expect_light_refused =
+    test::refusal_by([](const std::string& json) { read_light(json); });
 // Of that kind, and more members.
-std::string point(const std::string& more) {
+std::string point_json(const std::string& more) {
   return R"({"type":"point","position":[0,1,2],)" + more + "}";
 }
-std::string sun(const std::string& more) { return R"({"type":"directional",)" + more + "}"; }
-std::string spot(const std::string& more) {
+std::string sun_json(const std::string& more) { return R"({"type":"directional",)" + more + "}"; }
+std::string spot_json(const std::string& more) {
   return R"({"type":"spot","position":[0,5,0],)" + more + "}";
 }
-std::string globe(const std::string& more) {
+std::string globe_json(const std::string& more) {
   return R"({"type":"sphere","position":[0,5,0],)" + more + "}";
 }
-std::string quad(const std::string& more) {
+std::string quad_json(const std::string& more) {
   return R"({"type":"quad","corner":[0,5,0],)" + more + "}";
 }
 
@@ -42,88 +43,94 @@ TEST(LightFaults, EveryKindIsReadAndWrittenBack) {
         R"({"position":[0,1,2],"radius":3,"samples":4096,"type":"sphere"})",
         R"({"corner":[0,1,2],"samples":16,"type":"quad","u":[1,0,0],"v":[1,1,0]})",
         R"({"color":[0.1,0.2,0.3],"type":"sky"})"})
-    EXPECT_EQ(to_json(write_value(light(json))), json);
+    EXPECT_EQ(to_json(write_value(read_light(json))), json);
 }
 
 TEST(LightFaults, UnknownKindsAndWordsNameTheNearest) {
   const char* const kinds = "one of point, directional, spot, sphere, quad, sky";
-  expect_refused("{}", {{missing, "/type", "", kinds}});
-  expect_refused(R"({"type":5})", {{wrong_type, "/type", "5", kinds}});
-  expect_refused(R"({"type":"directionl"})",
-                 {{unknown_name, "/type", "\"directionl\"", kinds, "directional"}});
-  expect_refused(R"({"type":"quat"})", {{unknown_name, "/type", "\"quat\"", kinds, "quad"}});
-  expect_refused(R"({"type":"hemisphere"})",
-                 {{unknown_name, "/type", "\"hemisphere\"", kinds, "sphere"}});
-  expect_refused(R"({"type":"area"})", {{unknown_name, "/type", "\"area\"", kinds, ""}});
-  expect_refused(
-      point(R"("fade_distanze":3)"),
+  expect_light_refused("{}", {{missing, "/type", "", kinds}});
+  expect_light_refused(R"({"type":5})", {{wrong_type, "/type", "5", kinds}});
+  expect_light_refused(R"({"type":"directionl"})",
+                       {{unknown_name, "/type", "\"directionl\"", kinds, "directional"}});
+  expect_light_refused(R"({"type":"quat"})", {{unknown_name, "/type", "\"quat\"", kinds, "quad"}});
+  expect_light_refused(R"({"type":"hemisphere"})",
+                       {{unknown_name, "/type", "\"hemisphere\"", kinds, "sphere"}});
+  expect_light_refused(R"({"type":"area"})", {{unknown_name, "/type", "\"area\"", kinds, ""}});
+  expect_light_refused(
+      point_json(R"("fade_distanze":3)"),
       {{unknown_name, "/fade_distanze", "\"fade_distanze\"", "fade_power", "fade_distance"}});
-  expect_refused(
-      spot(R"("fallof_degrees":50)"),
+  expect_light_refused(
+      spot_json(R"("fallof_degrees":50)"),
       {{unknown_name, "/fallof_degrees", "\"fallof_degrees\"", "tightness", "falloff_degrees"}});
-  expect_refused(R"({"type":"sky","position":[0,0,0]})",
-                 {{unknown_name, "/position", "\"position\"", "color, intensity", ""}});
-  expect_refused(point(R"("samples":4)"),
-                 {{unknown_name, "/samples", "\"samples\"", "position, color", ""}});
+  expect_light_refused(R"({"type":"sky","position":[0,0,0]})",
+                       {{unknown_name, "/position", "\"position\"", "color, intensity", ""}});
+  expect_light_refused(point_json(R"("samples":4)"),
+                       {{unknown_name, "/samples", "\"samples\"", "position, color", ""}});
 }
 
 TEST(LightFaults, WhatAllKindsShareHasItsRange) {
-  expect_refused(point(R"("color":[0,-1,0])"),
-                 {{out_of_range, "/color/1", "-1", "from 0 to 1000000"}});
-  expect_refused(point(R"("color":"red")"), {{wrong_type, "/color", "\"red\"", "3 numbers"}});
-  expect_refused(point(R"("intensity":-0.5)"),
-                 {{out_of_range, "/intensity", "-0.5", "from 0 to 1000000"}});
-  expect_refused(point(R"("intensity":1000001)"),
-                 {{out_of_range, "/intensity", "1000001", "from 0 to 1000000"}});
+  expect_light_refused(point_json(R"("color":[0,-1,0])"),
+                       {{out_of_range, "/color/1", "-1", "from 0 to 1000000"}});
+  expect_light_refused(point_json(R"("color":"red")"),
+                       {{wrong_type, "/color", "\"red\"", "3 numbers"}});
+  expect_light_refused(point_json(R"("intensity":-0.5)"),
+                       {{out_of_range, "/intensity", "-0.5", "from 0 to 1000000"}});
+  expect_light_refused(point_json(R"("intensity":1000001)"),
+                       {{out_of_range, "/intensity", "1000001", "from 0 to 1000000"}});
   for (const char* distance : {"0", "-1", "1000000001"})
-    expect_refused(point(std::string(R"("fade_distance":)") + distance),
-                   {{out_of_range, "/fade_distance", distance, "above 0, at most 1000000000"}});
+    expect_light_refused(
+        point_json(std::string(R"("fade_distance":)") + distance),
+        {{out_of_range, "/fade_distance", distance, "above 0, at most 1000000000"}});
   for (const char* power : {"-1", "101"})
-    expect_refused(point(std::string(R"("fade_power":)") + power),
-                   {{out_of_range, "/fade_power", power, "from 0 to 100"}});
-  for (const std::string& json : {sun(R"("direction":[0,-1,0],"fade_distance":2)"),
+    expect_light_refused(point_json(std::string(R"("fade_power":)") + power),
+                         {{out_of_range, "/fade_power", power, "from 0 to 100"}});
+  for (const std::string& json : {sun_json(R"("direction":[0,-1,0],"fade_distance":2)"),
                                   std::string(R"({"type":"sky","fade_distance":2})")})
-    expect_refused(json, {{conflict, "/fade_distance", "2", "at some distance"}});
+    expect_light_refused(json, {{conflict, "/fade_distance", "2", "at some distance"}});
 }
 
 TEST(LightFaults, DirectionHasSomeLength) {
-  expect_refused(sun(R"("direction":[0,0,0])"),
-                 {{out_of_range, "/direction", "[0,0,0]", "a direction of some length"}});
-  expect_refused(sun(R"("direction":[-0.0,0,0])"),
-                 {{out_of_range, "/direction", "[0,0,0]", "a direction of some length"}});
-  expect_refused(sun(R"("direction":[0,1])"), {{wrong_type, "/direction", "[0,1]", "3 numbers"}});
-  expect_refused(sun(R"("direction":[0,2e9,0])"),
-                 {{out_of_range, "/direction/1", "2000000000", "from -1000000000"}});
-  EXPECT_NO_THROW(light(sun(R"("direction":[0,-1e-300,0])")));
+  expect_light_refused(sun_json(R"("direction":[0,0,0])"),
+                       {{out_of_range, "/direction", "[0,0,0]", "a direction of some length"}});
+  expect_light_refused(sun_json(R"("direction":[-0.0,0,0])"),
+                       {{out_of_range, "/direction", "[0,0,0]", "a direction of some length"}});
+  expect_light_refused(sun_json(R"("direction":[0,1])"),
+                       {{wrong_type, "/direction", "[0,1]", "3 numbers"}});
+  expect_light_refused(sun_json(R"("direction":[0,2e9,0])"),
+                       {{out_of_range, "/direction/1", "2000000000", "from -1000000000"}});
+  EXPECT_NO_THROW(read_light(sun_json(R"("direction":[0,-1e-300,0])")));
 }
 
 TEST(LightFaults, SpotPointsElsewhereAndFallsOffBeyondItsRadius) {
-  expect_refused(spot(R"("point_at":[0,5,0])"),
-                 {{out_of_range, "/point_at", "[0,5,0]", "a point other than position"}});
-  expect_refused(R"({"type":"spot","position":[0,0,0]})",
-                 {{out_of_range, "/point_at", "[0,0,0]", "a point other than position"}});
-  expect_refused(spot(R"("radius_degrees":50)"),
-                 {{out_of_range, "/falloff_degrees", "45", "from radius_degrees, 50, to 180"}});
-  expect_refused(spot(R"("falloff_degrees":29.5)"),
-                 {{out_of_range, "/falloff_degrees", "29.5", "from radius_degrees, 30, to 180"}});
+  expect_light_refused(spot_json(R"("point_at":[0,5,0])"),
+                       {{out_of_range, "/point_at", "[0,5,0]", "a point other than position"}});
+  expect_light_refused(R"({"type":"spot","position":[0,0,0]})",
+                       {{out_of_range, "/point_at", "[0,0,0]", "a point other than position"}});
+  expect_light_refused(
+      spot_json(R"("radius_degrees":50)"),
+      {{out_of_range, "/falloff_degrees", "45", "from radius_degrees, 50, to 180"}});
+  expect_light_refused(
+      spot_json(R"("falloff_degrees":29.5)"),
+      {{out_of_range, "/falloff_degrees", "29.5", "from radius_degrees, 30, to 180"}});
   for (const char* angle : {"-1", "180.5"}) {
-    expect_refused(spot(std::string(R"("falloff_degrees":)") + angle),
-                   {{out_of_range, "/falloff_degrees", angle, "from 0 to 180"}});
-    expect_refused(spot(std::string(R"("falloff_degrees":180,"radius_degrees":)") + angle),
-                   {{out_of_range, "/radius_degrees", angle, "from 0 to 180"}});
+    expect_light_refused(spot_json(std::string(R"("falloff_degrees":)") + angle),
+                         {{out_of_range, "/falloff_degrees", angle, "from 0 to 180"}});
+    expect_light_refused(
+        spot_json(std::string(R"("falloff_degrees":180,"radius_degrees":)") + angle),
+        {{out_of_range, "/radius_degrees", angle, "from 0 to 180"}});
   }
   for (const char* tightness : {"-1", "1001"})
-    expect_refused(spot(std::string(R"("tightness":)") + tightness),
-                   {{out_of_range, "/tightness", tightness, "from 0 to 1000"}});
-  EXPECT_NO_THROW(light(spot(R"("radius_degrees":45)"))) << "equal angles: a hard edge";
+    expect_light_refused(spot_json(std::string(R"("tightness":)") + tightness),
+                         {{out_of_range, "/tightness", tightness, "from 0 to 1000"}});
+  EXPECT_NO_THROW(read_light(spot_json(R"("radius_degrees":45)"))) << "equal angles: a hard edge";
 }
 
 TEST(LightFaults, LuminousBallHasARadius) {
-  expect_refused(R"({"type":"sphere","position":[0,5,0]})",
-                 {{missing, "/radius", "", "the radius"}});
+  expect_light_refused(R"({"type":"sphere","position":[0,5,0]})",
+                       {{missing, "/radius", "", "the radius"}});
   for (const char* radius : {"0", "-1", "2000000000"})
-    expect_refused(globe(std::string(R"("radius":)") + radius),
-                   {{out_of_range, "/radius", radius, "above 0, at most 1000000000"}});
+    expect_light_refused(globe_json(std::string(R"("radius":)") + radius),
+                         {{out_of_range, "/radius", radius, "above 0, at most 1000000000"}});
 }
 
 TEST(LightFaults, SamplesAreAWholeNumberOfPlaces) {
@@ -131,27 +138,29 @@ TEST(LightFaults, SamplesAreAWholeNumberOfPlaces) {
        {std::string(R"({"type":"sphere","position":[0,5,0],"radius":1,"samples":)"),
         std::string(R"({"type":"quad","corner":[0,5,0],"u":[1,0,0],"v":[0,0,1],"samples":)")}) {
     for (const char* samples : {"0", "-1", "4097", "65536"})
-      expect_refused(start + samples + "}",
-                     {{out_of_range, "/samples", samples, "an integer from 1 to 4096"}});
-    expect_refused(start + "1.5}", {{wrong_type, "/samples", "1.5", "an integer from 1 to 4096"}});
-    expect_refused(start + "null}", {{wrong_type, "/samples", "null", "an integer"}});
+      expect_light_refused(start + samples + "}",
+                           {{out_of_range, "/samples", samples, "an integer from 1 to 4096"}});
+    expect_light_refused(start + "1.5}",
+                         {{wrong_type, "/samples", "1.5", "an integer from 1 to 4096"}});
+    expect_light_refused(start + "null}", {{wrong_type, "/samples", "null", "an integer"}});
   }
 }
 
 TEST(LightFaults, QuadSpansAnArea) {
-  expect_refused(quad(R"("u":[1,0,0])"), {{missing, "/v", "", "the other edge"}});
-  expect_refused(quad(R"("v":[1,0,0])"), {{missing, "/u", "", "one edge"}});
+  expect_light_refused(quad_json(R"("u":[1,0,0])"), {{missing, "/v", "", "the other edge"}});
+  expect_light_refused(quad_json(R"("v":[1,0,0])"), {{missing, "/u", "", "one edge"}});
   for (const char* v : {"[0,0,0]", "[1,2,3]", "[-0.5,-1,-1.5]"})
-    expect_refused(quad(std::string(R"("u":[1,2,3],"v":)") + v),
-                   {{out_of_range, "/v", v, "an edge that spans an area with u"}});
+    expect_light_refused(quad_json(std::string(R"("u":[1,2,3],"v":)") + v),
+                         {{out_of_range, "/v", v, "an edge that spans an area with u"}});
 }
 
 TEST(LightFaults, SeveralComeAtOnceInTheirOrder) {
-  expect_refused(spot(R"("radius_degrees":-3,"tightness":"much","intensity":-1,"colour":1)"),
-                 {{out_of_range, "/radius_degrees", "-3", "from 0 to 180"},
-                  {wrong_type, "/tightness", "\"much\"", "from 0 to 1000"},
-                  {out_of_range, "/intensity", "-1", "from 0"},
-                  {unknown_name, "/colour", "\"colour\"", "color", "color"}});
+  expect_light_refused(
+      spot_json(R"("radius_degrees":-3,"tightness":"much","intensity":-1,"colour":1)"),
+      {{out_of_range, "/radius_degrees", "-3", "from 0 to 180"},
+       {wrong_type, "/tightness", "\"much\"", "from 0 to 1000"},
+       {out_of_range, "/intensity", "-1", "from 0"},
+       {unknown_name, "/colour", "\"colour\"", "color", "color"}});
 }
 
 TEST(LightFaults, LightsOfASceneNeedTheirPlaceAndTheKeyLightDoesNot) {

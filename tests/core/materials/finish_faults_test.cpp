@@ -11,18 +11,22 @@ namespace {
 
 using enum FaultKind;
 using test::expect_faults;
+using test::to_text;
 
-Material material(const std::string& json) { return read_described<Material>(parse_json(json)); }
-const auto expect_refused = test::refusal_by([](const std::string& json) { material(json); });
+Material read_material(const std::string& json) {
+  return read_described<Material>(parse_json(json));
+}
+const auto expect_material_refused =
+    test::refusal_by([](const std::string& json) { read_material(json); });
 
 TEST(FinishFaults, EveryWordIsReadAndWrittenBack) {
   const char* json =
       R"({"absorption":[0.1,0.2,0.3],"ambient":0.1,"brilliance":2,"color":[1,0.5,0],)"
       R"("diffuse":0.5,"emission":[1,2,3],"fresnel":true,"ior":1.33,"reflection":0.25,)"
       R"("roughness":0.01,"specular":0.75,"texture":{"type":"checker"},"transmission":1})";
-  EXPECT_EQ(to_json(write_value(material(json))), json);
+  EXPECT_EQ(to_json(write_value(read_material(json))), json);
   // What is at its default is left out.
-  EXPECT_EQ(to_json(write_value(material(
+  EXPECT_EQ(to_json(write_value(read_material(
                 R"({"type":"finish","color":[1,1,1],"ambient":0,"diffuse":1,"brilliance":1,)"
                 R"("specular":0,"roughness":0.05,"reflection":0,"transmission":0,"ior":1.5,)"
                 R"("absorption":0,"emission":0,"fresnel":false})"))),
@@ -33,10 +37,13 @@ TEST(FinishFaults, SharesAreFromNothingToAll) {
   for (const char* word : {"ambient", "diffuse", "specular", "reflection", "transmission"}) {
     const std::string start = std::string("{\"") + word + "\":", at = std::string("/") + word;
     for (const char* share : {"-0.1", "1.1", "1e+300"})
-      expect_refused(start + share + "}", {{out_of_range, at, share, "a number from 0 to 1"}});
+      expect_material_refused(start + share + "}",
+                              {{out_of_range, at, share, "a number from 0 to 1"}});
     for (const char* other : {"\"0.5\"", "null", "true", "[0.5,0.5,0.5]", "{}"})
-      expect_refused(start + other + "}", {{wrong_type, at, other, "a number from 0 to 1"}});
-    for (const char* bound : {"0", "1", "-0.0"}) EXPECT_NO_THROW(material(start + bound + "}"));
+      expect_material_refused(start + other + "}",
+                              {{wrong_type, at, other, "a number from 0 to 1"}});
+    for (const char* bound : {"0", "1", "-0.0"})
+      EXPECT_NO_THROW(read_material(start + bound + "}"));
   }
 }
 
@@ -44,8 +51,8 @@ TEST(FinishFaults, OtherNumbersHaveTheirRanges) {
   const auto refused = [](const std::string& word, const std::vector<const char*>& values,
                           const std::string& allowed) {
     for (const char* value : values)
-      expect_refused("{\"" + word + "\":" + value + "}",
-                     {{out_of_range, "/" + word, value, allowed}});
+      expect_material_refused("{\"" + word + "\":" + value + "}",
+                              {{out_of_range, "/" + word, value, allowed}});
   };
   refused("brilliance", {"-1", "1000.5"}, "from 0 to 1000");
   refused("roughness", {"0", "-1", "0.000001", "1.5"}, "from 0.00001 to 1");
@@ -55,16 +62,17 @@ TEST(FinishFaults, OtherNumbersHaveTheirRanges) {
   refused("absorption", {"-1", "1000001"}, "from 0 to 1000000");
   for (const char* word : {"color", "emission", "absorption"}) {
     const std::string start = std::string("{\"") + word + "\":", at = std::string("/") + word;
-    expect_refused(start + "[0,1,-2]}", {{out_of_range, at + "/2", "-2", "from 0 to 1000000"}});
-    expect_refused(start + "[0,1]}", {{wrong_type, at, "[0,1]", "3 numbers"}});
-    expect_refused(start + "\"red\"}", {{wrong_type, at, "\"red\"", "3 numbers"}});
+    expect_material_refused(start + "[0,1,-2]}",
+                            {{out_of_range, at + "/2", "-2", "from 0 to 1000000"}});
+    expect_material_refused(start + "[0,1]}", {{wrong_type, at, "[0,1]", "3 numbers"}});
+    expect_material_refused(start + "\"red\"}", {{wrong_type, at, "\"red\"", "3 numbers"}});
   }
 }
 
 TEST(FinishFaults, FresnelIsTrueOrFalse) {
   for (const char* other : {"1", "\"yes\"", "null", "[]"})
-    expect_refused(std::string(R"({"fresnel":)") + other + "}",
-                   {{wrong_type, "/fresnel", other, "true or false"}});
+    expect_material_refused(std::string(R"({"fresnel":)") + other + "}",
+                            {{wrong_type, "/fresnel", other, "true or false"}});
 }
 
 TEST(FinishFaults, UnknownWordsNameTheNearest) {
@@ -79,46 +87,48 @@ TEST(FinishFaults, UnknownWordsNameTheNearest) {
                                                        {"textures", "texture"},
                                                        {"iro", "ior"}};
   for (const auto& [word, nearest] : words)
-    expect_refused(
+    expect_material_refused(
         std::string("{\"") + word + "\":1}",
         {{unknown_name, std::string("/") + word, std::string("\"") + word + "\"",
           "color, ambient, diffuse, brilliance, specular, roughness, reflection", nearest}});
-  expect_refused(R"({"type":"principled"})",
-                 {{unknown_name, "/type", "\"principled\"", "one of finish", ""}});
+  expect_material_refused(R"({"type":"principled"})",
+                          {{unknown_name, "/type", "\"principled\"", "one of finish", ""}});
 }
 
 // ---- textures -----------------------------------------------------------------------------------
 
 TEST(FinishFaults, TexturesOfEveryKindHaveTheirFaultsBelowTheFinish) {
   const char* const kinds = "one of checker, stripes, gradient, noise, marble, wood, image";
-  expect_refused(R"({"texture":"checker"})",
-                 {{wrong_type, "/texture", "\"checker\"", "an object"}});
-  expect_refused(R"({"texture":{}})", {{missing, "/texture/type", "", kinds}});
-  expect_refused(R"({"texture":{"type":"bricks"}})",
-                 {{unknown_name, "/texture/type", "\"bricks\"", kinds, ""}});
-  expect_refused(R"({"texture":{"type":"mable"}})",
-                 {{unknown_name, "/texture/type", "\"mable\"", kinds, "marble"}});
+  expect_material_refused(R"({"texture":"checker"})",
+                          {{wrong_type, "/texture", "\"checker\"", "an object"}});
+  expect_material_refused(R"({"texture":{}})", {{missing, "/texture/type", "", kinds}});
+  expect_material_refused(R"({"texture":{"type":"bricks"}})",
+                          {{unknown_name, "/texture/type", "\"bricks\"", kinds, ""}});
+  expect_material_refused(R"({"texture":{"type":"mable"}})",
+                          {{unknown_name, "/texture/type", "\"mable\"", kinds, "marble"}});
   for (const char* type : {"checker", "stripes", "gradient", "noise", "marble", "wood"}) {
     const std::string start = std::string(R"({"texture":{"type":")") + type + "\",";
     const bool two = std::string(type) == "checker" || std::string(type) == "stripes";
     for (const char* colors : {"[]", "[1]"})
-      expect_refused(start + R"("colors":)" + colors + "}}",
-                     {{wrong_type, "/texture/colors", colors, two ? "2" : "at least 2"}});
-    expect_refused(start + R"("colors":5}})",
-                   {{wrong_type, "/texture/colors", "5", two ? "2" : "at least 2"}});
-    expect_refused(start + R"("colors":[0,[0,-1,0]]}})",
-                   {{out_of_range, "/texture/colors/1/1", "-1", "from 0 to 1000000"}});
+      expect_material_refused(start + R"("colors":)" + colors + "}}",
+                              {{wrong_type, "/texture/colors", colors, two ? "2" : "at least 2"}});
+    expect_material_refused(start + R"("colors":5}})",
+                            {{wrong_type, "/texture/colors", "5", two ? "2" : "at least 2"}});
+    expect_material_refused(start + R"("colors":[0,[0,-1,0]]}})",
+                            {{out_of_range, "/texture/colors/1/1", "-1", "from 0 to 1000000"}});
     for (const char* scale : {"0", "-1", "2000000000"})
-      expect_refused(start + R"("scale":)" + scale + "}}",
-                     {{out_of_range, "/texture/scale", scale, "above 0, at most 1000000000"}});
-    expect_refused(start + R"("colour":1}})",
-                   {{unknown_name, "/texture/colour", "\"colour\"", "colors, ", "colors"}});
-    expect_refused(start + R"("transform":[{"turn":1}]}})",
-                   {{unknown_name, "/texture/transform/0/turn", "\"turn\"", "translate", ""}});
+      expect_material_refused(
+          start + R"("scale":)" + scale + "}}",
+          {{out_of_range, "/texture/scale", scale, "above 0, at most 1000000000"}});
+    expect_material_refused(start + R"("colour":1}})", {{unknown_name, "/texture/colour",
+                                                         "\"colour\"", "colors, ", "colors"}});
+    expect_material_refused(
+        start + R"("transform":[{"turn":1}]}})",
+        {{unknown_name, "/texture/transform/0/turn", "\"turn\"", "translate", ""}});
   }
   for (const char* type : {"marble", "wood"})
     for (const char* turbulence : {"-1", "100.5"})
-      expect_refused(
+      expect_material_refused(
           std::string(R"({"texture":{"type":")") + type + R"(","turbulence":)" + turbulence + "}}",
           {{out_of_range, "/texture/turbulence", turbulence, "from 0 to 100"}});
 }
@@ -126,13 +136,12 @@ TEST(FinishFaults, TexturesOfEveryKindHaveTheirFaultsBelowTheFinish) {
 std::string with_picture(std::string_view file) {
   return R"({"texture":{"type":"image","data":")" + test::base64(file) + "\"}}";
 }
-std::string text_of(const test::Bytes& bytes) { return {bytes.begin(), bytes.end()}; }
 
 // A header that promises other pixels than the file has: none are made up, none are read beyond.
 TEST(FinishFaults, PicturesThatLieAboutTheirSizeAreRefused) {
   const auto refused = [](const std::string& file, FaultKind kind, const char* got,
                           const char* allowed) {
-    expect_refused(with_picture(file), {{kind, "/texture/data", got, allowed}});
+    expect_material_refused(with_picture(file), {{kind, "/texture/data", got, allowed}});
   };
   const char* const broken = "\"bytes that cannot be decoded\"";
   // Four rows, each a filter's byte and four pixels.
@@ -140,14 +149,14 @@ TEST(FinishFaults, PicturesThatLieAboutTheirSizeAreRefused) {
   const auto png = [&](std::uint32_t width, std::uint32_t height) {
     return test::png_file({width, height, 8, test::grey}, stream, "");
   };
-  EXPECT_NO_THROW(material(with_picture(png(4, 4))));
+  EXPECT_NO_THROW(read_material(with_picture(png(4, 4))));
   for (const std::uint32_t height : {5U, 400U})
     refused(png(4, height), wrong_type, broken, "a whole PNG or JPEG picture");
   refused(png(0, 4), wrong_type, broken, "a whole PNG");
   refused(png(2049, 2048), limit, "\"2049 x 2048 pixels\"", "at most 4194304 pixels");
   refused(png(0x7FFFFFFF, 0x7FFFFFFF), wrong_type, broken, "a whole PNG");
   // The height and width of a JPEG stand in its frame header, after FF C0, two bytes and one.
-  std::string jpeg = text_of(test::flat_jpeg({51}));
+  std::string jpeg = to_text(test::flat_jpeg({51}));
   const std::size_t frame = jpeg.find("\xFF\xC0");
   ASSERT_NE(frame, std::string::npos);
   const auto sized = [&](int height, int width) {
@@ -167,8 +176,8 @@ TEST(FinishFaults, PicturesThatLieAboutTheirSizeAreRefused) {
 
 TEST(FinishFaults, TextThatIsNoBase64IsRefusedAtItsCharacter) {
   const auto refused = [](const std::string& data, const char* got, const char* allowed) {
-    expect_refused(R"({"texture":{"type":"image","data":")" + data + "\"}}",
-                   {{wrong_type, "/texture/data", got, allowed}});
+    expect_material_refused(R"({"texture":{"type":"image","data":")" + data + "\"}}",
+                            {{wrong_type, "/texture/data", got, allowed}});
   };
   refused("data:image/png;base64,AAAA", "\":image/png;base6\"", "from its character 4 on");
   refused("AAA", "\"\"", "base64");
@@ -177,7 +186,7 @@ TEST(FinishFaults, TextThatIsNoBase64IsRefusedAtItsCharacter) {
 }
 
 TEST(FinishFaults, SeveralComeAtOnceInTheOrderOfTheFields) {
-  expect_refused(
+  expect_material_refused(
       R"({"ior":0,"reflection":2,"texture":{"type":"wood","colors":[]},"fresnel":1,"shiny":1})",
       {{out_of_range, "/reflection", "2", "from 0 to 1"},
        {out_of_range, "/ior", "0", "from 0.1 to 10"},

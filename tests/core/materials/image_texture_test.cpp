@@ -8,18 +8,20 @@ namespace tia {
 namespace {
 
 using test::base64;
+using test::expect_color;
 using test::expect_faults;
-using test::expect_near;
 using test::texture_faults;
 using test::texture_form;
+using test::to_text;
 
 // Three by two pixels; the upper row is red, green, blue, the lower white, grey, black.
-Image8 picture() {
+Image8 six_pixels() {
   Image8 image(3, 2);
   image.rgb = {255, 0, 0, 0, 255, 0, 0, 0, 255, 255, 255, 255, 128, 128, 128, 0, 0, 0};
   return image;
 }
-const Vec3d red{1, 0, 0}, green{0, 1, 0}, blue{0, 0, 1}, white{1, 1, 1}, black{0, 0, 0};
+const Vec3d red_texel{1, 0, 0}, green_texel{0, 1, 0}, blue_texel{0, 0, 1}, white_texel{1, 1, 1},
+    black_texel{0, 0, 0};
 
 std::string image_json(const Image8& image, const std::string& more = "") {
   return R"({"type":"image","data":")" + base64(encode_png(image)) + "\"" + more + "}";
@@ -27,52 +29,53 @@ std::string image_json(const Image8& image, const std::string& more = "") {
 std::string data_json(std::string_view file) {
   return R"({"type":"image","data":")" + base64(file) + "\"}";
 }
-std::string text_of(const test::Bytes& bytes) { return {bytes.begin(), bytes.end()}; }
-Vec3d at(const TextureForm& form, double u, double v) { return color_at(form, {}, {u, v}, 0); }
+Vec3d texel_at(const TextureForm& form, double u, double v) {
+  return color_at(form, {}, {u, v}, 0);
+}
 
 TEST(ImageTexture, NearestIsThePixelThatTheCoordinatesLieIn) {
-  const TextureForm form = texture_form(image_json(picture(), R"(,"filter":"nearest")"));
-  EXPECT_EQ(at(form, 0.1, 0.9), red);
-  EXPECT_EQ(at(form, 0.5, 0.9), green);
-  EXPECT_EQ(at(form, 0.9, 0.51), blue);
-  EXPECT_EQ(at(form, 0.1, 0.49), white);
-  EXPECT_EQ(at(form, 0.9, 0.1), black);
-  EXPECT_EQ(at(form, 0, 0), white) << "u to the right, v up";
+  const TextureForm form = texture_form(image_json(six_pixels(), R"(,"filter":"nearest")"));
+  EXPECT_EQ(texel_at(form, 0.1, 0.9), red_texel);
+  EXPECT_EQ(texel_at(form, 0.5, 0.9), green_texel);
+  EXPECT_EQ(texel_at(form, 0.9, 0.51), blue_texel);
+  EXPECT_EQ(texel_at(form, 0.1, 0.49), white_texel);
+  EXPECT_EQ(texel_at(form, 0.9, 0.1), black_texel);
+  EXPECT_EQ(texel_at(form, 0, 0), white_texel) << "u to the right, v up";
 }
 
 TEST(ImageTexture, StandsBesideItself) {
   for (const char* filter : {"nearest", "bilinear"}) {
     const TextureForm form =
-        texture_form(image_json(picture(), std::string(R"(,"filter":")") + filter + "\""));
+        texture_form(image_json(six_pixels(), std::string(R"(,"filter":")") + filter + "\""));
     for (int i = 0; i < 300; ++i) {
       const double u = i % 20 / 32.0, v = i % 15 / 16.0;  // exact, and so is what they are added to
       for (const auto& [right, up] : {std::pair{1.0, 0.0}, {-1.0, 2.0}, {5.0, -7.0}})
-        EXPECT_EQ(at(form, u + right, v + up), at(form, u, v)) << filter;
+        EXPECT_EQ(texel_at(form, u + right, v + up), texel_at(form, u, v)) << filter;
     }
   }
 }
 
 TEST(ImageTexture, RepeatsWithinTheSurface) {
   const TextureForm form =
-      texture_form(image_json(picture(), R"(,"filter":"nearest","repeat":[4,2])"));
+      texture_form(image_json(six_pixels(), R"(,"filter":"nearest","repeat":[4,2])"));
   for (int i = 0; i < 4; ++i) {
-    EXPECT_EQ(at(form, (i + 0.1) / 4, 0.95), red);
-    EXPECT_EQ(at(form, (i + 0.9) / 4, 0.45), blue);
+    EXPECT_EQ(texel_at(form, (i + 0.1) / 4, 0.95), red_texel);
+    EXPECT_EQ(texel_at(form, (i + 0.9) / 4, 0.45), blue_texel);
   }
   const TextureForm mirrored =
-      texture_form(image_json(picture(), R"(,"filter":"nearest","repeat":[-1,1])"));
-  EXPECT_EQ(at(mirrored, 0.1, 0.9), blue);
-  EXPECT_EQ(at(mirrored, 0.9, 0.9), red);
+      texture_form(image_json(six_pixels(), R"(,"filter":"nearest","repeat":[-1,1])"));
+  EXPECT_EQ(texel_at(mirrored, 0.1, 0.9), blue_texel);
+  EXPECT_EQ(texel_at(mirrored, 0.9, 0.9), red_texel);
 }
 
 TEST(ImageTexture, SrgbCodesBecomeLinearLight) {
-  const TextureForm form = texture_form(image_json(picture(), R"(,"filter":"nearest")"));
+  const TextureForm form = texture_form(image_json(six_pixels(), R"(,"filter":"nearest")"));
   const double grey = srgb_to_linear(128 / 255.0);
   EXPECT_NEAR(grey, 0.2158605, 1e-7);
-  EXPECT_EQ(at(form, 0.5, 0.25), (Vec3d{grey, grey, grey}));
+  EXPECT_EQ(texel_at(form, 0.5, 0.25), (Vec3d{grey, grey, grey}));
   const TextureForm linear =
-      texture_form(image_json(picture(), R"(,"filter":"nearest","transfer":"linear")"));
-  EXPECT_EQ(at(linear, 0.5, 0.25), (Vec3d{128 / 255.0, 128 / 255.0, 128 / 255.0}));
+      texture_form(image_json(six_pixels(), R"(,"filter":"nearest","transfer":"linear")"));
+  EXPECT_EQ(texel_at(linear, 0.5, 0.25), (Vec3d{128 / 255.0, 128 / 255.0, 128 / 255.0}));
 }
 
 TEST(ImageTexture, EveryCodeOfAPictureComesBack) {
@@ -80,38 +83,38 @@ TEST(ImageTexture, EveryCodeOfAPictureComesBack) {
   for (std::size_t i = 0; i < ramp.rgb.size(); ++i) ramp.rgb[i] = static_cast<std::uint8_t>(i / 3);
   const TextureForm form = texture_form(image_json(ramp, R"(,"filter":"nearest")"));
   for (int code = 0; code < 256; ++code) {
-    const Vec3d light = at(form, (code + 0.5) / 256, 0.5);
+    const Vec3d light = texel_at(form, (code + 0.5) / 256, 0.5);
     EXPECT_EQ(encode_srgb(static_cast<float>(light.x)), code);
     EXPECT_EQ(light.x, light.z);
   }
 }
 
 TEST(ImageTexture, BilinearIsThePixelInItsMiddleAndTheMeanBetween) {
-  const TextureForm form = texture_form(image_json(picture()));
-  expect_near(at(form, 1 / 6.0, 0.75), red, 1e-15);
-  expect_near(at(form, 3 / 6.0, 0.75), green, 1e-15);
-  expect_near(at(form, 5 / 6.0, 0.25), black, 1e-15);
-  expect_near(at(form, 2 / 6.0, 0.75), {0.5, 0.5, 0}, 1e-15);
-  expect_near(at(form, 1 / 6.0, 0.5), {1, 0.5, 0.5}, 1e-15);
-  expect_near(at(form, 1 / 6.0 + 0.25 / 3, 0.75), {0.75, 0.25, 0}, 1e-15);
+  const TextureForm form = texture_form(image_json(six_pixels()));
+  expect_color(texel_at(form, 1 / 6.0, 0.75), red_texel, 1e-15);
+  expect_color(texel_at(form, 3 / 6.0, 0.75), green_texel, 1e-15);
+  expect_color(texel_at(form, 5 / 6.0, 0.25), black_texel, 1e-15);
+  expect_color(texel_at(form, 2 / 6.0, 0.75), {0.5, 0.5, 0}, 1e-15);
+  expect_color(texel_at(form, 1 / 6.0, 0.5), {1, 0.5, 0.5}, 1e-15);
+  expect_color(texel_at(form, 1 / 6.0 + 0.25 / 3, 0.75), {0.75, 0.25, 0}, 1e-15);
   // Across the borders: blue is beside red, white above red.
-  expect_near(at(form, 0, 0.75), {0.5, 0, 0.5}, 1e-15);
-  expect_near(at(form, 1, 0.75), {0.5, 0, 0.5}, 1e-15);
-  expect_near(at(form, 1 / 6.0, 0), {1, 0.5, 0.5}, 1e-15);
+  expect_color(texel_at(form, 0, 0.75), {0.5, 0, 0.5}, 1e-15);
+  expect_color(texel_at(form, 1, 0.75), {0.5, 0, 0.5}, 1e-15);
+  expect_color(texel_at(form, 1 / 6.0, 0), {1, 0.5, 0.5}, 1e-15);
 }
 
 TEST(ImageTexture, LightIsMeantNotCodes) {
   Image8 two(2, 1);
   two.rgb = {255, 255, 255, 0, 0, 0};
-  expect_near(at(texture_form(image_json(two)), 0.5, 0.5), {0.5, 0.5, 0.5}, 1e-15);
+  expect_color(texel_at(texture_form(image_json(two)), 0.5, 0.5), {0.5, 0.5, 0.5}, 1e-15);
 }
 
 TEST(ImageTexture, AnyCoordinatesGiveAColour) {
   for (const char* more : {"", R"(,"filter":"nearest")", R"(,"repeat":[1e6,-1e6])"}) {
-    const TextureForm form = texture_form(image_json(picture(), more));
+    const TextureForm form = texture_form(image_json(six_pixels(), more));
     for (const double u : {-1e-300, -1e-17, 1e-17, 1.0, std::nextafter(1.0, 0.0), -0.0, 1e9, -1e9,
                            1e300, HUGE_VAL, std::nan("")}) {
-      const Vec3d light = at(form, u, u);
+      const Vec3d light = texel_at(form, u, u);
       EXPECT_TRUE(light.x >= 0 && light.x <= 1) << u << more;
     }
   }
@@ -119,17 +122,17 @@ TEST(ImageTexture, AnyCoordinatesGiveAColour) {
 
 TEST(ImageTexture, JpegsAreReadToo) {
   const TextureForm form = texture_form(R"({"type":"image","transfer":"linear","data":")" +
-                                        base64(text_of(test::flat_jpeg({51}))) + R"("})");
-  expect_near(at(form, 0.3, 0.3), {0.2, 0.2, 0.2}, 1e-15);
+                                        base64(to_text(test::flat_jpeg({51}))) + R"("})");
+  expect_color(texel_at(form, 0.3, 0.3), {0.2, 0.2, 0.2}, 1e-15);
 }
 
 TEST(ImageTexture, CopiesShareTheirPixels) {
-  const Texture texture = test::texture(image_json(picture()));
+  const Texture texture = test::texture(image_json(six_pixels()));
   const Texture copy = texture;
   EXPECT_EQ(copy, texture);
   EXPECT_EQ(std::get<ImageTexture>(copy.kind).data.pixels,
             std::get<ImageTexture>(texture.kind).data.pixels);
-  EXPECT_EQ(test::texture(image_json(picture())), texture) << "the text is what counts";
+  EXPECT_EQ(test::texture(image_json(six_pixels())), texture) << "the text is what counts";
   EXPECT_FALSE(test::texture(image_json(Image8(3, 2))) == texture);
 }
 
@@ -145,7 +148,7 @@ TEST(ImageTexture, WhatCannotBeDecodedIsRefusedWhereItStands) {
                 {{wrong, "/data", "\"!AAA\"", "not from its character 4 on"}});
   expect_faults(texture_faults(R"({"type":"image","data":""})"),
                 {{wrong, "/data", "\"bytes that begin like neither\"", "PNG or JPEG picture"}});
-  expect_faults(texture_faults(data_json(encode_png(picture()).substr(0, 60))),
+  expect_faults(texture_faults(data_json(encode_png(six_pixels()).substr(0, 60))),
                 {{wrong, "/data", "\"bytes that cannot be decoded\"", "a whole PNG or JPEG"}});
   expect_faults(texture_faults(data_json(test::png_file({5000, 5000, 8, test::grey}, "x", ""))),
                 {{limit, "/data", "\"5000 x 5000 pixels\"", "at most 4194304 pixels"}});
@@ -157,12 +160,12 @@ TEST(ImageTexture, WhatCannotBeDecodedIsRefusedWhereItStands) {
 
 TEST(ImageTexture, OtherFieldsHaveTheirRangesAndPatternsTheirs) {
   const auto range = FaultKind::out_of_range;
-  expect_faults(texture_faults(image_json(picture(), R"(,"repeat":[0,1])")),
+  expect_faults(texture_faults(image_json(six_pixels(), R"(,"repeat":[0,1])")),
                 {{range, "/repeat/0", "0", "not 0"}});
   expect_faults(
-      texture_faults(image_json(picture(), R"(,"filter":"linear")")),
+      texture_faults(image_json(six_pixels(), R"(,"filter":"linear")")),
       {{FaultKind::unknown_name, "/filter", "\"linear\"", "bilinear, nearest", "bilinear"}});
-  expect_faults(texture_faults(image_json(picture(), R"(,"scale":2)")),
+  expect_faults(texture_faults(image_json(six_pixels(), R"(,"scale":2)")),
                 {{FaultKind::unknown_name, "/scale", "\"scale\"", "data", ""}});
 }
 
@@ -171,7 +174,7 @@ TEST(ImageTexture, AllPicturesOfAnInputTogetherAreBounded) {
   const test::Bytes file = test::png({2048, 2048, 1, test::grey}, std::string(2048 * 256, '\0'));
   EXPECT_LT(file.size(), 2000U);
   std::string list;
-  for (int i = 0; i < 5; ++i) list += (i > 0 ? "," : "") + data_json(text_of(file));
+  for (int i = 0; i < 5; ++i) list += (i > 0 ? "," : "") + data_json(to_text(file));
   Faults faults;
   std::vector<Texture> textures;
   read_value(parse_json("[" + list + "]"), Place{}, Spec{}, faults, textures);

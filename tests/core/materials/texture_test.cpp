@@ -8,17 +8,17 @@ namespace tia {
 namespace {
 
 using test::color_at;
-using test::expect_near;
+using test::expect_color;
 using test::Random;
 using test::red_at;
 using test::texture_form;
 
-const Vec3d white{1, 1, 1}, black{0, 0, 0};
+const Vec3d white_cell{1, 1, 1}, black_cell{0, 0, 0};
 
 int parity(double x) { return static_cast<int>(std::floor(x)) & 1; }
 
 // A share as red, from 0 to 1.
-std::string ramp(const std::string& type, const std::string& more = "") {
+std::string ramp_json(const std::string& type, const std::string& more = "") {
   return R"({"type":")" + type + R"(","colors":[[0,0,1],[1,0,1]])" + more + "}";
 }
 
@@ -36,33 +36,33 @@ TEST(Checker, IsTheParityOfItsCells) {
 
 TEST(Checker, IsWhiteAtTheOriginAndBlackBesideIt) {
   const TextureForm form = texture_form(R"({"type":"checker"})");
-  EXPECT_EQ(color_at(form, {0.5, 0.5, 0.5}), white);
+  EXPECT_EQ(color_at(form, {0.5, 0.5, 0.5}), white_cell);
   for (const Vec3d& p :
        {Vec3d{1.5, 0.5, 0.5}, Vec3d{0.5, -0.5, 0.5}, Vec3d{0.5, 0.5, 1.5}, Vec3d{1.5, 1.5, -0.5}})
-    EXPECT_EQ(color_at(form, p), black);
-  EXPECT_EQ(color_at(form, {1.5, 1.5, 0.5}), white);
+    EXPECT_EQ(color_at(form, p), black_cell);
+  EXPECT_EQ(color_at(form, {1.5, 1.5, 0.5}), white_cell);
 }
 
 TEST(Checker, ScaleIsTheSizeOfACell) {
   const TextureForm form = texture_form(R"({"type":"checker","scale":2.5})");
-  EXPECT_EQ(color_at(form, {2.4, 0.1, 0.1}), white);
-  EXPECT_EQ(color_at(form, {2.5, 0.1, 0.1}), black);
-  EXPECT_EQ(color_at(form, {4.9, 0.1, 0.1}), black);
-  EXPECT_EQ(color_at(form, {5, 0.1, 0.1}), white);
+  EXPECT_EQ(color_at(form, {2.4, 0.1, 0.1}), white_cell);
+  EXPECT_EQ(color_at(form, {2.5, 0.1, 0.1}), black_cell);
+  EXPECT_EQ(color_at(form, {4.9, 0.1, 0.1}), black_cell);
+  EXPECT_EQ(color_at(form, {5, 0.1, 0.1}), white_cell);
 }
 
 // Each whole multiple of the scale, in double, begins a cell.
 TEST(Checker, CellsBeginAtMultiplesOfTheScale) {
   const TextureForm form = texture_form(R"({"type":"stripes","scale":49})");
   for (int i = -100; i < 100; ++i)
-    EXPECT_EQ(color_at(form, {49.0 * i, 0, 0}), i % 2 == 0 ? white : black) << i;
+    EXPECT_EQ(color_at(form, {49.0 * i, 0, 0}), i % 2 == 0 ? white_cell : black_cell) << i;
 }
 
 TEST(Checker, FarCellsKeepTheirParity) {
   const TextureForm form = texture_form(R"({"type":"checker","scale":0.5})");
-  EXPECT_EQ(color_at(form, {1e9, 1e9, 1e9}), white);
-  EXPECT_EQ(color_at(form, {1e9 + 0.5, 1e9, 1e9}), black);
-  EXPECT_EQ(color_at(form, {1e9 + 0.5, 1e9, 1e9 + 0.5}), white);
+  EXPECT_EQ(color_at(form, {1e9, 1e9, 1e9}), white_cell);
+  EXPECT_EQ(color_at(form, {1e9 + 0.5, 1e9, 1e9}), black_cell);
+  EXPECT_EQ(color_at(form, {1e9 + 0.5, 1e9, 1e9 + 0.5}), white_cell);
 }
 
 TEST(Stripes, LieAcrossX) {
@@ -70,7 +70,7 @@ TEST(Stripes, LieAcrossX) {
   const TextureForm form = texture_form(R"({"type":"stripes","scale":0.25})");
   for (int i = 0; i < 2000; ++i) {
     const Vec3d p = random.point(20);
-    EXPECT_EQ(color_at(form, p), parity(p.x * 4) == 1 ? black : white);
+    EXPECT_EQ(color_at(form, p), parity(p.x * 4) == 1 ? black_cell : white_cell);
   }
 }
 
@@ -78,17 +78,17 @@ TEST(Stripes, LieAcrossX) {
 TEST(Stripes, AreMovedTurnedAndStretched) {
   const TextureForm moved =
       texture_form(R"({"type":"stripes","transform":[{"translate":[0.25,0,0]}]})");
-  EXPECT_EQ(color_at(moved, {0.2, 0, 0}), black);
-  EXPECT_EQ(color_at(moved, {0.3, 0, 0}), white);
-  EXPECT_EQ(color_at(moved, {1.2, 0, 0}), white);
+  EXPECT_EQ(color_at(moved, {0.2, 0, 0}), black_cell);
+  EXPECT_EQ(color_at(moved, {0.3, 0, 0}), white_cell);
+  EXPECT_EQ(color_at(moved, {1.2, 0, 0}), white_cell);
   const TextureForm turned =
       texture_form(R"({"type":"stripes","transform":[{"rotate_degrees":[0,0,90]}]})");
-  EXPECT_EQ(color_at(turned, {7.5, 0.5, 0}), white);
-  EXPECT_EQ(color_at(turned, {7.5, 1.5, 0}), black);
+  EXPECT_EQ(color_at(turned, {7.5, 0.5, 0}), white_cell);
+  EXPECT_EQ(color_at(turned, {7.5, 1.5, 0}), black_cell);
   const TextureForm stretched =
       texture_form(R"({"type":"stripes","scale":2,"transform":[{"scale":[3,1,1]}]})");
-  EXPECT_EQ(color_at(stretched, {5.9, 0, 0}), white);
-  EXPECT_EQ(color_at(stretched, {6.1, 0, 0}), black);
+  EXPECT_EQ(color_at(stretched, {5.9, 0, 0}), white_cell);
+  EXPECT_EQ(color_at(stretched, {6.1, 0, 0}), black_cell);
 }
 
 // A pattern that is moved along with the points shows them the same.
@@ -123,7 +123,7 @@ TEST(Blur, FlatSurfacesAtCellEdgesShowNoSpeckles) {
       if (std::fabs(std::remainder(p.x, 2.0)) < 2 * off) continue;  // at the edges of cells
       if (std::fabs(std::remainder(p.z, 2.0)) < 2 * off) continue;
       const bool odd = ((parity(p.x / 2) + parity(p.z / 2) + layer) & 1) == 1;
-      ASSERT_EQ(color_at(form, p, off), odd ? black : white);
+      ASSERT_EQ(color_at(form, p, off), odd ? black_cell : white_cell);
     }
   }
 }
@@ -141,20 +141,21 @@ TEST(Blur, IsALengthInObjectSpaceWhateverTheTransform) {
     }
   }
   const TextureForm wide = texture_form(R"({"type":"stripes","scale":64})");
-  EXPECT_EQ(color_at(wide, {-1.01 * off, 0, 0}, off), black) << "not more than the length";
+  EXPECT_EQ(color_at(wide, {-1.01 * off, 0, 0}, off), black_cell) << "not more than the length";
 }
 
 TEST(Blur, OfNothingChangesNothing) {
   const TextureForm form = texture_form(R"({"type":"stripes"})");
-  EXPECT_EQ(color_at(form, {-1e-16, 0, 0}, 0), black);
-  EXPECT_EQ(color_at(form, {0, 0, 0}, 0), white);
+  EXPECT_EQ(color_at(form, {-1e-16, 0, 0}, 0), black_cell);
+  EXPECT_EQ(color_at(form, {0, 0, 0}, 0), white_cell);
 }
 
 TEST(Blur, GradientsAndRingsBeginWhereSurfacesStand) {
   const double off = 1e-5;
-  EXPECT_EQ(red_at(texture_form(ramp("gradient")), {3 - off / 2, 0, 0}, off), 0);
-  EXPECT_NEAR(red_at(texture_form(ramp("gradient")), {3 - 2 * off, 0, 0}, off), 1 - 2 * off, 1e-12);
-  const TextureForm wood = texture_form(ramp("wood", R"(,"turbulence":0)"));
+  EXPECT_EQ(red_at(texture_form(ramp_json("gradient")), {3 - off / 2, 0, 0}, off), 0);
+  EXPECT_NEAR(red_at(texture_form(ramp_json("gradient")), {3 - 2 * off, 0, 0}, off), 1 - 2 * off,
+              1e-12);
+  const TextureForm wood = texture_form(ramp_json("wood", R"(,"turbulence":0)"));
   for (int i = 0; i < 360; ++i) {  // a cylinder of radius 2
     const double angle = i, radius = 2 + (i % 2 == 0 ? off : -off) / 2;
     const Vec3d p{radius * std::cos(angle), 0.1 * i, radius * std::sin(angle)};
@@ -166,10 +167,10 @@ TEST(Blur, GradientsAndRingsBeginWhereSurfacesStand) {
 
 TEST(Gradient, IsTheFractionOfX) {
   Random random(314);
-  const TextureForm form = texture_form(ramp("gradient", R"(,"scale":2)"));
+  const TextureForm form = texture_form(ramp_json("gradient", R"(,"scale":2)"));
   for (int i = 0; i < 2000; ++i) {
     const Vec3d p = random.point(50);
-    expect_near(color_at(form, p), {p.x / 2 - std::floor(p.x / 2), 0, 1}, 1e-15);
+    expect_color(color_at(form, p), {p.x / 2 - std::floor(p.x / 2), 0, 1}, 1e-15);
   }
 }
 
@@ -182,7 +183,7 @@ TEST(Gradient, StopsStandAtEvenDistancesWithLinesBetween) {
   EXPECT_EQ(color_at(form, {0.75, 0, 0}), (Vec3d{1, 1, 1}));
   EXPECT_EQ(color_at(form, {0.125, 0, 0}), (Vec3d{0.5, 0.5, 0}));
   EXPECT_EQ(color_at(form, {0.875, 0, 0}), (Vec3d{0.5, 4.5, 0.5}));
-  expect_near(color_at(form, {std::nextafter(1.0, 0.0), 0, 0}), {0, 8, 0}, 1e-12);
+  expect_color(color_at(form, {std::nextafter(1.0, 0.0), 0, 0}), {0, 8, 0}, 1e-12);
 }
 
 TEST(Ramp, EndsAreHeldAndNanIsTheFirst) {
@@ -197,7 +198,7 @@ TEST(Ramp, EndsAreHeldAndNanIsTheFirst) {
 
 TEST(NoiseTexture, IsGradientNoiseInZeroToOne) {
   Random random(315);
-  const TextureForm form = texture_form(ramp("noise", R"(,"scale":0.5)"));
+  const TextureForm form = texture_form(ramp_json("noise", R"(,"scale":0.5)"));
   for (int i = 0; i < 2000; ++i) {
     const Vec3d p = random.point(50);
     const double share = std::clamp((1 + gradient_noise(p * 2.0)) / 2, 0.0, 1.0);
@@ -207,7 +208,7 @@ TEST(NoiseTexture, IsGradientNoiseInZeroToOne) {
 }
 
 TEST(MarbleTexture, WithoutTurbulenceIsACosine) {
-  const TextureForm form = texture_form(ramp("marble", R"(,"turbulence":0)"));
+  const TextureForm form = texture_form(ramp_json("marble", R"(,"turbulence":0)"));
   for (int i = -50; i < 50; ++i) {
     EXPECT_EQ(red_at(form, {1.0 * i, 0.3, i / 3.0}), 0);
     EXPECT_EQ(red_at(form, {i + 0.5, 0.3, i / 3.0}), 1);
@@ -218,8 +219,8 @@ TEST(MarbleTexture, WithoutTurbulenceIsACosine) {
 
 TEST(MarbleTexture, TurbulenceBendsTheVeins) {
   Random random(316);
-  const TextureForm form = texture_form(ramp("marble", R"(,"turbulence":2.5)"));
-  const TextureForm standard = texture_form(ramp("marble"));
+  const TextureForm form = texture_form(ramp_json("marble", R"(,"turbulence":2.5)"));
+  const TextureForm standard = texture_form(ramp_json("marble"));
   for (int i = 0; i < 2000; ++i) {
     const Vec3d p = random.point(20);
     const auto share = [&](double turbulence) {
@@ -233,8 +234,8 @@ TEST(MarbleTexture, TurbulenceBendsTheVeins) {
 
 TEST(WoodTexture, RingsRunAroundTheYAxis) {
   Random random(317);
-  const TextureForm round = texture_form(ramp("wood", R"(,"turbulence":0)"));
-  const TextureForm bent = texture_form(ramp("wood", R"(,"turbulence":0.4)"));
+  const TextureForm round = texture_form(ramp_json("wood", R"(,"turbulence":0)"));
+  const TextureForm bent = texture_form(ramp_json("wood", R"(,"turbulence":0.4)"));
   EXPECT_EQ(red_at(round, {0, 3, 0}), 0);
   EXPECT_EQ(red_at(round, {3, 17, 4}), 0) << "3-4-5";
   EXPECT_EQ(red_at(round, {0, 17, -2.5}), 0.5);

@@ -24,7 +24,7 @@ inline double red_at(const TextureForm& form, const Vec3d& p, double blur = 0) {
   return color_at(form, p, blur).x;
 }
 
-inline void expect_near(const Vec3d& got, const Vec3d& expected, double near) {
+inline void expect_color(const Vec3d& got, const Vec3d& expected, double near) {
   EXPECT_NEAR(got.x, expected.x, near);
   EXPECT_NEAR(got.y, expected.y, near);
   EXPECT_NEAR(got.z, expected.z, near);

@@ -11,7 +11,7 @@ using test::Random;
 
 // A length of any magnitude up to the format's 1e9.
 double any_length(Random& random) { return std::pow(10.0, random.in(-12, 9)); }
-Vec3d any_point(Random& random) {
+Vec3d vector_of_any_length(Random& random) {
   const double size = any_length(random);
   return random.vector(size, size);
 }
@@ -20,9 +20,9 @@ Vec3d any_point(Random& random) {
 Scene extreme_scene(std::uint64_t seed) {
   Random random(seed);
   Scene scene;
-  scene.camera.location = any_point(random);
-  scene.camera.direction = any_point(random);
-  scene.camera.up = any_point(random);
+  scene.camera.location = vector_of_any_length(random);
+  scene.camera.direction = vector_of_any_length(random);
+  scene.camera.up = vector_of_any_length(random);
   scene.camera.fov_degrees =
       random.chance(0.5) ? random.in(1, 179) : std::pow(10, random.in(-9, 0));
   scene.background = {1e6 * random.unit(), random.unit(), 0};
@@ -30,7 +30,7 @@ Scene extreme_scene(std::uint64_t seed) {
     const Vec3d ahead =
         random.chance(0.5)
             ? scene.camera.location + normalize(*scene.camera.direction) * any_length(random)
-            : any_point(random);
+            : vector_of_any_length(random);
     const double bound = 1e9;
     const Vec3d center{std::clamp(ahead.x, -bound, bound), std::clamp(ahead.y, -bound, bound),
                        std::clamp(ahead.z, -bound, bound)};
@@ -38,7 +38,7 @@ Scene extreme_scene(std::uint64_t seed) {
     scene.objects.push_back(test::ball(center, radius, test::matte({1e6, green, 0}, {0, 0, glow})));
   }
   for (int i = random.below(3); i >= 0; --i) {
-    const Vec3d place = any_point(random);
+    const Vec3d place = vector_of_any_length(random);
     scene.lights.push_back(test::point_light(place, {1e6, 1, random.unit()}));
     scene.lights.back().intensity = std::pow(10, random.in(-6, 6));
   }

@@ -11,11 +11,13 @@
 #include <vector>
 
 #include "core/render/pool.h"
+#include "tests/core/render/jobs.h"
 
 namespace tia {
 namespace {
 
-constexpr Nanoseconds ms = 1'000'000;
+using test::endless;
+using test::ms;
 
 struct HandTime {
   std::atomic<Nanoseconds> now = 0;
@@ -45,7 +47,6 @@ class Crowd {
   std::atomic<int> here_ = 0, most_ = 0;
 };
 
-constexpr int endless = 1'000'000'000;
 constexpr int grown_old = 60;  // tasks of one ms: more than a credit
 
 /// A job without end, until it is stopped.

@@ -11,7 +11,7 @@ namespace {
 using namespace test;
 
 // The picture of a world as it is, or with its way for few balls closed.
-Picture drawn(World world, const Scene& scene, bool fast, const RenderOptions& options) {
+Picture traced(World world, const Scene& scene, bool fast, const RenderOptions& options) {
   world.few_balls = world.few_balls && fast;
   constexpr int width = 75, height = 51;
   Pool pool(1);
@@ -27,13 +27,13 @@ RenderOptions as_thesis() {
   return options;
 }
 
-void expect_same(const Scene& scene, const RenderOptions& options) {
+void expect_same_bytes(const Scene& scene, const RenderOptions& options) {
   const World world = compile(scene);
   ASSERT_TRUE(world.few_balls);
   for (const Scalar scalar : {Scalar::wide, Scalar::narrow, Scalar::exact}) {
     RenderOptions own = options;
     own.scalar = scalar;
-    const Picture fast = drawn(world, scene, true, own), slow = drawn(world, scene, false, own);
+    const Picture fast = traced(world, scene, true, own), slow = traced(world, scene, false, own);
     EXPECT_EQ(fast.rays, slow.rays);
     EXPECT_TRUE(bits_of(fast.image) == bits_of(slow.image));
   }
@@ -42,9 +42,10 @@ void expect_same(const Scene& scene, const RenderOptions& options) {
 TEST(FewBalls, PicturesAreTheSameBytesWithoutTheFastWay) {
   for (std::uint64_t seed = 0; seed < 60; ++seed) {
     SCOPED_TRACE(seed);
-    expect_same(random_scene(seed), as_thesis());
+    expect_same_bytes(random_scene(seed), as_thesis());
   }
-  for (const char key : {'\0', 'a', 'd', 's', 'w'}) expect_same(thesis_scene(key), as_thesis());
+  for (const char key : {'\0', 'a', 'd', 's', 'w'})
+    expect_same_bytes(thesis_scene(key), as_thesis());
 }
 
 TEST(FewBalls, SoAreThoseOfManySamplesAndOfALens) {
@@ -55,11 +56,11 @@ TEST(FewBalls, SoAreThoseOfManySamplesAndOfALens) {
     options.samples = 3;
     options.seed = static_cast<std::int64_t>(seed);
     if (seed % 2 == 0) options.threshold = 0.02;
-    expect_same(scene, options);
+    expect_same_bytes(scene, options);
     scene.camera = Camera{};
     scene.camera.aperture = 0.5;
     scene.camera.focus_distance = 20;
-    expect_same(scene, options);
+    expect_same_bytes(scene, options);
   }
 }
 
@@ -68,7 +69,7 @@ TEST(FewBalls, SoAreThoseOfWhitted) {
     SCOPED_TRACE(seed);
     RenderOptions options = as_thesis();
     options.integrator = IntegratorName::whitted;
-    expect_same(random_scene(seed), options);
+    expect_same_bytes(random_scene(seed), options);
   }
 }
 
@@ -108,12 +109,12 @@ TEST(FewBalls, TheThesisIsWhittedWithItsSettingsFixed) {
     RenderOptions whitted = as_thesis();
     whitted.integrator = IntegratorName::whitted;
     whitted.max_depth = 0;
-    const Image expected = drawn(compile(scene), scene, true, whitted).image;
+    const Image expected = traced(compile(scene), scene, true, whitted).image;
     for (Light& light : scene.lights)
       if (auto* ball = std::get_if<SphereLight>(&light.kind)) ball->samples = 1 + random.below(20);
     RenderOptions thesis = as_thesis();
     thesis.max_depth = 7;
-    EXPECT_TRUE(bits_of(drawn(compile(scene), scene, true, thesis).image) == bits_of(expected));
+    EXPECT_TRUE(bits_of(traced(compile(scene), scene, true, thesis).image) == bits_of(expected));
   }
 }
 
@@ -130,7 +131,7 @@ TEST(FewBalls, SoAreThoseFromPlacesThatAreHardToTell) {
     if (!scene.camera.right) scene.camera.direction = random.direction();
     if (!scene.lights.empty())
       scene.lights.front().move_to(in.center + random.direction() * in.radius, {});
-    expect_same(scene, as_thesis());
+    expect_same_bytes(scene, as_thesis());
   }
 }
 
@@ -143,8 +144,8 @@ TEST(FewBalls, TheThesisHasNoTransparentShadows) {
     for (Object& each : scene.objects) finish_of(each).transmission = random.unit();
     const World opaque = compile(scene);
     scene.options.transparent_shadows = true;
-    EXPECT_TRUE(bits_of(drawn(compile(scene), scene, false, as_thesis()).image) ==
-                bits_of(drawn(opaque, scene, false, as_thesis()).image));
+    EXPECT_TRUE(bits_of(traced(compile(scene), scene, false, as_thesis()).image) ==
+                bits_of(traced(opaque, scene, false, as_thesis()).image));
   }
 }
 
@@ -153,7 +154,7 @@ TEST(FewBalls, ExplainedPixelsHaveThePicturesColour) {
   for (std::uint64_t seed = 200; seed < 220; ++seed) {
     Random random(seed);
     const Scene scene = random_scene(seed);
-    const Image image = drawn(compile(scene), scene, true, as_thesis()).image;
+    const Image image = traced(compile(scene), scene, true, as_thesis()).image;
     const View view = view_of(scene.camera, image.width, image.height);
     for (int i = 0; i < 100; ++i) {
       const int x = random.below(image.width), y = random.below(image.height);

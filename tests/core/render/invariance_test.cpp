@@ -9,9 +9,9 @@ namespace {
 
 using test::picture;
 
-constexpr int width = 96, height = 72;
+constexpr int picture_width = 96, picture_height = 72;
 
-Scene mixed() {
+Scene furnished_scene() {
   return read_scene(R"({
     "camera": {"location": [0,3,12], "look_at": [0,1,0], "fov_degrees": 40}, "background": [0.2,0.3,0.4],
     "objects": [
@@ -58,7 +58,7 @@ Scene carried(Scene scene, const Placement& by) {
 }
 
 TEST(Invariance, AWorldMovedTurnedOrScaledWithItsCameraLooksTheSame) {
-  const Image before = picture(mixed(), width, height).image;
+  const Image before = picture(furnished_scene(), picture_width, picture_height).image;
   test::Random random(90);
   for (int i = 0; i < 24; ++i) {
     Placement by;
@@ -66,7 +66,8 @@ TEST(Invariance, AWorldMovedTurnedOrScaledWithItsCameraLooksTheSame) {
     if (i % 3 == 1) by.steps.push_back(Scale{random.chance(0.5) ? 1e3 : 1e-3});
     if (i % 3 == 2) by.steps.push_back(Translate{random.point(100)});
     if (i >= 12) by.steps.push_back(RotateDegrees{random.point(180)});
-    const Image after = picture(carried(mixed(), by), width, height).image;
+    const Image after =
+        picture(carried(furnished_scene(), by), picture_width, picture_height).image;
     // Only outlines and edges of shadows may fall on the other side of a pixel's centre: there are
     // some 2500 of their pixels, and rounding moves them by 1e-5 of a pixel.
     EXPECT_LE(different(before, after), 3) << i;
@@ -74,16 +75,18 @@ TEST(Invariance, AWorldMovedTurnedOrScaledWithItsCameraLooksTheSame) {
 }
 
 TEST(Invariance, ThePictureDoesNotDependOnTheOrderOfObjects) {
-  const Scene scene = mixed();
+  const Scene scene = furnished_scene();
   for (const IntegratorName integrator :
        {IntegratorName::thesis, IntegratorName::normal, IntegratorName::depth}) {
     RenderOptions options;
     options.integrator = integrator;
-    const auto before = test::bits_of(picture(scene, width, height, options).image);
+    const auto before = test::bits_of(picture(scene, picture_width, picture_height, options).image);
     Scene shuffled = scene;
     for (std::size_t turn = 1; turn < scene.objects.size(); ++turn) {
       std::rotate(shuffled.objects.begin(), shuffled.objects.begin() + 1, shuffled.objects.end());
-      EXPECT_EQ(test::bits_of(picture(shuffled, width, height, options).image), before) << turn;
+      EXPECT_EQ(test::bits_of(picture(shuffled, picture_width, picture_height, options).image),
+                before)
+          << turn;
     }
   }
 }
@@ -103,10 +106,10 @@ TEST(Invariance, OneThingInManySpellingsIsOnePicture) {
   };
   Image first;
   for (const char* ball : balls) {
-    Scene scene = mixed();
+    Scene scene = furnished_scene();
     scene.objects[1] = read_scene(std::string(R"({"objects":[)") + ball + "]}").objects[0];
     scene.objects[1].transform.steps.push_back(Translate{{-2.5, 1.5, 1}});
-    const Image image = picture(scene, width, height).image;
+    const Image image = picture(scene, picture_width, picture_height).image;
     if (first.rgb.empty()) first = image;
     EXPECT_LE(different(first, image), 2) << ball;
   }

@@ -11,7 +11,7 @@ using test::bits_of;
 using test::picture;
 using test::Random;
 
-const int width = test::watched() ? 43 : 67, height = test::watched() ? 31 : 45;
+const int mixed_width = test::watched() ? 43 : 67, mixed_height = test::watched() ? 31 : 45;
 
 Scene mixed(std::uint64_t seed) {
   Random random(seed);
@@ -33,7 +33,7 @@ std::vector<IntegratorName> integrators() {
   return all;
 }
 
-RenderOptions options_of(IntegratorName integrator) {
+RenderOptions options_for(IntegratorName integrator) {
   RenderOptions options;
   options.integrator = integrator;
   return options;
@@ -42,10 +42,10 @@ RenderOptions options_of(IntegratorName integrator) {
 TEST(MixedPicture, WideEqualsNarrowBitForBitForEveryIntegrator) {
   for (const IntegratorName integrator : integrators()) {
     const Scene scene = mixed(600);
-    RenderOptions options = options_of(integrator);
-    const auto wide = picture(scene, width, height, options);
+    RenderOptions options = options_for(integrator);
+    const auto wide = picture(scene, mixed_width, mixed_height, options);
     options.scalar = Scalar::narrow;
-    const auto narrow = picture(scene, width, height, options);
+    const auto narrow = picture(scene, mixed_width, mixed_height, options);
     EXPECT_TRUE(bits_of(wide.image) == bits_of(narrow.image)) << int(integrator);
     EXPECT_EQ(wide.rays, narrow.rays);
   }
@@ -60,21 +60,22 @@ TEST(MixedPicture, WideEqualsNarrowWithALensManySamplesAndParallelRays) {
   for (const Scene& scene : {lens, parallel}) {
     RenderOptions options;
     options.samples = 5;
-    const auto wide = picture(scene, width, height, options);
+    const auto wide = picture(scene, mixed_width, mixed_height, options);
     options.scalar = Scalar::narrow;
-    EXPECT_TRUE(bits_of(wide.image) == bits_of(picture(scene, width, height, options).image));
+    EXPECT_TRUE(bits_of(wide.image) ==
+                bits_of(picture(scene, mixed_width, mixed_height, options).image));
   }
 }
 
 TEST(MixedPicture, ThreadsAndTilesNeverChangeAByteOfAnyIntegrator) {
   const Scene scene = mixed(602);
   for (const IntegratorName integrator : integrators()) {
-    RenderOptions options = options_of(integrator);
-    const auto alone = picture(scene, width, height, options);
+    RenderOptions options = options_for(integrator);
+    const auto alone = picture(scene, mixed_width, mixed_height, options);
     for (const auto& [threads, tile] : {std::pair{2, 32}, {7, 32}, {1, 7}, {7, 7}}) {
       options.threads = threads;
       options.tile = tile;
-      const auto other = picture(scene, width, height, options);
+      const auto other = picture(scene, mixed_width, mixed_height, options);
       EXPECT_TRUE(bits_of(other.image) == bits_of(alone.image)) << threads << " " << tile;
       EXPECT_EQ(other.rays, alone.rays);
     }
@@ -88,9 +89,9 @@ TEST(MixedPicture, WindowIsTheFullPicturesWindowWithAThreshold) {
   options.threshold = 0.05;
   for (const IntegratorName integrator : {IntegratorName::thesis, IntegratorName::shadow}) {
     options.integrator = integrator;
-    const Image full = picture(scene, width, height, options).image;
+    const Image full = picture(scene, mixed_width, mixed_height, options).image;
     const Window window{13, 9, 38, 26};
-    const Image part = picture(scene, width, height, window, options).image;
+    const Image part = picture(scene, mixed_width, mixed_height, window, options).image;
     Image cut(window.width(), window.height());
     for (int y = 0; y < cut.height; ++y)
       std::copy_n(full.at(window.x0, window.y0 + y), 3 * cut.width, cut.at(0, y));
@@ -105,7 +106,7 @@ TEST(MixedPicture, IsTheOneWithoutAnIndex) {
   Pool pool(1);
   const auto image_of = [&](const World& each, IntegratorName integrator) {
     LinearFilm film(40, 30);
-    render(each, view, {0, 0, 40, 30}, options_of(integrator), pool, {},
+    render(each, view, {0, 0, 40, 30}, options_for(integrator), pool, {},
            [&](const Block& block) { film.put(block); });
     return film.image();
   };
@@ -120,11 +121,11 @@ TEST(MixedPicture, IsTheOneWithoutAnIndex) {
 TEST(MixedPicture, OrderOfTheObjectsIsOfNoAccount) {
   Random random(605);
   Scene scene = mixed(605);
-  const Image image = picture(scene, width, height).image;
+  const Image image = picture(scene, mixed_width, mixed_height).image;
   for (std::size_t i = scene.objects.size(); i > 1; --i)
     std::swap(scene.objects[i - 1],
               scene.objects[static_cast<std::size_t>(random.below(static_cast<int>(i)))]);
-  const Image shuffled = picture(scene, width, height).image;
+  const Image shuffled = picture(scene, mixed_width, mixed_height).image;
   int differences = 0;
   for (std::size_t i = 0; i < image.rgb.size(); i += 3)
     differences += !std::equal(&image.rgb[i], &image.rgb[i] + 3, &shuffled.rgb[i]);

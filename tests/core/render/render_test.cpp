@@ -165,7 +165,7 @@ std::vector<std::uint32_t> mirrored_bits(const Image& image) {
   return bits_of(mirror);
 }
 
-Image8 codes_of(char key, int width, int height) {
+Image8 thesis_codes(char key, int width, int height) {
   const Scene scene = test::thesis_scene(key);
   DisplayFilm film(width, height, Transfer::srgb);
   Pool pool(1);
@@ -185,7 +185,8 @@ TEST(Render, PictureDIsTheMirrorOfA) {
     const Image d = picture(test::thesis_scene('d'), width, height).image;
     EXPECT_TRUE(bits_of(d) == mirrored_bits(a)) << width << " x " << height;
     EXPECT_FALSE(bits_of(d) == bits_of(a)) << "a light from the side shows";
-    const Image8 codes_a = codes_of('a', width, height), codes_d = codes_of('d', width, height);
+    const Image8 codes_a = thesis_codes('a', width, height),
+                 codes_d = thesis_codes('d', width, height);
     for (int y = 0; y < height; ++y)
       for (int x = 0; x < width; ++x)
         ASSERT_EQ(pixel_of(codes_a, x, y), pixel_of(codes_d, width - 1 - x, y)) << x << ", " << y;

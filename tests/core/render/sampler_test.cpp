@@ -47,7 +47,7 @@ TEST(Strata, TileTheSquareWithCellsOfEqualArea) {
   }
 }
 
-bool inside(const Strata::Cell& cell, double x, double y) {
+bool in_cell(const Strata::Cell& cell, double x, double y) {
   constexpr double slack = 1e-6;
   return x >= cell.x - slack && x <= cell.x + cell.width + slack && y >= cell.y - slack &&
          y <= cell.y + cell.height + slack;
@@ -62,7 +62,7 @@ TEST(Sampler, PutsOneRayInEachStratumOfThePixel) {
       for (int i = 0; i < n; ++i) {
         const Aim<float> aim = sampler.aim(x, y, i);
         EXPECT_TRUE(
-            inside(sampler.strata(0)[static_cast<std::uint32_t>(i)], aim.dx + 0.5, aim.dy + 0.5));
+            in_cell(sampler.strata(0)[static_cast<std::uint32_t>(i)], aim.dx + 0.5, aim.dy + 0.5));
       }
     }
   }
@@ -90,7 +90,7 @@ TEST(Sampler, PutsOneRayInEachStratumOfTheLens) {
         const Aim<float> aim = sampler.aim(x, y, i);
         const auto [u, v] = disc_to_square(aim.lens_x, aim.lens_y);
         for (std::size_t cell = 0; cell < rays.size(); ++cell)
-          rays[cell] += inside(strata[static_cast<std::uint32_t>(cell)], u, v);
+          rays[cell] += in_cell(strata[static_cast<std::uint32_t>(cell)], u, v);
       }
       for (const int count : rays) EXPECT_GE(count, 1);  // 2 where it lies on an edge
       EXPECT_LE(std::count(rays.begin(), rays.end(), 2), 1);

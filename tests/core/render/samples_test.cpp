@@ -9,10 +9,11 @@ namespace tia {
 namespace {
 
 using test::bits_of;
+using test::black_ball;
 using test::picture;
 using test::Random;
 
-RenderOptions options_of(int samples, double threshold = 0) {
+RenderOptions sampling(int samples, double threshold = 0) {
   RenderOptions options;
   options.samples = samples;
   options.threshold = threshold;
@@ -40,7 +41,7 @@ Scene any_scene(std::uint64_t seed) {
 
 TEST(Samples, WideEqualsNarrowBitForBit) {
   for (std::uint64_t seed = 0; seed < 12; ++seed) {
-    for (RenderOptions options : {options_of(1), options_of(5), options_of(2, 0.05)}) {
+    for (RenderOptions options : {sampling(1), sampling(5), sampling(2, 0.05)}) {
       const Scene scene = any_scene(seed);
       const auto wide = picture(scene, 37, 29, options);
       options.scalar = Scalar::narrow;
@@ -54,7 +55,7 @@ TEST(Samples, WideEqualsNarrowBitForBit) {
 TEST(Samples, DoubleTakesTheSamePointsButForEdges) {
   for (std::uint64_t seed = 0; seed < 9; ++seed) {
     const Scene scene = any_scene(seed);
-    RenderOptions options = options_of(8);
+    RenderOptions options = sampling(8);
     const Image image = picture(scene, 40, 30, options).image;
     options.scalar = Scalar::exact;
     const Image exact = picture(scene, 40, 30, options).image;
@@ -68,7 +69,7 @@ TEST(Samples, DoubleTakesTheSamePointsButForEdges) {
 TEST(Samples, ThreadsTilesAndWindowsNeverChangeAByte) {
   Random random(100);
   for (std::uint64_t seed = 0; seed < 3; ++seed) {
-    for (RenderOptions options : {options_of(3), options_of(1, 0.1)}) {
+    for (RenderOptions options : {sampling(3), sampling(1, 0.1)}) {
       const Scene scene = any_scene(seed);
       const auto whole = picture(scene, 61, 43, options);
       for (const int tile : {32, 7, 1}) {
@@ -93,7 +94,7 @@ TEST(Samples, ThreadsTilesAndWindowsNeverChangeAByte) {
 TEST(Samples, SeedChangesThePictureOfManyRaysAndNotOfOne) {
   const Scene scene = test::thesis_scene('a');
   const auto seeded = [&](int samples, std::int64_t seed) {
-    RenderOptions options = options_of(samples);
+    RenderOptions options = sampling(samples);
     options.seed = seed;
     return bits_of(picture(scene, 64, 48, options).image);
   };
@@ -107,8 +108,8 @@ TEST(Samples, OneRayIsThePinholesAlsoThroughALens) {
   const auto pinhole = bits_of(picture(scene, 80, 60).image);
   scene.camera.aperture = 2;
   scene.camera.focus_distance = 5;
-  EXPECT_EQ(bits_of(picture(scene, 80, 60, options_of(1)).image), pinhole);
-  EXPECT_NE(bits_of(picture(scene, 80, 60, options_of(4)).image), pinhole);
+  EXPECT_EQ(bits_of(picture(scene, 80, 60, sampling(1)).image), pinhole);
+  EXPECT_NE(bits_of(picture(scene, 80, 60, sampling(4)).image), pinhole);
 }
 
 // ---- counts -------------------------------------------------------------------------------------
@@ -116,25 +117,18 @@ TEST(Samples, OneRayIsThePinholesAlsoThroughALens) {
 TEST(Samples, PrimaryRaysAreExactlyPixelsTimesSamples) {
   for (const int samples : {1, 2, 7, 16})
     for (std::uint64_t seed = 0; seed < 3; ++seed)
-      EXPECT_EQ(picture(any_scene(seed), 33, 21, options_of(samples)).rays.primary,
+      EXPECT_EQ(picture(any_scene(seed), 33, 21, sampling(samples)).rays.primary,
                 33 * 21 * samples);
 }
 
 TEST(Samples, ThresholdLeavesEvenPixelsAtTheFirstRound) {
   Scene scene;
   scene.background = {0.3, 0.6, 7};  // beyond 1 as well: what is shown is even
-  EXPECT_EQ(picture(scene, 33, 21, options_of(1, 1e-6)).rays.primary, 33 * 21 * 4);
-  EXPECT_EQ(picture(scene, 33, 21, options_of(9, 1e-6)).rays.primary, 33 * 21 * 9);
+  EXPECT_EQ(picture(scene, 33, 21, sampling(1, 1e-6)).rays.primary, 33 * 21 * 4);
+  EXPECT_EQ(picture(scene, 33, 21, sampling(9, 1e-6)).rays.primary, 33 * 21 * 9);
 }
 
-// A black ball on the axis before white. Whether a pixel's rays see it is found by its angle.
-Scene black_ball(const Vec3d& center, double radius) {
-  Scene scene;
-  scene.background = {1, 1, 1};
-  scene.objects.push_back(test::ball(center, radius));
-  return scene;
-}
-
+// Whether a pixel's rays see a black ball on the axis is found by its angle.
 TEST(Samples, ThresholdTakesRoundsUntilThePixelsOwnErrorIsBelowIt) {
   constexpr int width = 40, height = 30;
   const Scene scene = black_ball({0, 0, -20}, 3);
@@ -144,7 +138,7 @@ TEST(Samples, ThresholdTakesRoundsUntilThePixelsOwnErrorIsBelowIt) {
     const Sampler sampler(samples, threshold, 42);
     const View view = view_of(scene.camera, width, height);
     std::int64_t rays = 0;
-    const Image image = picture(scene, width, height, options_of(samples, threshold)).image;
+    const Image image = picture(scene, width, height, sampling(samples, threshold)).image;
     for (int y = 0; y < height; ++y) {
       for (int x = 0; x < width; ++x) {
         int n = 0, ones = 0;
@@ -164,7 +158,7 @@ TEST(Samples, ThresholdTakesRoundsUntilThePixelsOwnErrorIsBelowIt) {
         EXPECT_EQ(image.at(x, y)[0], static_cast<float>(static_cast<double>(ones) / n));
       }
     }
-    EXPECT_EQ(picture(scene, width, height, options_of(samples, threshold)).rays.primary, rays);
+    EXPECT_EQ(picture(scene, width, height, sampling(samples, threshold)).rays.primary, rays);
     EXPECT_GT(rays, width * height * std::max(samples, 4));
   }
 }
@@ -172,7 +166,7 @@ TEST(Samples, ThresholdTakesRoundsUntilThePixelsOwnErrorIsBelowIt) {
 TEST(Samples, RaysBeyondTheLimitEndThePicture) {
   using enum FaultKind;
   const Scene scene = test::thesis_scene('a');
-  for (RenderOptions options : {options_of(1), options_of(4), options_of(2, 0.01)}) {
+  for (RenderOptions options : {sampling(1), sampling(4), sampling(2, 0.01)}) {
     const RayCounts rays = picture(scene, 64, 48, options).rays;
     options.max_rays = rays.primary + rays.shadow;
     options.threads = 3;
@@ -190,7 +184,7 @@ TEST(Samples, LimitAndStopAreSeenWithinOneTile) {
   const World world = compile(test::thesis_scene('a'));
   const View view = view_of(Camera{}, 32, 32);
   Pool pool(1);
-  RenderOptions options = options_of(65536);
+  RenderOptions options = sampling(65536);
   options.max_rays = 1000;
   const auto nothing = [](const Block&) {};
   EXPECT_THROW(render(world, view, {0, 0, 32, 32}, options, pool, {}, nothing), InputError);
@@ -236,7 +230,7 @@ TEST(Samples, BallsOffTheAxisCoverTheirEllipse) {
     const double sine = radius / d, cosine = std::sqrt(1 - sine * sine);
     const double k = cosine * cosine - 1 + depth * depth / (d * d);
     const double area = pi * cosine * sine * sine / std::pow(k, 1.5) / (pixel * pixel);
-    const Image image = picture(black_ball(center, radius), width, height, options_of(n)).image;
+    const Image image = picture(black_ball(center, radius), width, height, sampling(n)).image;
     EXPECT_NEAR(covered_pixels(image), area, coverage_bound(4 * std::sqrt(area * pi), n)) << i;
   }
 }
@@ -252,9 +246,9 @@ TEST(Samples, OrthographicBallsCoverTheirDiscWhereverTheyStand) {
     scene.camera.projection = Projection::orthographic;
     scene.camera.height = 10;
     const double in_pixels = radius * height / 10, area = pi * in_pixels * in_pixels;
-    EXPECT_NEAR(covered_pixels(picture(scene, width, height, options_of(1)).image), area,
+    EXPECT_NEAR(covered_pixels(picture(scene, width, height, sampling(1)).image), area,
                 8 * in_pixels + 4);
-    EXPECT_NEAR(covered_pixels(picture(scene, width, height, options_of(n)).image), area,
+    EXPECT_NEAR(covered_pixels(picture(scene, width, height, sampling(n)).image), area,
                 coverage_bound(8 * in_pixels + 4, n));
   }
 }
@@ -275,7 +269,7 @@ TEST(Samples, BallOutOfFocusCoversTheDiscOfConfusionAndKeepsItsLight) {
   for (const double focus : {6.0, 16.0}) {
     scene.camera.focus_distance = focus;
     const Window middle{cut, cut, side - cut, side - cut};
-    const Image image = picture(scene, side, side, middle, options_of(n)).image;
+    const Image image = picture(scene, side, side, middle, sampling(n)).image;
     const double confusion = aperture / 2 * std::fabs(z - focus) / z / (pixel * focus);
     double farthest = 0;
     for (int y = 0; y < image.height; ++y)
@@ -291,10 +285,10 @@ TEST(Samples, BallOutOfFocusCoversTheDiscOfConfusionAndKeepsItsLight) {
 TEST(Samples, BallInFocusIsAsSharpAsThroughAPinhole) {
   // Its outline lies in the plane of focus but for r^2 / z: 0.25 / 20, blurred by 0.02 pixels.
   Scene scene = black_ball({0, 0, -20}, 0.5);
-  const Image pinhole = picture(scene, 120, 90, options_of(64)).image;
+  const Image pinhole = picture(scene, 120, 90, sampling(64)).image;
   scene.camera.aperture = 0.5;
   scene.camera.focus_distance = 20;
-  const Image lens = picture(scene, 120, 90, options_of(64)).image;
+  const Image lens = picture(scene, 120, 90, sampling(64)).image;
   for (std::size_t i = 0; i < lens.rgb.size(); ++i) EXPECT_NEAR(lens.rgb[i], pinhole.rgb[i], 0.08);
 }
 

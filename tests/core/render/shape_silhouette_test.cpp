@@ -18,8 +18,8 @@ struct Outline {
 };
 
 // The picture's height in scene units; its pixels are squares.
-constexpr double height = 8;
-constexpr int pixels = 256;
+constexpr double frame_height = 8;
+constexpr int frame_pixels = 256;
 
 Scene scene_of(const Outline& outline, double scale) {
   Scene scene = read_scene(R"({"background": 1, "objects": [{)" + outline.shape + "}]}");
@@ -28,14 +28,14 @@ Scene scene_of(const Outline& outline, double scale) {
   scene.camera.look_at = Vec3d{0, 0, 0};
   scene.camera.up = std::fabs(outline.towards.y) > 0.9 ? Vec3d{0, 0, 1} : Vec3d{0, 1, 0};
   scene.camera.projection = Projection::orthographic;
-  scene.camera.height = height * scale;
+  scene.camera.height = frame_height * scale;
   return scene;
 }
 
-Vec3d unit(const Vec3d& v) { return v * (1 / std::sqrt(dot(v, v))); }
+Vec3d unit_of(const Vec3d& v) { return v * (1 / std::sqrt(dot(v, v))); }
 
 std::vector<Outline> outlines() {
-  const Vec3d z{0, 0, -1}, y{0, -1, 0}, oblique = unit({0.3, -0.5, -1});
+  const Vec3d z{0, 0, -1}, y{0, -1, 0}, oblique = unit_of({0.3, -0.5, -1});
   const double R = 2, r = 0.7;
   // A box's shadow is half the sum of its faces' shadows; a box of 2 x 3 x 1.
   const Vec3d d{std::fabs(oblique.x), std::fabs(oblique.y), std::fabs(oblique.z)};
@@ -44,7 +44,7 @@ std::vector<Outline> outlines() {
   // rectangle 2 r h sin a, and the two halves of the cap's ellipse, pi r^2 cos a.
   const double cosine = d.y, sine = std::sqrt(1 - cosine * cosine);
   // The ellipse of a disc seen at an angle.
-  const Vec3d disc_normal = unit({0.4, 0.2, 1});
+  const Vec3d disc_normal = unit_of({0.4, 0.2, 1});
   const double tilt = std::fabs(dot(disc_normal, z));
   return {
       {"sphere", R"("type":"sphere","center":[0.3,-0.2,0.5],"radius":1.7)", oblique,
@@ -87,11 +87,11 @@ std::vector<Outline> outlines() {
 TEST(ShapeSilhouette, HasTheClosedFormsAreaAtEveryScale) {
   for (const Outline& outline : outlines()) {
     for (const double scale : {1e-3, 1.0, 1e3}) {
-      const Image image = picture(scene_of(outline, scale), pixels, pixels).image;
+      const Image image = picture(scene_of(outline, scale), frame_pixels, frame_pixels).image;
       int black = 0;
-      for (int y = 0; y < pixels; ++y)
-        for (int x = 0; x < pixels; ++x) black += image.at(x, y)[0] == 0;
-      const double side = height / pixels;
+      for (int y = 0; y < frame_pixels; ++y)
+        for (int x = 0; x < frame_pixels; ++x) black += image.at(x, y)[0] == 0;
+      const double side = frame_height / frame_pixels;
       // A curve passes fewer pixels than 2 length / side + 4, and their centres lie on either side
       // of it like tosses of a coin: three deviations of as many, and a pixel's width of the
       // straight edges, which lie along the raster.

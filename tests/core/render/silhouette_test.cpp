@@ -8,18 +8,13 @@ namespace tia {
 namespace {
 
 using test::ball;
+using test::black_ball;
+using test::Long;
 using test::picture;
-using Long = long double;
 
-const Long half = std::tan(12.5L * std::acos(-1.0L) / 180);  // of the default field of view
+const Long half_height_of_view =
+    std::tan(12.5L * std::acos(-1.0L) / 180);  // of the default field of view
 
-// A black ball before a white background: what is black is ball.
-Scene black_ball(const Sphere& sphere) {
-  Scene scene;
-  scene.background = {1, 1, 1};
-  scene.objects.push_back(ball(sphere.center, sphere.radius));
-  return scene;
-}
 bool is_black(const Image& image, int x, int y) { return image.at(x, y)[0] == 0; }
 
 TEST(Silhouette, PixelCountOnTheAxisIsTheClosedForm) {
@@ -31,11 +26,11 @@ TEST(Silhouette, PixelCountOnTheAxisIsTheClosedForm) {
       const Long limit =
           static_cast<Long>(r) * r / (static_cast<Long>(d) * d - static_cast<Long>(r) * r);
       int inside = 0, close = 0, black = 0;
-      const Image image = picture(black_ball({{0, 0, -d}, r}), width, height).image;
+      const Image image = picture(black_ball({0, 0, -d}, r), width, height).image;
       for (int y = 0; y < height; ++y) {
         for (int x = 0; x < width; ++x) {
-          const Long xx = static_cast<Long>(2 * x + 1 - width) / height * half;
-          const Long yy = static_cast<Long>(height - 2 * y - 1) / height * half;
+          const Long xx = static_cast<Long>(2 * x + 1 - width) / height * half_height_of_view;
+          const Long yy = static_cast<Long>(height - 2 * y - 1) / height * half_height_of_view;
           const Long square = xx * xx + yy * yy;
           inside += square <= limit;
           close += std::fabs(square / limit - 1) < 1e-6L;
@@ -54,13 +49,14 @@ TEST(Silhouette, OffTheAxisEveryPixelFollowsTheQuadratic) {
   int blacks = 0, close = 0;
   for (int i = 0; i < 100; ++i) {
     const Sphere sphere{random.point(4) + Vec3d{0, 0, -15}, random.in(0.1, 4)};
-    const Image image = picture(black_ball(sphere), width, height).image;
+    const Image image = picture(black_ball(sphere.center, sphere.radius), width, height).image;
     const auto c = static_cast<Vec3<Long>>(sphere.center);
     const Long k = dot(c, c) - static_cast<Long>(sphere.radius) * sphere.radius;
     for (int y = 0; y < height; ++y) {
       for (int x = 0; x < width; ++x) {
-        const Vec3<Long> d{static_cast<Long>(2 * x + 1 - width) / height * half,
-                           static_cast<Long>(height - 2 * y - 1) / height * half, -1};
+        const Vec3<Long> d{static_cast<Long>(2 * x + 1 - width) / height * half_height_of_view,
+                           static_cast<Long>(height - 2 * y - 1) / height * half_height_of_view,
+                           -1};
         // |t d - c|^2 = r^2 has a root: (c.d)^2 >= |d|^2 (|c|^2 - r^2), before the eye.
         const Long along = dot(c, d), left = along * along / (dot(d, d) * k);
         if (std::fabs(left - 1) < 1e-6L) {
@@ -84,8 +80,10 @@ struct FloorPoint {
 };
 FloorPoint floor_point(Long x, Long y, int width, int height) {
   const Vec3<Long> floor{0, -10004, -20}, ball{0, 0, -20};
-  Vec3<Long> d{(2 * x + 1 - static_cast<Long>(width)) / static_cast<Long>(height) * half,
-               (static_cast<Long>(height) - 2 * y - 1) / static_cast<Long>(height) * half, -1};
+  Vec3<Long> d{
+      (2 * x + 1 - static_cast<Long>(width)) / static_cast<Long>(height) * half_height_of_view,
+      (static_cast<Long>(height) - 2 * y - 1) / static_cast<Long>(height) * half_height_of_view,
+      -1};
   d = d * (1 / std::sqrt(dot(d, d)));
   const Long to_ball = dot(ball, d), b = dot(floor, d);
   const bool ball_before = to_ball * to_ball > dot(ball, ball) - 16;

@@ -9,11 +9,13 @@
 #include <memory>
 #include <vector>
 
+#include "tests/core/render/jobs.h"
+
 namespace tia {
 namespace {
 
-constexpr Nanoseconds ms = 1'000'000;
-constexpr int endless = 1'000'000'000;
+using test::endless;
+using test::ms;
 
 /// Jobs whose tasks take as long as they say, on hands that are at once where they are called.
 class Play {

@@ -71,10 +71,10 @@ TEST(Keys, UnknownKeyIsRefusedWithTheKnownOnes) {
 
 // Where a point lies from the point looked at, in the picture's own terms: along the view axis and
 // towards the picture's right and upper edge, perpendicular to the axis.
-struct Seen {
+struct Offset {
   double depth, right, up;
 };
-Seen seen_from(const Camera& camera, const Vec3d& target, const Vec3d& p) {
+Offset offset_from(const Camera& camera, const Vec3d& target, const Vec3d& p) {
   const View view = view_of(camera, 100, 100);
   const Vec3d axis = normalize(view.forward), way = p - target;
   const auto across = [&](const Vec3d& side) { return normalize(side - axis * dot(side, axis)); };
@@ -86,9 +86,9 @@ void expect_default_places(const Scene& scene, const Vec3d& target, double dista
     const Scene after = press(scene, key);
     const Vec3d place = place_of(after.key_light ? *after.key_light : after.lights.at(0));
     EXPECT_NEAR(length(place - target), distance, 1e-9 * (1 + distance)) << key;
-    return seen_from(scene.camera, target, place);
+    return offset_from(scene.camera, target, place);
   };
-  const Seen a = pressed("a"), d = pressed("d"), s = pressed("s"), w = pressed("w");
+  const Offset a = pressed("a"), d = pressed("d"), s = pressed("s"), w = pressed("w");
   const double clearly = distance / 10;
   EXPECT_LT(a.right, -clearly) << "a: left";
   EXPECT_GT(d.right, clearly) << "d: right";

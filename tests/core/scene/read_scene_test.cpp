@@ -10,9 +10,8 @@ namespace tia {
 namespace {
 
 using enum FaultKind;
-using test::Expected;
+using test::expect_scene_refused;
 
-const auto expect_refused = test::refusal_by([](const std::string& json) { read_scene(json); });
 std::string with_object(const std::string& members) {
   return std::string(R"({"objects":[{)").append(members).append("}]}");
 }
@@ -75,76 +74,84 @@ TEST(ReadScene, KeyWithTheOneMemberLightIsAPositionAndAnyOtherAPatch) {
 // ---- faults, one by one -----------------------------------------------------------------------
 
 TEST(ReadScene, UnknownMembersNameTheNearestKnownOne) {
-  expect_refused(R"({"objcts":[]})", {{unknown_name, "/objcts", "\"objcts\"",
-                                       "title, description, camera", "objects"}});
-  expect_refused(R"({"camera":{"fov":40}})",
-                 {{unknown_name, "/camera/fov", "\"fov\"", "fov_degrees", ""}});
-  expect_refused(
+  expect_scene_refused(R"({"objcts":[]})", {{unknown_name, "/objcts", "\"objcts\"",
+                                             "title, description, camera", "objects"}});
+  expect_scene_refused(R"({"camera":{"fov":40}})",
+                       {{unknown_name, "/camera/fov", "\"fov\"", "fov_degrees", ""}});
+  expect_scene_refused(
       with_sphere(R"("colour":[1,1,1])"),
       {{unknown_name, "/objects/0/colour", "\"colour\"", "center, radius, transform, material"}});
-  expect_refused(with_sphere(R"("material":{"colour":[1,1,1]})"),
-                 {{unknown_name, "/objects/0/material/colour", "\"colour\"", "color", "color"}});
-  expect_refused(
+  expect_scene_refused(
+      with_sphere(R"("material":{"colour":[1,1,1]})"),
+      {{unknown_name, "/objects/0/material/colour", "\"colour\"", "color", "color"}});
+  expect_scene_refused(
       R"({"options":{"thread":3}})",
       {{unknown_name, "/options/thread", "\"thread\"",
         "integrator, transfer, samples, threshold, max_depth, transparent_shadows, seed"}});
-  expect_refused(R"({"lights":[{"type":"point","position":[0,0,0],"radius":3}]})",
-                 {{unknown_name, "/lights/0/radius", "\"radius\"", "position, color, intensity"}});
+  expect_scene_refused(
+      R"({"lights":[{"type":"point","position":[0,0,0],"radius":3}]})",
+      {{unknown_name, "/lights/0/radius", "\"radius\"", "position, color, intensity"}});
 }
 
 TEST(ReadScene, WrongTypesSayWhatIsAllowed) {
-  expect_refused("[]", {{wrong_type, "", "[]", "an object"}});
-  expect_refused("null", {{wrong_type, "", "null", "an object"}});
-  expect_refused(R"({"title":5})", {{wrong_type, "/title", "5", "a string"}});
-  expect_refused(R"({"camera":[]})", {{wrong_type, "/camera", "[]", "an object"}});
-  expect_refused(R"({"objects":{}})", {{wrong_type, "/objects", "{}", "an array"}});
-  expect_refused(R"({"objects":[5]})", {{wrong_type, "/objects/0", "5", "an object"}});
-  expect_refused(R"({"background":"red"})", {{wrong_type, "/background", "\"red\"", "3 numbers"}});
-  expect_refused(R"({"materials":[]})", {{wrong_type, "/materials", "[]", "an object"}});
-  expect_refused(R"({"materials":{"m":"white"}})",
-                 {{wrong_type, "/materials/m", "\"white\"", "an object"}});
-  expect_refused(with_object(R"("type":7)"), {{wrong_type, "/objects/0/type", "7", "sphere"}});
-  expect_refused(with_sphere(R"("material":5)"),
-                 {{wrong_type, "/objects/0/material", "5", "a name or an object"}});
-  expect_refused(R"({"keys":{"a":[1,2,3]}})", {{wrong_type, "/keys/a", "[1,2,3]",
-                                                "{\"light\": [x, y, z]} or a JSON merge patch"}});
-  expect_refused(R"({"keys":{"a":{"light":[1,2]}}})",
-                 {{wrong_type, "/keys/a/light", "[1,2]", "3 numbers"}});
-  expect_refused(R"({"options":{"seed":1.5}})",
-                 {{wrong_type, "/options/seed", "1.5", "an integer"}});
+  expect_scene_refused("[]", {{wrong_type, "", "[]", "an object"}});
+  expect_scene_refused("null", {{wrong_type, "", "null", "an object"}});
+  expect_scene_refused(R"({"title":5})", {{wrong_type, "/title", "5", "a string"}});
+  expect_scene_refused(R"({"camera":[]})", {{wrong_type, "/camera", "[]", "an object"}});
+  expect_scene_refused(R"({"objects":{}})", {{wrong_type, "/objects", "{}", "an array"}});
+  expect_scene_refused(R"({"objects":[5]})", {{wrong_type, "/objects/0", "5", "an object"}});
+  expect_scene_refused(R"({"background":"red"})",
+                       {{wrong_type, "/background", "\"red\"", "3 numbers"}});
+  expect_scene_refused(R"({"materials":[]})", {{wrong_type, "/materials", "[]", "an object"}});
+  expect_scene_refused(R"({"materials":{"m":"white"}})",
+                       {{wrong_type, "/materials/m", "\"white\"", "an object"}});
+  expect_scene_refused(with_object(R"("type":7)"),
+                       {{wrong_type, "/objects/0/type", "7", "sphere"}});
+  expect_scene_refused(with_sphere(R"("material":5)"),
+                       {{wrong_type, "/objects/0/material", "5", "a name or an object"}});
+  expect_scene_refused(
+      R"({"keys":{"a":[1,2,3]}})",
+      {{wrong_type, "/keys/a", "[1,2,3]", "{\"light\": [x, y, z]} or a JSON merge patch"}});
+  expect_scene_refused(R"({"keys":{"a":{"light":[1,2]}}})",
+                       {{wrong_type, "/keys/a/light", "[1,2]", "3 numbers"}});
+  expect_scene_refused(R"({"options":{"seed":1.5}})",
+                       {{wrong_type, "/options/seed", "1.5", "an integer"}});
 }
 
 TEST(ReadScene, KindsThatDoNotExistNameTheNearestThatDoes) {
-  expect_refused(with_object(R"("type":"spher")"),
-                 {{unknown_name, "/objects/0/type", "\"spher\"", "one of sphere", "sphere"}});
-  expect_refused(R"({"lights":[{"type":"pint"}]})",
-                 {{unknown_name, "/lights/0/type", "\"pint\"",
-                   "one of point, directional, spot, sphere, quad, sky", "point"}});
-  expect_refused(R"({"materials":{"m":{"type":"finsh"}}})",
-                 {{unknown_name, "/materials/m/type", "\"finsh\"", "one of finish", "finish"}});
-  expect_refused(R"({"options":{"integrator":"tesis"}})",
-                 {{unknown_name, "/options/integrator", "\"tesis\"", "one of thesis", "thesis"}});
-  expect_refused(R"({"options":{"transfer":"sRGBB"}})",
-                 {{unknown_name, "/options/transfer", "\"sRGBB\"", "one of srgb, linear"}});
+  expect_scene_refused(with_object(R"("type":"spher")"),
+                       {{unknown_name, "/objects/0/type", "\"spher\"", "one of sphere", "sphere"}});
+  expect_scene_refused(R"({"lights":[{"type":"pint"}]})",
+                       {{unknown_name, "/lights/0/type", "\"pint\"",
+                         "one of point, directional, spot, sphere, quad, sky", "point"}});
+  expect_scene_refused(
+      R"({"materials":{"m":{"type":"finsh"}}})",
+      {{unknown_name, "/materials/m/type", "\"finsh\"", "one of finish", "finish"}});
+  expect_scene_refused(
+      R"({"options":{"integrator":"tesis"}})",
+      {{unknown_name, "/options/integrator", "\"tesis\"", "one of thesis", "thesis"}});
+  expect_scene_refused(R"({"options":{"transfer":"sRGBB"}})",
+                       {{unknown_name, "/options/transfer", "\"sRGBB\"", "one of srgb, linear"}});
 }
 
 TEST(ReadScene, MissingMembersAreNamed) {
-  expect_refused(with_object(""), {{missing, "/objects/0/type", "", "one of sphere"}});
-  expect_refused(with_object(R"("type":"sphere")"),
-                 {{missing, "/objects/0/center", "", "the centre"},
-                  {missing, "/objects/0/radius", "", "the radius"}});
-  expect_refused(R"({"lights":[{}]})", {{missing, "/lights/0/type", "",
-                                         "one of point, directional, spot, sphere, quad, sky"}});
-  expect_refused(R"({"lights":[{"type":"sphere","position":[0,0,0]}]})",
-                 {{missing, "/lights/0/radius", "", "the radius"}});
-  expect_refused(R"({"key_light":{"type":"sphere"}})",
-                 {{missing, "/key_light/radius", "", "the radius"}});
+  expect_scene_refused(with_object(""), {{missing, "/objects/0/type", "", "one of sphere"}});
+  expect_scene_refused(with_object(R"("type":"sphere")"),
+                       {{missing, "/objects/0/center", "", "the centre"},
+                        {missing, "/objects/0/radius", "", "the radius"}});
+  expect_scene_refused(
+      R"({"lights":[{}]})",
+      {{missing, "/lights/0/type", "", "one of point, directional, spot, sphere, quad, sky"}});
+  expect_scene_refused(R"({"lights":[{"type":"sphere","position":[0,0,0]}]})",
+                       {{missing, "/lights/0/radius", "", "the radius"}});
+  expect_scene_refused(R"({"key_light":{"type":"sphere"}})",
+                       {{missing, "/key_light/radius", "", "the radius"}});
 }
 
 TEST(ReadScene, OnlyTheKeyLightMayWaitForItsPosition) {
-  expect_refused(R"({"lights":[{"type":"point"},{"type":"sphere","radius":1}]})",
-                 {{missing, "/lights/0/position", "", "where the light is"},
-                  {missing, "/lights/1/position", "", "where the light is"}});
+  expect_scene_refused(R"({"lights":[{"type":"point"},{"type":"sphere","radius":1}]})",
+                       {{missing, "/lights/0/position", "", "where the light is"},
+                        {missing, "/lights/1/position", "", "where the light is"}});
   EXPECT_NO_THROW(read_scene(R"({"key_light":{"type":"point"}})"));
 }
 
@@ -155,72 +162,74 @@ TEST(ReadScene, ValuesOutOfRangeSayTheRange) {
   EXPECT_NO_THROW(read_scene(sphere("1e9")));
   EXPECT_NO_THROW(read_scene(sphere("1e-300")));
   for (const char* radius : {"0", "-1", "1000000001"})
-    expect_refused(sphere(radius),
-                   {{out_of_range, "/objects/0/radius", radius, "above 0, at most 1000000000"}});
-  expect_refused(with_object(R"("type":"sphere","center":[0,-2e9,0],"radius":1)"),
-                 {{out_of_range, "/objects/0/center/1", "-2000000000", "from -1000000000"}});
-  expect_refused(R"({"background":[0,0,-0.5]})",
-                 {{out_of_range, "/background/2", "-0.5", "a number from 0 to 1000000"}});
-  expect_refused(R"({"materials":{"a/b~":{"diffuse":1.01}}})",
-                 {{out_of_range, "/materials/a~1b~0/diffuse", "1.01", "from 0 to 1"}});
-  expect_refused(R"({"key_light":{"type":"point","intensity":-1}})",
-                 {{out_of_range, "/key_light/intensity", "-1", "from 0 to 1000000"}});
-  expect_refused(R"({"keys":{"a":{"light":[1,2,1e10]}}})",
-                 {{out_of_range, "/keys/a/light/2", "10000000000", "to 1000000000"}});
+    expect_scene_refused(sphere(radius), {{out_of_range, "/objects/0/radius", radius,
+                                           "above 0, at most 1000000000"}});
+  expect_scene_refused(with_object(R"("type":"sphere","center":[0,-2e9,0],"radius":1)"),
+                       {{out_of_range, "/objects/0/center/1", "-2000000000", "from -1000000000"}});
+  expect_scene_refused(R"({"background":[0,0,-0.5]})",
+                       {{out_of_range, "/background/2", "-0.5", "a number from 0 to 1000000"}});
+  expect_scene_refused(R"({"materials":{"a/b~":{"diffuse":1.01}}})",
+                       {{out_of_range, "/materials/a~1b~0/diffuse", "1.01", "from 0 to 1"}});
+  expect_scene_refused(R"({"key_light":{"type":"point","intensity":-1}})",
+                       {{out_of_range, "/key_light/intensity", "-1", "from 0 to 1000000"}});
+  expect_scene_refused(R"({"keys":{"a":{"light":[1,2,1e10]}}})",
+                       {{out_of_range, "/keys/a/light/2", "10000000000", "to 1000000000"}});
   for (const char* seed : {"-1", "9007199254740992"})
-    expect_refused(std::string(R"({"options":{"seed":)").append(seed).append("}}"),
-                   {{out_of_range, "/options/seed", seed, "from 0 to 9007199254740991"}});
+    expect_scene_refused(std::string(R"({"options":{"seed":)").append(seed).append("}}"),
+                         {{out_of_range, "/options/seed", seed, "from 0 to 9007199254740991"}});
 }
 
 TEST(ReadScene, MaterialNamesMustExist) {
-  expect_refused(with_sphere(R"("material":"white")"),
-                 {{unknown_name, "/objects/0/material", "\"white\"", "the scene names none"}});
-  expect_refused(R"({"materials":{"white":{},"red":{}},"objects":[
+  expect_scene_refused(
+      with_sphere(R"("material":"white")"),
+      {{unknown_name, "/objects/0/material", "\"white\"", "the scene names none"}});
+  expect_scene_refused(
+      R"({"materials":{"white":{},"red":{}},"objects":[
       {"type":"sphere","center":[0,0,0],"radius":1,"material":"red"},
       {"type":"sphere","center":[0,0,0],"radius":1,"material":"whte"}]})",
-                 {{unknown_name, "/objects/1/material", "\"whte\"", "one of red, white", "white"}});
+      {{unknown_name, "/objects/1/material", "\"whte\"", "one of red, white", "white"}});
 }
 
 // ---- faults, many at once ---------------------------------------------------------------------
 
 TEST(ReadScene, ManyFaultsComeAtOnce) {
-  expect_refused(R"({
+  expect_scene_refused(R"({
     "title": 1, "camera": {"fov_degrees": 200, "upp": [0,1,0]}, "background": [0,0],
     "objects": [{"type":"sphere","center":[0,"0",0],"radius":-1}, {"type":"sphre"}],
     "lights": [{"type":"point","position":1}], "frobnicate": true})",
-                 {{wrong_type, "/title", "1", "a string"},
-                  {out_of_range, "/camera/fov_degrees", "200", "at most 179"},
-                  {unknown_name, "/camera/upp", "\"upp\"", "location", "up"},
-                  {wrong_type, "/background", "[0,0]", "3 numbers"},
-                  {wrong_type, "/objects/0/center/1", "\"0\"", "a number"},
-                  {out_of_range, "/objects/0/radius", "-1", "above 0"},
-                  {unknown_name, "/objects/1/type", "\"sphre\"", "sphere", "sphere"},
-                  {wrong_type, "/lights/0/position", "1", "3 numbers"},
-                  {unknown_name, "/frobnicate", "\"frobnicate\"", "title"}});
+                       {{wrong_type, "/title", "1", "a string"},
+                        {out_of_range, "/camera/fov_degrees", "200", "at most 179"},
+                        {unknown_name, "/camera/upp", "\"upp\"", "location", "up"},
+                        {wrong_type, "/background", "[0,0]", "3 numbers"},
+                        {wrong_type, "/objects/0/center/1", "\"0\"", "a number"},
+                        {out_of_range, "/objects/0/radius", "-1", "above 0"},
+                        {unknown_name, "/objects/1/type", "\"sphre\"", "sphere", "sphere"},
+                        {wrong_type, "/lights/0/position", "1", "3 numbers"},
+                        {unknown_name, "/frobnicate", "\"frobnicate\"", "title"}});
 }
 
 TEST(ReadScene, FaultsAcrossFieldsComeWithTheOthers) {
   // A camera's own check is not put off by a fault before it in the text ...
-  expect_refused(R"({"title":1,"camera":{"direction":[0,0,0]}})",
-                 {{wrong_type, "/title", "1", "a string"},
-                  {out_of_range, "/camera/direction", "[0,0,0]", "some length"}});
+  expect_scene_refused(R"({"title":1,"camera":{"direction":[0,0,0]}})",
+                       {{wrong_type, "/title", "1", "a string"},
+                        {out_of_range, "/camera/direction", "[0,0,0]", "some length"}});
   // ... nor a name that points nowhere by a fault beside it.
-  expect_refused(R"({"title":1,"objects":[
+  expect_scene_refused(R"({"title":1,"objects":[
       {"type":"sphere","center":[0,0,0],"radius":1,"material":"nowhere"}]})",
-                 {{wrong_type, "/title", "1", "a string"},
-                  {unknown_name, "/objects/0/material", "\"nowhere\"", "names none"}});
-  expect_refused(R"({"title":1,"lights":[{"type":"point"}]})",
-                 {{wrong_type, "/title", "1", "a string"},
-                  {missing, "/lights/0/position", "", "where the light is"}});
+                       {{wrong_type, "/title", "1", "a string"},
+                        {unknown_name, "/objects/0/material", "\"nowhere\"", "names none"}});
+  expect_scene_refused(R"({"title":1,"lights":[{"type":"point"}]})",
+                       {{wrong_type, "/title", "1", "a string"},
+                        {missing, "/lights/0/position", "", "where the light is"}});
 }
 
 TEST(ReadScene, AFaultDoesNotMakeAnother) {
-  expect_refused(R"({"lights":[{"type":"point","position":5}]})",
-                 {{wrong_type, "/lights/0/position", "5", "3 numbers"}});
-  expect_refused(R"({"lights":[5]})", {{wrong_type, "/lights/0", "5", "an object"}});
-  expect_refused(R"({"materials":[],"objects":[
+  expect_scene_refused(R"({"lights":[{"type":"point","position":5}]})",
+                       {{wrong_type, "/lights/0/position", "5", "3 numbers"}});
+  expect_scene_refused(R"({"lights":[5]})", {{wrong_type, "/lights/0", "5", "an object"}});
+  expect_scene_refused(R"({"materials":[],"objects":[
       {"type":"sphere","center":[0,0,0],"radius":1,"material":"white"}]})",
-                 {{wrong_type, "/materials", "[]", "an object"}});
+                       {{wrong_type, "/materials", "[]", "an object"}});
 }
 
 TEST(ReadScene, TwentyFaultsAreTheMostThatCome) {
@@ -234,8 +243,8 @@ TEST(ReadScene, TwentyFaultsAreTheMostThatCome) {
 }
 
 TEST(ReadScene, MalformedTextIsOneFault) {
-  expect_refused(R"({"objects":[{"type":"sphere",}]})",
-                 {{malformed, "/objects/0/type", "", "JSON text"}});
+  expect_scene_refused(R"({"objects":[{"type":"sphere",}]})",
+                       {{malformed, "/objects/0/type", "", "JSON text"}});
 }
 
 }  // namespace

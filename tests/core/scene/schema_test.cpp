@@ -16,7 +16,7 @@ const JsonSchema& schema() {
 bool valid(const char* json) { return schema().valid(parse_json(json)); }
 
 // The schema found along names, through "properties" and "items".
-const Value& at(std::initializer_list<const char*> path) {
+const Value& schema_at(std::initializer_list<const char*> path) {
   const Value* here = &schema().document();
   for (const char* step : path) here = find(*schema().resolved(*here).as<Value::Object>(), step);
   return *here;
@@ -34,26 +34,26 @@ const Value& kind_of(const Value& list, std::string_view type, std::string_view 
 }
 
 TEST(SceneSchema, IsAnObjectSchemaOf2020) {
-  EXPECT_EQ(at({"$schema"}), Value("https://json-schema.org/draft/2020-12/schema"));
-  EXPECT_EQ(at({"type"}), Value("object"));
-  EXPECT_EQ(at({"additionalProperties"}), Value(false));
+  EXPECT_EQ(schema_at({"$schema"}), Value("https://json-schema.org/draft/2020-12/schema"));
+  EXPECT_EQ(schema_at({"type"}), Value("object"));
+  EXPECT_EQ(schema_at({"additionalProperties"}), Value(false));
 }
 
 TEST(SceneSchema, HoldsTheFieldsRangesDefaultsAndWords) {
-  const Value& fov = at({"properties", "camera", "properties", "fov_degrees"});
+  const Value& fov = schema_at({"properties", "camera", "properties", "fov_degrees"});
   EXPECT_EQ(*find(*fov.as<Value::Object>(), "exclusiveMinimum"), Value(0));
   EXPECT_EQ(*find(*fov.as<Value::Object>(), "maximum"), Value(179));
   EXPECT_EQ(*find(*fov.as<Value::Object>(), "default"), Value(25));
   EXPECT_EQ(*find(*fov.as<Value::Object>(), "description"),
             Value("vertical field of view, in degrees"));
-  const Value& radius = kind_of(at({"properties", "objects", "items"}), "sphere", "radius");
+  const Value& radius = kind_of(schema_at({"properties", "objects", "items"}), "sphere", "radius");
   EXPECT_EQ(*find(*radius.as<Value::Object>(), "exclusiveMinimum"), Value(0));
   EXPECT_EQ(*find(*radius.as<Value::Object>(), "maximum"), Value(1e9));
   EXPECT_EQ(find(*radius.as<Value::Object>(), "default"), nullptr) << "it is required";
-  const Value& seed = at({"properties", "options", "properties", "seed"});
+  const Value& seed = schema_at({"properties", "options", "properties", "seed"});
   EXPECT_EQ(*find(*seed.as<Value::Object>(), "type"), Value("integer"));
   EXPECT_EQ(*find(*seed.as<Value::Object>(), "maximum"), Value(9007199254740991.0));
-  const Value& transfer = at({"properties", "options", "properties", "transfer", "enum"});
+  const Value& transfer = schema_at({"properties", "options", "properties", "transfer", "enum"});
   EXPECT_EQ(transfer, Value(Value::Array{"srgb", "linear"}));
 }
 
@@ -131,7 +131,7 @@ TEST(SceneSchema, RefusesWhatTheReaderRefuses) {
 }
 
 // What the reader checks beyond the schema, all of it across fields: by the words of the faults.
-const std::vector<std::string> beyond_schema = {
+const std::vector<std::string> beyond_scene_schema = {
     // the camera
     "look_at or direction", "right goes with", "basis goes without", "goes with basis", "for basis",
     "basis goes without distance", "goes with projection orthographic", "projection orthographic",
@@ -166,7 +166,7 @@ const std::vector<std::string> beyond_schema = {
     "the scene names none", "one of name ", "where the light is"};
 
 TEST(SceneSchema, AgreesWithTheReaderOnMadeDocuments) {
-  test::expect_agreement<Scene>(schema().document(), 1500, beyond_schema);
+  test::expect_agreement<Scene>(schema().document(), 1500, beyond_scene_schema);
 }
 
 }  // namespace

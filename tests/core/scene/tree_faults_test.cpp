@@ -14,37 +14,37 @@ void expect(const std::string& objects, const std::vector<Expected>& expected) {
                       expected);
 }
 
-const std::string ball = R"({"type":"sphere","center":[0,0,0],"radius":1})";
-const std::string disc = R"({"type":"disc","center":[0,0,0],"normal":[0,1,0],"radius":1})";
-const std::string plane = R"({"type":"plane","point":[0,0,0],"normal":[0,1,0]})";
+const std::string ball_json = R"({"type":"sphere","center":[0,0,0],"radius":1})";
+const std::string disc_json = R"({"type":"disc","center":[0,0,0],"normal":[0,1,0],"radius":1})";
+const std::string plane_json = R"({"type":"plane","point":[0,0,0],"normal":[0,1,0]})";
 
 TEST(TreeFaults, AnOpenShapeInACsgIsNamedWhateverElseIsWrong) {
   expect(
       R"({"type":"csg","operation":"union","children":[
              {"type":"disc","center":[0,0,0],"normal":[0,1,0],"radius":-1},)" +
-          ball + "," + disc + "]}",
+          ball_json + "," + disc_json + "]}",
       {{FaultKind::out_of_range, "/objects/0/children/0/radius", "-1", "a number above 0"},
        {FaultKind::out_of_range, "/objects/0/children/0/type", "\"disc\"", "in a csg a solid ("},
        {FaultKind::out_of_range, "/objects/0/children/2/type", "\"disc\"", "sphere, plane, box"}});
 }
 
 TEST(TreeFaults, AnOpenShapeInAGroupOfACsgIsNamedItself) {
-  expect(R"({"type":"csg","operation":"difference","children":[)" + ball +
-             R"(,{"type":"group","children":[)" + ball + "," + disc + "]}]}",
+  expect(R"({"type":"csg","operation":"difference","children":[)" + ball_json +
+             R"(,{"type":"group","children":[)" + ball_json + "," + disc_json + "]}]}",
          {{FaultKind::out_of_range, "/objects/0/children/1/children/1/type", "\"disc\"", "solid"}});
 }
 
 TEST(TreeFaults, ACsgsGroupIsNotRepeated) {
-  expect(R"({"type":"csg","operation":"union","children":[)" + ball +
-             R"(,{"type":"group","repeat":{"count":[2,1,1],"step":[3,0,0]},"children":[)" + ball +
-             "]}]}",
+  expect(R"({"type":"csg","operation":"union","children":[)" + ball_json +
+             R"(,{"type":"group","repeat":{"count":[2,1,1],"step":[3,0,0]},"children":[)" +
+             ball_json + "]}]}",
          {{FaultKind::conflict, "/objects/0/children/1/repeat",
            R"({"count":[2,1,1],"step":[3,0,0]})", "a group without repeat"}});
 }
 
 TEST(TreeFaults, ARepeatedPlaneAndTooManyCopiesOfItAreTwo) {
   expect(R"({"type":"group","repeat":{"count":[1000,1000,1000],"step":[1,1,1]},"children":[)" +
-             plane + "]}",
+             plane_json + "]}",
          {{FaultKind::limit, "/objects/0/repeat/count", "[1000,1000,1000]", "16777216 copies"},
           {FaultKind::conflict, "/objects/0/repeat", R"({"count":[1000,1000,1000],"step":[1,1,1]})",
            "/objects/0/children/0 has none"}});
@@ -55,7 +55,7 @@ TEST(TreeFaults, GroupsInGroupsMultiply) {
     return R"({"type":"group","repeat":{"count":[5000,1,1],"step":[1,0,0]},"children":[)" + child +
            "]}";
   };
-  expect(group(group(ball)),
+  expect(group(group(ball_json)),
          {{FaultKind::limit, "/objects/0/children/0/repeat/count", "[5000,1,1]", "make 5000"}});
 }
 
@@ -70,7 +70,7 @@ TEST(TreeFaults, TransformsInTransformsMultiply) {
 TEST(TreeFaults, EachCopyOfALuminousBallIsALightOfAtMost4096) {
   const auto glowing = [](int count) {
     return R"({"type":"group","repeat":{"count":[)" + std::to_string(count) +
-           R"(,1,1],"step":[3,0,0]},"material":{"emission":1},"children":[)" + ball + "]}";
+           R"(,1,1],"step":[3,0,0]},"material":{"emission":1},"children":[)" + ball_json + "]}";
   };
   expect(glowing(4096), {});
   expect(glowing(4097), {{FaultKind::limit, "/objects/0/children/0", "", "4096 luminous balls"}});
