@@ -10,33 +10,13 @@
 namespace tia {
 namespace {
 
-struct Function {
-  std::string_view name;
-  Op op;
-  std::size_t arguments;
-};
-// THE LIST of functions.
-constexpr std::array functions{
-    Function{"sqrt", Op::sqrt, 1}, Function{"abs", Op::abs, 1},     Function{"min", Op::min, 2},
-    Function{"max", Op::max, 2},   Function{"floor", Op::floor, 1}, Function{"exp", Op::exp, 1},
-    Function{"log", Op::log, 1},   Function{"sin", Op::sin, 1},     Function{"cos", Op::cos, 1},
-    Function{"tan", Op::tan, 1},   Function{"asin", Op::asin, 1},   Function{"acos", Op::acos, 1},
-    Function{"atan", Op::atan, 1}, Function{"atan2", Op::atan2, 2}, Function{"sinh", Op::sinh, 1},
-    Function{"cosh", Op::cosh, 1}, Function{"tanh", Op::tanh, 1},
-};
-const Function* function_of(std::string_view name) {
-  for (const Function& each : functions)
-    if (each.name == name) return &each;
-  return nullptr;
-}
-
 // What waits on the stack for its right operand or its end.
 struct Waiting {
   enum Kind { operation, minus, parenthesis, call } kind = operation;
-  char symbol = 0;                     ///< of an operation
-  const Function* function = nullptr;  ///< of a call
-  std::size_t arguments = 0;           ///< that a call has had before the present one
-  std::size_t column = 0;              ///< of the sign or the parenthesis
+  char symbol = 0;                            ///< of an operation
+  const FormulaFunction* function = nullptr;  ///< of a call
+  std::size_t arguments = 0;                  ///< that a call has had before the present one
+  std::size_t column = 0;                     ///< of the sign or the parenthesis
 };
 
 int binding(const Waiting& w) {
@@ -96,7 +76,7 @@ class Reader {
         return have(builder_.constant(token.value));
       }
       if (token.kind == Token::name) {
-        if (const Function* function = function_of(token.text)) {
+        if (const FormulaFunction* function = function_of(token.text)) {
           const Token open = tokens_.next();
           if (!open.is('(')) return unexpected(open, "( after " + std::string(token.text));
           if (!wait({Waiting::call, 0, function, 0, open.column})) return false;
@@ -121,10 +101,7 @@ class Reader {
     const auto found = names_.parameters.find(std::string(token.text));
     if (found != names_.parameters.end()) return have(builder_.constant(found->second));
     if (token.text == "pi") return have(builder_.constant(pi));
-    std::vector<std::string_view> known = names_.variables;
-    for (const auto& [name, value] : names_.parameters) known.push_back(name);
-    known.push_back("pi");
-    for (const Function& each : functions) known.push_back(each.name);
+    const std::vector<std::string_view> known = names_.known();
     fault(FaultKind::unknown_name, token.column, describe(token) + ": one of " + listed(known),
           nearest_name(token.text, known));
     return false;
@@ -262,17 +239,11 @@ int read_formula(const std::string& text, const FormulaNames& names, const Place
   return Reader(text, names, at, builder, faults).read();
 }
 
-void check_parameters(const FormulaNames& names, const Place& at, Faults& faults) {
-  for (const auto& [name, value] : names.parameters) {
-    std::string_view wrong;
-    if (!is_name(name)) wrong = "a name: a letter, then letters, digits and _";
-    const auto& own = names.variables;
-    if (name == "pi" || function_of(name) != nullptr ||
-        std::find(own.begin(), own.end(), name) != own.end())
-      wrong = "a name that means nothing else in formulas";
-    if (!wrong.empty())
-      faults.add({FaultKind::out_of_range, at.at(name).pointer(), Value(name), std::string(wrong)});
-  }
+void check_formulas(const std::vector<std::pair<const char*, std::string>>& formulas,
+                    const FormulaNames& names, const Place& at, Faults& faults) {
+  check_parameters(names, at.at("parameters"), faults);
+  ProgramBuilder builder;
+  for (const auto& [key, text] : formulas) read_formula(text, names, at.at(key), builder, faults);
 }
 
 Program program_of(const std::vector<std::string_view>& texts, const FormulaNames& names) {

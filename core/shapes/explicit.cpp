@@ -12,10 +12,7 @@ FormulaNames names_of(const Explicit& graph) { return {{"x", "y"}, graph.paramet
 }  // namespace
 
 void Explicit::check(const Place& at, Faults& faults) const {
-  const FormulaNames names = names_of(*this);
-  check_parameters(names, at.at("parameters"), faults);
-  ProgramBuilder builder;
-  read_formula(z, names, at.at("z"), builder, faults);
+  check_formulas({{"z", z}}, names_of(*this), at, faults);
 }
 
 FieldForm prepare(const Explicit& graph) {

@@ -146,7 +146,8 @@ bool FieldSearch::visit(const FieldCell& cell, const Vec3d& start, double in, do
     return part(a, b);
   }
   const bool rises = slope > 0;
-  const bool inside_a = a > from ? rises : inside_at(a);
+  const bool inside_a = a > from ? rises : inside_before(a);
+  if (inside_a != rises) return settle(a, inside_a);
   const bool inside_b = b < out ? !rises : inside_at(b);
   return cross_once(a, b, inside_a, inside_b, root, proven);
 }
@@ -241,6 +242,8 @@ bool FieldSearch::tell(const FieldEvent& event) {
   return listener_.hear(event);
 }
 
+// At the start of a cell: between cells nothing changes.
+bool FieldSearch::inside_before(double t) { return told_ ? inside_ : inside_at(t); }
 bool FieldSearch::inside_at(double t) {
   if (t == known_t_) return known_inside_;
   ++values_;

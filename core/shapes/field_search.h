@@ -52,6 +52,7 @@ class FieldSearch {
   bool vanishes(const Piece& piece);
   bool tell(const FieldEvent& event);
   bool settle(double t, bool inside);
+  bool inside_before(double t);
   bool inside_at(double t);
 
   FieldLine along_;

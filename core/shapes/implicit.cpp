@@ -10,10 +10,7 @@ FormulaNames names_of(const Implicit& implicit) { return {{"x", "y", "z"}, impli
 }  // namespace
 
 void Implicit::check(const Place& at, Faults& faults) const {
-  const FormulaNames names = names_of(*this);
-  check_parameters(names, at.at("parameters"), faults);
-  ProgramBuilder builder;
-  read_formula(f, names, at.at("f"), builder, faults);
+  check_formulas({{"f", f}}, names_of(*this), at, faults);
 }
 
 FieldForm prepare(const Implicit& implicit) {

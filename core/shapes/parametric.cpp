@@ -26,12 +26,7 @@ void check_range(const std::array<double, 2>& range, const Place& at, Faults& fa
 }  // namespace
 
 void Parametric::check(const Place& at, Faults& faults) const {
-  const FormulaNames names = names_of(*this);
-  check_parameters(names, at.at("parameters"), faults);
-  ProgramBuilder builder;
-  read_formula(x, names, at.at("x"), builder, faults);
-  read_formula(y, names, at.at("y"), builder, faults);
-  read_formula(z, names, at.at("z"), builder, faults);
+  check_formulas({{"x", x}, {"y", y}, {"z", z}}, names_of(*this), at, faults);
   check_range(u, at.at("u"), faults);
   check_range(v, at.at("v"), faults);
 }

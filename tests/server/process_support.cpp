@@ -25,8 +25,19 @@ std::string Folder::file(const std::string& name) const { return (path_ / name).
 
 // ---- Process --------------------------------------------------------------------------------
 
+namespace {
+
+// Of the build that these tests are of: they stand in its folder "tests".
+std::string tia_program() {
+  return (std::filesystem::canonical("/proc/self/exe").parent_path().parent_path() / "tia")
+      .string();
+}
+
+}  // namespace
+
 Process::Process(const Words& arguments, const Words& environment, int error_output) {
-  Words all{TIA_BINARY};
+  const std::string program = tia_program();
+  Words all{program};
   all.insert(all.end(), arguments.begin(), arguments.end());
   Words variables = environment;
   for (char** each = environ; *each != nullptr; ++each)
@@ -45,10 +56,10 @@ Process::Process(const Words& arguments, const Words& environment, int error_out
   posix_spawn_file_actions_addopen(&files, 2, folder_.file("err").c_str(), flags, 0600);
   if (error_output >= 0) posix_spawn_file_actions_adddup2(&files, error_output, 2);
   posix_spawn_file_actions_addclosefrom_np(&files, 3);
-  const int error = posix_spawn(&pid_, TIA_BINARY, &files, nullptr, pointers(all).data(),
+  const int error = posix_spawn(&pid_, program.c_str(), &files, nullptr, pointers(all).data(),
                                 pointers(variables).data());
   posix_spawn_file_actions_destroy(&files);
-  if (error != 0) throw std::runtime_error(std::string("cannot start ") + TIA_BINARY);
+  if (error != 0) throw std::runtime_error("cannot start " + program);
 }
 Process::~Process() {
   if (finished_) return;

@@ -15,24 +15,18 @@
 #include "core/input/json.h"
 #include "server/routes.h"
 
+// The sanitizers', where the program has one.
+extern "C" void __asan_init() __attribute__((weak));
+extern "C" void __tsan_init() __attribute__((weak));
+
 namespace tia::test {
 
 using namespace tia::server;
 
-#if defined(__has_feature)  // clang++
-#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
-#define TIA_SANITIZED true
-#endif
-#elif defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)  // g++
-#define TIA_SANITIZED true
-#endif
-#ifndef TIA_SANITIZED
-#define TIA_SANITIZED false
-#endif
 /// Whether a sanitizer watches, which takes memory, descriptors and time of its own.
-inline constexpr bool sanitized = TIA_SANITIZED;
+inline const bool sanitized = __asan_init != nullptr || __tsan_init != nullptr;
 /// KiB that a process may grow by beyond what is its own.
-inline constexpr long sanitizers_kilobytes = sanitized ? 1 << 20 : 0;
+inline const long sanitizers_kilobytes = sanitized ? 1 << 20 : 0;
 
 /// The name of a row of a test: its law.
 inline constexpr auto law_of = [](const auto& info) -> std::string { return info.param.law; };

@@ -150,7 +150,7 @@ void expect_itself(const Kind& kind, Random& random) {
 }
 TEST(Blend, OneChildIsThatChildWhereverItStands) {
   Random random(6);
-  for (int i = 0; i < 2; ++i) {
+  for (int i = 0; i < rounds(2); ++i) {
     expect_itself(Sphere{random.point(0.5), random.in(0.4, 1)}, random);
     expect_itself(Box{{-0.8, -0.5, -1}, {0.7, 0.9, 0.3}}, random);
     expect_itself(Cylinder{{-0.5, -0.6, 0}, random.point(0.3) + Vec3d{0.8, 0.7, 0}, 0.4}, random);

@@ -80,7 +80,7 @@ TEST(Implicit, FactorsMoveNoRoot) {
     const auto form = implicit(std::string(factor) + "*" + torus, cube_of(1.6));
     roots += expect_same_roots(form, prepare(Torus{1, 0.4}), {}, 1.4, random);
   }
-  EXPECT_GT(roots, 500);
+  EXPECT_GT(roots, rounds(500));
 }
 
 TEST(Implicit, FarFromTheOriginKeepsItsShape) {

@@ -21,7 +21,7 @@ TEST(ParametricEdges, CurvesAndPointsAreBoundedWork) {
                                     {"u/v", "v/u", "1/(u+v)", both, both, {}}};
   for (const Parametric& each : all) {
     const ParametricForm form = prepare(each);
-    for (int i = 0; i < 100; ++i) {
+    for (int i = 0; i < rounds(100); ++i) {
       const Vec3d origin = random.vector(2, 4);
       // At the curves, too: along the first axis and at the origin.
       const Vec3d target = i % 3 == 0   ? Vec3d{random.in(-1, 1), 0, 0}

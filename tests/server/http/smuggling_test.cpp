@@ -85,7 +85,7 @@ TEST(Target, Of4096BytesIsReadAndOneMoreIs414) {
 
 // ---- floods ---------------------------------------------------------------------------------
 
-constexpr long most_kilobytes = sanitized ? 8192 : 2048;
+const long most_kilobytes = sanitized ? 8192 : 2048;
 
 // A sanitizer keeps up to 256 MiB of what is freed for a while: as much as requests are answered
 // before the socket is full, which is the kernel's to say.
