@@ -164,9 +164,9 @@ void GeometryBuilder::put(const Ball& ball, int space) {
 }
 
 namespace {
-constexpr std::size_t few_things =
-    4;  // so few things are tried in turn: an index costs what it saves
-}
+// So few are tried in turn: an index costs what it saves.
+constexpr std::size_t few_things = 4;
+}  // namespace
 
 void GeometryBuilder::index(BallIndex& index) const {
   if (index.balls.size() <= few_things) return;

@@ -26,6 +26,7 @@ struct Reach {
 /// and where they apply:
 ///   fixed_size  it has no length of its own to scale: make takes no notice of scale
 ///   rounds_at_start  its roots are searched for from where a ray starts, and rounded accordingly
+///   rounding    how far from a root that may lead, along a direction, where a slope is next to 0
 ///   share       of the contract's rounds a share of this many, where a member is costly to compile
 ///   regular     whether a point is clear of the surface's singular ones: there roots are multiple
 ///               and lose digits, and normals mean nothing
@@ -367,6 +368,15 @@ struct Specimen<Heart> : Classic<Heart, HeartLeft> {
   // Where both sides are 0, around its waist and at its two tips, they are so to the third order.
   static bool regular(const Heart&, const Vec3d& p) {
     return std::fabs(p.z) > 0.05 && p.x * p.x + p.y * p.y > 0.05 * 0.05;
+  }
+  // The sum is off by some 2^-53 of what the sizes of its terms add up to, and a root along d by
+  // that over the slope there; next to where both sides are 0 there hardly is one.
+  static double rounding(const Heart& heart, const Vec3d& p, const Vec3d& d) {
+    const double x = p.x * p.x, y = p.y * p.y, z = p.z * p.z, sides = x + 2.25 * y + z + 1;
+    const double sizes = sides * sides * sides + (x + 0.1125 * y) * z * std::fabs(p.z);
+    const Slope at =
+        HeartLeft::of(heart, Slope(p.x, {1, 0, 0}), Slope(p.y, {0, 1, 0}), Slope(p.z, {0, 0, 1}));
+    return 8 * 0x1p-53 * sizes / std::fabs(dot(at.gradient, d));
   }
 };
 
