@@ -11,6 +11,7 @@
 #include "core/film/compressor.h"
 #include "core/film/deflate_end.h"
 #include "core/film/png.h"
+#include "core/film/png_chunk.h"
 
 namespace tia {
 namespace {
@@ -20,21 +21,8 @@ constexpr std::size_t large_bytes = std::size_t{1} << 20;
 // the compressor's tables stay in a core's cache and that threads finish together.
 constexpr std::size_t strip_bytes = std::size_t{1} << 18;
 
-std::string big_endian(std::uint32_t value) {
-  std::string bytes;
-  for (int shift = 24; shift >= 0; shift -= 8) bytes += static_cast<char>(value >> shift & 0xFFU);
-  return bytes;
-}
-
-// W3C PNG (third edition), 5.3: length, type, data, CRC of the two before.
-std::string chunk(std::string_view type, std::string_view data) {
-  std::string bytes = big_endian(static_cast<std::uint32_t>(data.size()));
-  bytes.reserve(data.size() + 12);
-  bytes.append(type).append(data);
-  return bytes += big_endian(libdeflate_crc32(0, bytes.data() + 4, bytes.size() - 4));
-}
-
-// 11.2.1: 8 bits a channel, RGB, the one compression, the one filter method, not interlaced.
+// W3C PNG (third edition), 11.2.1: 8 bits a channel, RGB, the one compression, the one filter
+// method, not interlaced.
 std::string header(int width, int height) {
   return big_endian(static_cast<std::uint32_t>(width)) +
          big_endian(static_cast<std::uint32_t>(height)) + std::string("\x08\x02\0\0\0", 5);
@@ -79,8 +67,8 @@ struct Strip {
 Strip strip(const Scanlines& scanlines, std::size_t i, std::size_t count) {
   const std::uint8_t* const data = scanlines.data() + i * strip_bytes;
   const std::size_t bytes = std::min(strip_bytes, scanlines.size() - i * strip_bytes);
-  return {chunk("IDAT", deflate(data, bytes, i + 1 == count)), libdeflate_adler32(1, data, bytes),
-          bytes};
+  return {png_chunk("IDAT", deflate(data, bytes, i + 1 == count)),
+          libdeflate_adler32(1, data, bytes), bytes};
 }
 
 }  // namespace
@@ -98,9 +86,9 @@ std::string encode_png(const Scanlines& scanlines, const Workers& workers) {
   });
 
   // RFC 1950: a window of 32 KiB, compressed fast; at the end what was compressed is summed up.
-  std::string png = "\x89PNG\r\n\x1A\n" +
-                    chunk("IHDR", header(scanlines.width(), scanlines.height())) +
-                    chunk("IDAT", "\x78\x5E");
+  std::string png = std::string(png_signature) +
+                    png_chunk("IHDR", header(scanlines.width(), scanlines.height())) +
+                    png_chunk("IDAT", "\x78\x5E");
   std::uint32_t adler = 1;
   std::size_t bytes = 64;
   for (const Strip& each : strips) bytes += each.chunk.size();
@@ -109,7 +97,7 @@ std::string encode_png(const Scanlines& scanlines, const Workers& workers) {
     png += each.chunk;
     adler = joined(adler, each.adler, each.bytes);
   }
-  return png += chunk("IDAT", big_endian(adler)) + chunk("IEND", "");
+  return png += png_chunk("IDAT", big_endian(adler)) + png_chunk("IEND", "");
 }
 
 }  // namespace tia

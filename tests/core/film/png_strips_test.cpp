@@ -49,8 +49,7 @@ TEST(PngInStrips, WhoCompressesWhichStripChangesNoByte) {
                        })),
             png);
   Pool pool(5);
-  for (const int threads : {1, 2, 5})
-    EXPECT_EQ(encode_png(lines, pool.workers(threads)), png);
+  for (const int threads : {1, 2, 5}) EXPECT_EQ(encode_png(lines, pool.workers(threads)), png);
 }
 
 TEST(PngInStrips, AStripCostsFewBytes) {
