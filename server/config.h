@@ -26,9 +26,13 @@ struct Config {
   int drain_ms = 9'000;  // docker kills after 10 s
   int drain_delay_ms = 0;
   std::int64_t max_body_bytes = 4 << 20;
+  std::int64_t max_png_bytes = 64 << 20;
   int max_nodes = 100'000;
   std::int64_t max_scenes_bytes = 64 << 20;
   std::int64_t max_geometry_bytes = 256 << 20;
+  std::int64_t cache_bytes = 256 << 20;
+  std::string data_dir;
+  std::int64_t max_data_bytes = 1 << 30;
   std::int64_t max_pixels = Limits{}.max_pixels;
   std::int64_t max_rays = Limits{}.max_rays;
   std::int64_t max_work = Limits{}.max_work;
@@ -66,6 +70,11 @@ struct Config {
                .max = 600'000});
     visit("max_body_bytes", &Config::max_body_bytes,
           Spec{.about = "largest request body", .unit = "bytes", .min = 1024, .max = 1 << 30});
+    visit("max_png_bytes", &Config::max_png_bytes,
+          Spec{.about = "largest picture that is sent back, as a body of type image/png",
+               .unit = "bytes",
+               .min = 1024,
+               .max = 1 << 30});
     visit("max_nodes", &Config::max_nodes,
           Spec{.about = "most JSON values in a text, numbers inside arrays not counted",
                .unit = "values",
@@ -81,6 +90,19 @@ struct Config {
                         "each compiles its own",
                .unit = "bytes",
                .min = 0,
+               .max = 1LL << 40U});
+    visit("cache_bytes", &Config::cache_bytes,
+          Spec{.about = "memory for pictures that have been drawn; 0 = each is drawn anew",
+               .unit = "bytes",
+               .min = 0,
+               .max = 1LL << 40U});
+    visit("data_dir", &Config::data_dir,
+          Spec{.about = "folder for the scenes that POST /scenes keeps, so that they outlive the "
+                        "server; none = they are kept in memory only"});
+    visit("max_data_bytes", &Config::max_data_bytes,
+          Spec{.about = "what the file of kept scenes may hold; beyond it none is kept any more",
+               .unit = "bytes",
+               .min = 1 << 20,
                .max = 1LL << 40U});
     visit("max_pixels", &Config::max_pixels,
           Spec{.about = "largest picture", .unit = "pixels", .min = 1, .max = 1 << 28});
@@ -106,6 +128,13 @@ struct Config {
   Limits limits() const { return {max_pixels, max_rays, max_work}; }
   /// What a text may hold.
   JsonLimits json_limits() const { return {.values = static_cast<std::size_t>(max_nodes)}; }
+  /// What a recipe may hold: a request and a place around it.
+  JsonLimits recipe_limits() const {
+    JsonLimits limits = json_limits();
+    limits.depth += 1;
+    limits.values += 3;
+    return limits;
+  }
 
   /// Processors that this process may use, at most 64.
   static int processors();

@@ -2,20 +2,23 @@
 
 #include <openssl/sha.h>
 
-#include <array>
-
 namespace tia::server {
 
-std::string sha256_hex(std::string_view bytes) {
-  std::array<unsigned char, SHA256_DIGEST_LENGTH> digest{};
-  SHA256(reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size(), digest.data());
-  constexpr std::string_view hex = "0123456789abcdef";
+std::string hex(const Digest& digest) {
+  constexpr std::string_view digits = "0123456789abcdef";
   std::string text;
-  for (const unsigned char byte : digest) {
-    text += hex[byte >> 4U];
-    text += hex[byte & 15U];
+  for (const std::uint8_t byte : digest) {
+    text += digits[byte >> 4U];
+    text += digits[byte & 15U];
   }
   return text;
+}
+
+std::string sha256_hex(std::string_view bytes) {
+  Digest digest{};
+  static_assert(SHA256_DIGEST_LENGTH == digest.size());
+  SHA256(reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size(), digest.data());
+  return hex(digest);
 }
 
 }  // namespace tia::server

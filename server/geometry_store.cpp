@@ -39,7 +39,7 @@ World GeometryStore::compile(const KnownScene& scene, const Workers& workers) {
   if (max_bytes_ == 0) return tia::compile(*scene, workers);
   std::optional<ObjectsDigest> digest;
   if (!scene.objects) digest = digest_of_objects(*scene);
-  SharedGeometry geometry = find(digest ? digest->all : *scene.objects);
+  SharedGeometry geometry = find((digest ? digest->all : *scene.objects).digest);
   if (!geometry) {
     if (!digest) digest = digest_of_objects(*scene);  // for that of each mesh
     geometry = build(*scene, *digest, workers);
@@ -51,7 +51,8 @@ SharedGeometry GeometryStore::build(const Scene& scene, const ObjectsDigest& dig
                                     const Workers& workers) {
   Meshes meshes(*this, digest);
   const auto made = std::make_shared<const Geometry>(geometry_of(scene, workers, std::ref(meshes)));
-  keep(digest.all, {made, {}, geometry_entry_bytes + bytes_of(*made)}, std::move(meshes.met()));
+  keep(digest.all.digest, {made, {}, geometry_entry_bytes + bytes_of(*made)},
+       std::move(meshes.met()));
   return made;
 }
 

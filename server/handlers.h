@@ -9,6 +9,14 @@ namespace tia::server {
 Response get_render(const Request& request, const std::string&, Service& service);
 Response post_render(const Request& request, const std::string&, Service& service);
 
+/// The picture of a plan, from the cache or with a ticket to draw it.
+/// Errors: Stopped; InputError; HttpError (busy).
+PictureStore::Found picture_of(Plan& plan, const std::string& etag, const std::stop_token& stop,
+                               Service& service);
+
+// verify_handler.cpp
+Response post_verify(const Request& request, const std::string&, Service& service);
+
 // explain_handler.cpp
 Response get_explain(const Request& request, const std::string&, Service& service);
 Response post_explain(const Request& request, const std::string&, Service& service);

@@ -39,7 +39,9 @@ Response get_metrics(const Request&, const std::string&, Service& service) {
                       .waiting = admission.waiting(),
                       .kept_scenes = kept.count(),
                       .kept_scenes_bytes = kept.bytes(),
-                      .geometry = service.studio.geometries.counts()};
+                      .data_bytes = kept.file_bytes(),
+                      .geometry = service.studio.geometries.counts(),
+                      .pictures = service.pictures.counts()};
   return {.content_type = std::string(Metrics::media_type),
           .body = service.metrics.text(gauges),
           .headers = {{"Cache-Control", "no-store"}}};

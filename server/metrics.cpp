@@ -45,10 +45,12 @@ struct Metrics::Families {
   prometheus::Family<Gauge>& waiting = family(prometheus::BuildGauge(), "tia_requests_waiting",
                                               "Requests in the queue for a ticket.", registry);
   prometheus::Family<Gauge>& kept = family(prometheus::BuildGauge(), "tia_kept_scenes",
-                                           "Scenes that POST /scenes keeps.", registry);
+                                           "Kept scenes that are in memory.", registry);
   prometheus::Family<Gauge>& kept_bytes =
       family(prometheus::BuildGauge(), "tia_kept_scenes_bytes",
-             "Memory of the scenes that POST /scenes keeps.", registry);
+             "Memory of the kept scenes that are in it.", registry);
+  prometheus::Family<Gauge>& data_bytes = family(prometheus::BuildGauge(), "tia_data_bytes",
+                                                 "What the file of kept scenes holds.", registry);
   prometheus::Family<Counter>& lookups =
       family(prometheus::BuildCounter(), "tia_geometry_lookups_total",
              "Compiled scenes and meshes that were looked for, by result; a miss compiles its own. "
@@ -57,6 +59,15 @@ struct Metrics::Families {
   prometheus::Family<Gauge>& geometry_bytes =
       family(prometheus::BuildGauge(), "tia_geometry_bytes",
              "Memory of the compiled scenes that pictures share.", registry);
+  prometheus::Family<Counter>& pictures =
+      family(prometheus::BuildCounter(), "tia_cache_lookups_total",
+             "Pictures that were asked for, by where they came from: hit: from the cache; miss: "
+             "they were drawn; joined: from another request's drawing that was under way.",
+             registry);
+  prometheus::Family<Gauge>& cached =
+      family(prometheus::BuildGauge(), "tia_cache_pictures", "Pictures in the cache.", registry);
+  prometheus::Family<Gauge>& cached_bytes =
+      family(prometheus::BuildGauge(), "tia_cache_bytes", "Memory of the cache.", registry);
   prometheus::Family<Gauge>& build =
       family(prometheus::BuildGauge(), "tia_build_info", "Always 1; what this build is.", registry);
 
@@ -65,16 +76,19 @@ struct Metrics::Families {
 
   std::mutex raising;  // between a counter's value and its increment
   /// Raises a counter to what was counted elsewhere, unless who asked later has raised it further.
-  void raise(const char* of, const char* result, std::int64_t count) {
-    Counter& counter = lookups.Add({{"of", of}, {"result", result}});
+  static void raise(Counter& counter, std::int64_t count) {
     counter.Increment(std::max(0.0, static_cast<double>(count) - counter.Value()));
   }
-  void raise(const StoreCounts& found) {
+  void raise(const Gauges& now) {
     const std::lock_guard lock(raising);
-    raise("scene", "hit", found.geometry_hits);
-    raise("scene", "miss", found.geometry_misses);
-    raise("mesh", "hit", found.mesh_hits);
-    raise("mesh", "miss", found.mesh_misses);
+    const StoreCounts& found = now.geometry;
+    raise(lookups.Add({{"of", "scene"}, {"result", "hit"}}), found.geometry_hits);
+    raise(lookups.Add({{"of", "scene"}, {"result", "miss"}}), found.geometry_misses);
+    raise(lookups.Add({{"of", "mesh"}, {"result", "hit"}}), found.mesh_hits);
+    raise(lookups.Add({{"of", "mesh"}, {"result", "miss"}}), found.mesh_misses);
+    raise(pictures.Add({{"result", "hit"}}), now.pictures.stored);
+    raise(pictures.Add({{"result", "miss"}}), now.pictures.drawn);
+    raise(pictures.Add({{"result", "joined"}}), now.pictures.joined);
   }
 
   Histogram& phase(const char* name) {
@@ -122,8 +136,11 @@ std::string Metrics::text(const Gauges& gauges) {
   set(families_->waiting, gauges.waiting);
   set(families_->kept, gauges.kept_scenes);
   set(families_->kept_bytes, gauges.kept_scenes_bytes);
+  set(families_->data_bytes, gauges.data_bytes);
   set(families_->geometry_bytes, gauges.geometry.bytes);
-  families_->raise(gauges.geometry);
+  set(families_->cached, gauges.pictures.pictures);
+  set(families_->cached_bytes, gauges.pictures.bytes);
+  families_->raise(gauges);
   return prometheus::TextSerializer().Serialize(families_->registry.Collect());
 }
 

@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "core/render/meter.h"
-#include "server/picture.h"
+#include "server/picture_store.h"
 
 namespace tia::server {
 
@@ -16,7 +16,9 @@ struct Exchange;
 struct Gauges {
   int connections = 0, at_work = 0, waiting = 0;  ///< the latter two of requests
   std::size_t kept_scenes = 0, kept_scenes_bytes = 0;
-  StoreCounts geometry{};  ///< also what was found there since the start
+  std::int64_t data_bytes = 0;  ///< of the file of kept scenes
+  StoreCounts geometry{};       ///< also what was found there since the start
+  PictureCounts pictures{};     ///< the same
 };
 
 /// Metrics: counters since the start. Any thread may call.

@@ -2,10 +2,22 @@
 
 #include <algorithm>
 
+#include "core/film/png_text.h"
 #include "core/integrators/shown.h"
+#include "server/recipe.h"
 #include "server/stopwatch.h"
 
 namespace tia::server {
+
+namespace {
+
+// Where a query's + has become a space, too.
+bool is_this_version(std::string text) {
+  std::replace(text.begin(), text.end(), ' ', '+');
+  return text == version() || text == full_version();
+}
+
+}  // namespace
 
 void PictureRequest::check(const Place& at, Faults& faults) const {
   ViewRequest::check(at, faults);
@@ -14,6 +26,9 @@ void PictureRequest::check(const Place& at, Faults& faults) const {
     faults.add(
         {FaultKind::out_of_range, at.at("crop").pointer(), write_value(crop),
          "x0 < x1 <= " + std::to_string(width) + " and y0 < y1 <= " + std::to_string(height)});
+  if (v && !is_this_version(*v))
+    faults.add({FaultKind::out_of_range, at.at("v").pointer(), Value(*v),
+                full_version() + ", which this server draws; or none, for whatever it draws"});
 }
 
 Window PictureRequest::window() const {
@@ -27,18 +42,22 @@ std::string_view media_type_of(Format format) {
 
 Plan plan_of(const PictureRequest& asked, const Studio& studio) {
   check_size(asked.width, asked.height, studio.limits);
-  const KnownScene scene = scene_of(asked, studio);
+  KnownScene scene = scene_of(asked, studio);
+  if (!scene.objects) scene.objects = digest_of_objects(*scene).all;
   RenderOptions options = options_of(asked, *scene, studio);
   options.threads = std::min(asked.threads.value_or(studio.pool.threads()), studio.pool.threads());
   const Window window = asked.window();
   check_rays(static_cast<std::int64_t>(window.width()) * window.height(),
              least_samples(options.samples, options.threshold), studio.limits);
-  return {.scene = scene,
-          .view = view_of(scene->camera, asked.width, asked.height),
-          .window = window,
-          .options = options,
-          .display = {shown(options.integrator), asked.transfer.value_or(scene->options.transfer)},
-          .format = asked.format};
+  Plan plan{
+      .scene = scene,
+      .view = view_of(scene->camera, asked.width, asked.height),
+      .window = window,
+      .options = options,
+      .display = {shown(options.integrator), asked.transfer.value_or(scene->options.transfer)},
+      .format = asked.format};
+  plan.recipe = recipe_of(asked, plan);
+  return plan;
 }
 
 double Plan::rays() const {
@@ -73,6 +92,8 @@ Picture draw(const Plan& plan, const Studio& studio, const std::stop_token& stop
     trace_onto(film);
     picture.bytes = encode_png(film.image(), stop);
   }
+  if (plan.format == Format::png)
+    picture.bytes = with_text(std::move(picture.bytes), recipe_keyword, plan.recipe);
   picture.media_type = media_type_of(plan.format);
   picture.timing.encode = watch.lap_ms();
   return picture;

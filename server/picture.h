@@ -31,6 +31,7 @@ struct PictureRequest : TraceRequest {
   std::optional<Transfer> transfer;
   Format format = Format::png;
   std::optional<int> threads;
+  std::optional<std::string> v;
 
   template <class Visitor>
   static void fields(Visitor&& visit) {
@@ -45,8 +46,11 @@ struct PictureRequest : TraceRequest {
     visit("format", &P::format, Spec{.about = "png, or pfm for linear light in float"});
     visit("threads", &P::threads,
           Spec{.about = "most threads for this picture; never changes it", .min = 1, .max = 64});
+    visit("v", &P::v,
+          Spec{.about = "the version whose bytes are wanted, as /version tells it: caches may keep "
+                        "the picture for good"});
   }
-  /// Also a crop that is empty or leaves the picture.
+  /// Also a crop that is empty or leaves the picture, a version that is not this one.
   void check(const Place& at, Faults& faults) const;
   Window window() const;
 };
@@ -76,6 +80,7 @@ struct Plan {
   RenderOptions options;
   DisplayRule display;
   Format format = Format::png;
+  std::string recipe = {};  ///< what POST /render would draw the same picture from (recipe.h)
 
   /// The fewest rays that the eye sends out.
   double rays() const;
@@ -84,7 +89,7 @@ struct Plan {
 /// Errors: InputError. The plan may refer to the request.
 Plan plan_of(const PictureRequest& asked, const Studio& studio);
 
-/// Makes the picture. Errors: InputError; Stopped.
+/// Makes the picture, which carries its recipe if it is a PNG. Errors: InputError; Stopped.
 Picture draw(const Plan& plan, const Studio& studio, const std::stop_token& stop);
 
 }  // namespace tia::server

@@ -40,7 +40,9 @@ constexpr std::array rows{
     Row{"timeout", 503, "The answer took too long"},
     Row{"memory", 503, "The server is short of memory"},
     Row{"draining", 503, "The server is going down"},
+    Row{"storage", 503, "What is kept cannot be reached"},
     Row{"version", 505, "The server does not speak this version of HTTP"},
+    Row{"storage-full", 507, "There is no room to keep more"},
 };
 
 const Row& row_of(std::string_view type) {
@@ -102,12 +104,24 @@ Response input_problem(const InputError& error, const Request& request) {
   return document(row_of(type_of(first.kind)), detail, request, std::move(errors));
 }
 
-Response memory_problem(const Request& request) {
-  log_failure(request.id, "out of memory");
-  Response response = document(
-      row_of("memory"), "there is no memory for the answer now; ask again or for less", request);
+Response passing_problem(std::string_view type, const char* detail, const Request& request) {
+  Response response = document(row_of(type), detail, request);
   response.headers.emplace_back("Retry-After", "1");
   return response;
+}
+
+Response memory_problem(const Request& request) {
+  log_failure(request.id, "out of memory");
+  return passing_problem("memory", "there is no memory for the answer now; ask again or for less",
+                         request);
+}
+
+Response storage_problem(const StorageError& error, const Request& request) {
+  log_failure(request.id, error.what());
+  return passing_problem(
+      "storage",
+      "the file of kept scenes cannot be used; what is wrong with it is in the server's log",
+      request);
 }
 
 }  // namespace
@@ -130,6 +144,8 @@ Response problem_response(const std::exception_ptr& failure, const Request& requ
     return document(row_of("draining"), "the render was stopped", request);
   } catch (const std::bad_alloc&) {
     return memory_problem(request);
+  } catch (const StorageError& error) {
+    return storage_problem(error, request);
   } catch (const std::exception& error) {
     log_failure(request.id, error.what());
   } catch (...) {

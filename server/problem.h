@@ -3,6 +3,7 @@
 #pragma once
 
 #include <exception>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 
@@ -25,6 +26,12 @@ class HttpError : public std::exception {
   std::string_view type_;
   std::string detail_;
   Headers headers_;
+};
+
+/// StorageError: what is kept cannot be reached. Its text is for the log, not for the client.
+class StorageError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
 };
 
 /// An HttpError for somebody else to answer with.

@@ -12,7 +12,7 @@
 #include "server/config.h"
 #include "server/http/message.h"
 #include "server/metrics.h"
-#include "server/picture.h"
+#include "server/picture_store.h"
 
 namespace tia::server {
 
@@ -22,6 +22,7 @@ struct Service {
   Studio studio;
   Admission& admission;
   Metrics& metrics;
+  PictureStore& pictures;
   std::function<int()> connections = [] { return 0; };  ///< that are open
   std::atomic<bool> draining = false;                   ///< the server goes down
 };

@@ -27,11 +27,11 @@ class Digester {
   explicit Digester(Meshes& meshes) : meshes_(meshes), context_(EVP_MD_CTX_new()) {
     require(context_ ? EVP_DigestInit_ex(context_.get(), EVP_sha256(), nullptr) : 0);
   }
-  Digest done() {
+  ObjectsName done() {
     flush();
     Digest digest;
     require(EVP_DigestFinal_ex(context_.get(), digest.data(), nullptr));
-    return digest;
+    return {digest, bytes_};
   }
 
   template <Number T>
@@ -92,9 +92,10 @@ class Digester {
   void add(const Mesh& mesh) {
     Digester own(meshes_);
     Mesh::fields(Fields<Mesh>{own, mesh});
-    const Digest digest = own.done();
-    meshes_.emplace(&mesh, digest);
-    add(digest);
+    const ObjectsName name = own.done();
+    meshes_.emplace(&mesh, name.digest);
+    add(name.digest);
+    bytes_ += name.bytes;
   }
   template <Described T>
   void add(const T& value) {
@@ -124,9 +125,11 @@ class Digester {
   void add(const void* bytes, std::size_t size) {
     flush();
     require(EVP_DigestUpdate(context_.get(), bytes, size));
+    bytes_ += size;
   }
   void flush() {
     require(EVP_DigestUpdate(context_.get(), buffer_.data(), used_));
+    bytes_ += used_;
     used_ = 0;
   }
 
@@ -136,7 +139,7 @@ class Digester {
   Meshes& meshes_;
   std::unique_ptr<EVP_MD_CTX, Free> context_;
   std::array<unsigned char, 1024> buffer_;  // calls for a number each would cost more than SHA-256
-  std::size_t used_ = 0;
+  std::size_t used_ = 0, bytes_ = 0;
 };
 
 }  // namespace

@@ -2,7 +2,6 @@
 // written for it.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <cstring>
 #include <memory>
@@ -10,11 +9,9 @@
 #include <unordered_map>
 
 #include "core/scene/scene.h"
+#include "server/digest.h"
 
 namespace tia::server {
-
-/// Digest: SHA-256. Whoever posts scenes cannot make two of the same.
-using Digest = std::array<std::uint8_t, 32>;
 
 /// For tables: a digest is its own hash.
 struct DigestHash {
@@ -28,11 +25,17 @@ struct DigestHash {
 /// SharedScene: one that is being drawn outlives its place in a store.
 using SharedScene = std::shared_ptr<const Scene>;
 
+/// ObjectsName: what tells the objects of one scene from those of all others.
+struct ObjectsName {
+  Digest digest{};
+  std::size_t bytes = 0;  ///< that went into it: about what they hold in memory
+};
+
 /// KnownScene: a scene, and, where that was found out before, what digest_of_objects says of all of
 /// it: to walk a million triangles takes longer than many a picture.
 struct KnownScene {
   SharedScene scene;
-  std::optional<Digest> objects{};
+  std::optional<ObjectsName> objects{};
 
   explicit operator bool() const { return scene != nullptr; }
   const Scene& operator*() const { return *scene; }
@@ -42,7 +45,7 @@ struct KnownScene {
 /// Of all that geometry_of(scene) depends on: objects, materials and ambient light; and of each of
 /// the scene's meshes, found on the way.
 struct ObjectsDigest {
-  Digest all;
+  ObjectsName all;
   std::unordered_map<const Mesh*, Digest> meshes;
 };
 ObjectsDigest digest_of_objects(const Scene& scene);

@@ -56,6 +56,7 @@ int wait_for(const sigset_t& signals) {
 HttpOptions http_options(const Config& config) {
   HttpOptions options{.host = config.host, .port = config.port};
   options.max_body_bytes = config.max_body_bytes;
+  options.max_png_bytes = config.max_png_bytes;
   options.connections = config.connections;
   options.workers = config.renders + config.queue;  // one each, to work or to wait
   options.deadline = milliseconds(config.deadline_ms);
@@ -81,6 +82,11 @@ Application application(Service& service) {
               }};
 }
 
+std::unique_ptr<SceneFile> scene_file(const Config& config) {
+  if (config.data_dir.empty()) return nullptr;
+  return std::make_unique<SceneFile>(config.data_dir, config.max_data_bytes);
+}
+
 }  // namespace
 
 void serve(const Config& config) {
@@ -93,12 +99,14 @@ void serve(const Config& config) {
   pthread_sigmask(SIG_BLOCK, &signals, nullptr);
 
   const Gallery gallery;
-  SceneStore kept(config.max_scenes_bytes);
+  SceneStore kept(config.max_scenes_bytes, scene_file(config));
   GeometryStore geometries(config.max_geometry_bytes);
   Pool pool(config.threads);
   Admission admission(config.renders, config.queue);
   Metrics metrics;
-  Service service{config, {gallery, kept, geometries, pool, config.limits()}, admission, metrics};
+  PictureStore pictures(config.cache_bytes);
+  Service service{
+      config, {gallery, kept, geometries, pool, config.limits()}, admission, metrics, pictures};
   HttpServer server(http_options(config), application(service));
   service.connections = [&] { return server.connections(); };
   std::printf("Tia %s listening on http://%s:%d\n", version().c_str(), in_url(config.host).c_str(),

@@ -112,6 +112,13 @@ class Writer : httplib::Server {
   bool refused_ = false;        // nobody takes the bytes any more
 };
 
+// The library says that there are 0 bytes, which would be the length of what a 304 spares, and has
+// no place in a 204. Source: RFC 9110, 8.6.
+void drop_length(std::string& bytes) {
+  constexpr std::string_view length = "Content-Length: 0\r\n";
+  if (const auto at = bytes.find(length); at != bytes.npos) bytes.erase(at, length.size());
+}
+
 }  // namespace
 
 void write_answer(Response& response, bool is_head, bool keep_alive, const TakeBytes& take) {
@@ -126,6 +133,7 @@ std::string answer_bytes(Response& response, bool is_head, bool keep_alive) {
     bytes.append(part);
     return true;
   });
+  if (response.status == 304 || response.status == 204) drop_length(bytes);
   return bytes;
 }
 

@@ -43,7 +43,7 @@ bool ChunkDecoder::take_size(std::string_view& bytes, const std::string& body) {
     return false;
   }
   left_ = size_of(bytes.substr(0, end));
-  check_length(body.size() + left_, most_);
+  check_length(body.size() + left_, limit_);
   at_ = left_ == 0 ? At::trailer : At::data;
   bytes.remove_prefix(left_ == 0 ? end : end + 2);  // a trailer ends with an empty line
   return true;

@@ -5,11 +5,13 @@
 #include <string>
 #include <string_view>
 
+#include "server/http/head.h"
+
 namespace tia::server {
 
 class ChunkDecoder {
  public:
-  explicit ChunkDecoder(std::int64_t most_bytes) : most_(most_bytes) {}
+  explicit ChunkDecoder(BodyLimit limit) : limit_(limit) {}
 
   /// Longest line of a size with its extensions, and all lines of the trailer, in bytes.
   static constexpr std::size_t longest_line = 256, most_trailer = 4096;
@@ -26,7 +28,7 @@ class ChunkDecoder {
   bool take_data_end(std::string_view& bytes);
   bool take_trailer(std::string_view& bytes);
 
-  std::int64_t most_;  // of the body
+  BodyLimit limit_;
   At at_ = At::size;
   std::uint64_t left_ = 0;  // of the chunk's data
   bool ended_ = false;

@@ -35,7 +35,7 @@ Connection::Connection(tcp::socket socket, House& house)
     : socket_(std::move(socket)),
       house_(house),
       peer_(address_of(socket_)),
-      reader_(house.options.max_body_bytes) {}
+      reader_({house.options.max_body_bytes, house.options.max_png_bytes}) {}
 
 void Connection::start() {
   asio::error_code error;

@@ -198,10 +198,10 @@ Head read_head(std::string_view text) {
   return head;
 }
 
-void check_length(std::uint64_t size, std::int64_t most) {
-  if (size > static_cast<std::uint64_t>(most))
-    throw HttpError("too-large", "a body may have " + std::to_string(most) +
-                                     " bytes (option TIA_MAX_BODY_BYTES)");
+void check_length(std::uint64_t size, const BodyLimit& limit) {
+  if (size > static_cast<std::uint64_t>(limit.most_bytes))
+    throw HttpError("too-large", "a body of its type may have " + std::to_string(limit.most_bytes) +
+                                     " bytes (option " + limit.option + ")");
 }
 
 void check_lines(std::string_view text, std::size_t from) {

@@ -32,8 +32,14 @@ Head read_head(std::string_view text);
 /// Errors: HttpError.
 Headers read_fields(std::string_view text);
 
-/// Refuses a body that is announced longer than that. Errors: HttpError.
-void check_length(std::uint64_t size, std::int64_t most);
+/// BodyLimit: how long a body may be, and the option that says so.
+struct BodyLimit {
+  std::int64_t most_bytes = 0;
+  const char* option = "TIA_MAX_BODY_BYTES";
+};
+
+/// Refuses a body that is longer. Errors: HttpError.
+void check_length(std::uint64_t size, const BodyLimit& limit);
 
 /// Refuses lines, or a first part of them, that hold what no head may: control characters, line
 /// ends that are not CR LF. Looks from the byte at `from` on. Errors: HttpError.

@@ -17,8 +17,9 @@ struct HttpOptions {
   std::string host;
   int port = 0;  ///< 0 = any free one
   std::int64_t max_body_bytes = 4 << 20;
-  int connections = 1024;  ///< beyond them the one that has waited longest is closed
-  int workers = 16;        ///< requests that may be in work at once; beyond them 429
+  std::int64_t max_png_bytes = 64 << 20;  ///< of a body of type image/png
+  int connections = 1024;                 ///< beyond them the one that has waited longest is closed
+  int workers = 16;                       ///< requests that may be in work at once; beyond them 429
   std::chrono::milliseconds deadline{30'000};  ///< from a request's last byte to its answer
   std::size_t most_held_bytes = 256 << 20;     ///< of requests and answers, of all connections
   TrustsProxy trusts_proxy = [](const std::string&) { return false; };

@@ -58,13 +58,15 @@ bool RequestReader::read_head() {
   head_ = server::read_head(std::string_view(bytes_).substr(0, end + 4));
   bytes_.erase(0, end + 4);
   scanned_ = 0;
-  chunks_ = ChunkDecoder(most_body_);
   request_.method = head_.method;
   request_.target = head_.target;
   request_.headers = std::move(head_.headers);
   request_.is_http_1_0 = head_.is_http_1_0;
   request_.id = request_id(request_.header("X-Request-Id"));
-  check_length(static_cast<std::uint64_t>(head_.length), most_body_);
+  const bool is_png = same_word(request_.header("Content-Type"), "image/png");
+  const BodyLimit& limit = is_png ? limits_.png : limits_.any;
+  chunks_ = ChunkDecoder(limit);
+  check_length(static_cast<std::uint64_t>(head_.length), limit);
   return true;
 }
 

@@ -10,14 +10,21 @@
 
 namespace tia::server {
 
+/// BodyLimits: how long the bodies of requests may be: pictures that are sent back, and all else.
+struct BodyLimits {
+  BodyLimits(std::int64_t most_bytes) : BodyLimits(most_bytes, most_bytes) {}
+  BodyLimits(std::int64_t most_bytes, std::int64_t most_png_bytes)
+      : any{most_bytes}, png{most_png_bytes, "TIA_MAX_PNG_BYTES"} {}
+  BodyLimit any, png;
+};
+
 /// RequestReader: takes one request after the other out of a connection's bytes. Once it has
 /// thrown, where the next request begins is unknown: the connection can only be closed.
 class RequestReader {
  public:
   enum class State { idle, head, body, whole };
 
-  explicit RequestReader(std::int64_t most_body_bytes)
-      : most_body_(most_body_bytes), chunks_(most_body_bytes) {}
+  explicit RequestReader(const BodyLimits& limits) : limits_(limits), chunks_(limits.any) {}
 
   void feed(std::string_view bytes) { bytes_.append(bytes); }
   /// Reads on as far as the bytes reach. `idle` is before the first byte of a request.
@@ -41,7 +48,7 @@ class RequestReader {
   bool read_head();
   bool read_body();
 
-  std::int64_t most_body_;
+  BodyLimits limits_;
   State state_ = State::idle;
   std::string bytes_;        // fed and not yet read
   std::size_t scanned_ = 0;  // how many of them hold no end of a head

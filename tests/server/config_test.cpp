@@ -43,6 +43,12 @@ const Numeric numerics[] = {
      [](const Config& c) -> std::int64_t { return c.max_nodes; }},
     {"max_body_bytes", "--max-body-bytes", "TIA_MAX_BODY_BYTES", 4'194'304, 1024, 1'073'741'824,
      [](const Config& c) { return c.max_body_bytes; }},
+    {"max_png_bytes", "--max-png-bytes", "TIA_MAX_PNG_BYTES", 67'108'864, 1024, 1'073'741'824,
+     [](const Config& c) { return c.max_png_bytes; }},
+    {"cache_bytes", "--cache-bytes", "TIA_CACHE_BYTES", 268'435'456, 0, 1'099'511'627'776,
+     [](const Config& c) { return c.cache_bytes; }},
+    {"max_data_bytes", "--max-data-bytes", "TIA_MAX_DATA_BYTES", 1'073'741'824, 1'048'576,
+     1'099'511'627'776, [](const Config& c) { return c.max_data_bytes; }},
     {"max_scenes_bytes", "--max-scenes-bytes", "TIA_MAX_SCENES_BYTES", 67'108'864, 0,
      1'099'511'627'776, [](const Config& c) { return c.max_scenes_bytes; }},
     {"max_geometry_bytes", "--max-geometry-bytes", "TIA_MAX_GEOMETRY_BYTES", 268'435'456, 0,
@@ -145,7 +151,7 @@ INSTANTIATE_TEST_SUITE_P(Of, Option, testing::ValuesIn(numerics), option_name);
 TEST(Options, AreTheseAndNoOthers) {
   std::vector<std::string> names;
   for (const OptionRow& row : option_rows()) names.push_back(row.name);
-  std::vector<std::string> tested{"host", "cors_origins", "trusted_proxies"};
+  std::vector<std::string> tested{"host", "data_dir", "cors_origins", "trusted_proxies"};
   for (const Numeric& option : numerics) tested.emplace_back(option.name);
   EXPECT_THAT(names, testing::UnorderedElementsAreArray(tested));
 }

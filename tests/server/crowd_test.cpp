@@ -1,4 +1,5 @@
 // Someone who drags a light beside those who draw posters, whatever they call them.
+#include <atomic>
 #include <future>
 #include <list>
 
@@ -7,13 +8,20 @@
 namespace tia::test {
 namespace {
 
+// Never the same twice: that would be drawn once.
+std::string new_seed() {
+  static std::atomic<int> last = 0;
+  return std::to_string(++last);
+}
+
 Response ask_for_poster(Host& host) {
-  return host.get("/render?width=4096&height=4096&samples=16");
+  return host.get("/render?width=4096&height=4096&samples=16&seed=" + new_seed());
 }
 
 // Two million rays from the eye are what a light picture may have; its lamp takes 256 times more.
 Response ask_for_poster_in_disguise(Host& host) {
-  return host.post("/render", R"({"width": 1400, "height": 1400, "scene": {
+  return host.post("/render",
+                   R"({"seed": )" + new_seed() + R"(, "width": 1400, "height": 1400, "scene": {
       "objects": [{"type": "plane", "point": [0, -1, 0], "normal": [0, 1, 0]}],
       "lights": [{"type": "sphere", "position": [4, 6, -3], "radius": 1, "samples": 256}]}})");
 }

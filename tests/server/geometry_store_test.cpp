@@ -147,7 +147,9 @@ TEST(GeometryStore, NeverShowsInAPicture) {
 }
 
 TEST(GeometryStore, PicturesOfALightThatMovesAreCompiledOnce) {
-  Host host;
+  Config config;
+  config.cache_bytes = 0;
+  Host host(config);
   const std::string first = host.get("/render?width=64&height=48&light=0,9,0").body;
   host.get("/render?width=64&height=48&light=5,9,0");
   host.get("/explain?x=3&y=4&width=64&height=48&key=a");

@@ -17,10 +17,10 @@ std::map<std::string, double> metrics_of(Host& host) {
 
 TEST(Metrics, CountRaysAsTheAnswersTellThem) {
   Host host;
-  const char* const target = "/render?key=a&width=40&height=30";
+  const std::string target = "/render?key=a&width=40&height=30&seed=";
   std::map<std::string, double> rays;
   for (int i = 0; i < 3; ++i) {
-    std::istringstream list(*header(host.get(target), "Tia-Rays"));
+    std::istringstream list(*header(host.get(target + std::to_string(i)), "Tia-Rays"));
     for (std::string each; std::getline(list >> std::ws, each, ',');)
       rays[each.substr(0, each.find('='))] += std::stod(each.substr(each.find('=') + 1));
   }
@@ -32,7 +32,7 @@ TEST(Metrics, CountRaysAsTheAnswersTellThem) {
 
 TEST(Metrics, ObserveEveryPhaseOfAPicture) {
   Host host;
-  for (int i = 0; i < 4; ++i) host.get("/render?width=8&height=8");
+  for (int i = 0; i < 4; ++i) host.get("/render?width=8&height=8&seed=" + std::to_string(i));
   host.get("/render?width=0");
   auto metrics = metrics_of(host);
   for (const char* phase : {"queue", "parse", "build", "trace", "encode"}) {

@@ -43,7 +43,7 @@ TEST_F(RenderCommand, GivesTheServersBytes) {
   EXPECT_TRUE(drawn({"thesis", "--light", "-20,20,-10"}) == served("key=a"));
   EXPECT_TRUE(drawn({"thesis", "--width", "75", "--height=50", "--key=d", "--crop", "3,2,40,33",
                      "--transfer", "srgb", "--threads", "3", "--seed", "7"}) ==
-              served("width=75&height=50&key=d&crop=3,2,40,33&transfer=srgb"));
+              served("width=75&height=50&key=d&crop=3,2,40,33&transfer=srgb&seed=7"));
 }
 
 TEST_F(RenderCommand, TakesSamplesAndACameraAsTheServerDoes) {

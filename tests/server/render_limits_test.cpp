@@ -169,6 +169,7 @@ TEST(RenderLimits, AStoppedRenderIs503Draining) {
   request.stop = stop.get_token();
   EXPECT_EQ(host().ask(request).status, 200);
   stop.request_stop();
+  request.target += "&seed=1";
   const Response response = host().ask(request);
   EXPECT_EQ(response.status, 503);
   EXPECT_EQ(problem_of(response).type, "/problems/draining");

@@ -12,7 +12,7 @@
 namespace tia::test {
 namespace {
 
-Digest digest_of(const Scene& scene) { return digest_of_objects(scene).all; }
+Digest digest_of(const Scene& scene) { return digest_of_objects(scene).all.digest; }
 
 bool meets_the_same(const Scene& a, const Scene& b) {
   return a.objects == b.objects && a.materials == b.materials && a.ambient_light == b.ambient_light;

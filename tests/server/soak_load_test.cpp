@@ -44,7 +44,7 @@ class SoakCrowd : public testing::TestWithParam<Clients> {};
 
 TEST_P(SoakCrowd, DoesNotSlowAnotherClientDown) {
   const Clients& crowd = GetParam();
-  Tia tia;
+  Tia tia({"--port", "0", "--cache-bytes", "0"});
   const double alone = p95(tia.port(), small_picture, 100);
   Wires wires;
   for (int i = 0; i < crowd.size; ++i) {
@@ -88,6 +88,7 @@ struct Load {
 
 // So many clients, each asking again as soon as it is answered. Returns: what came of it.
 std::unique_ptr<Load> drive(int port, int clients, Clock::duration duration) {
+  static std::atomic<int> seed = 0;  // the same picture would be drawn once
   auto load = std::make_unique<Load>();
   const auto end = Clock::now() + duration;
   std::vector<std::jthread> threads;
@@ -96,7 +97,8 @@ std::unique_ptr<Load> drive(int port, int clients, Clock::duration duration) {
       Connection connection(port);
       while (Clock::now() < end) {
         const auto start = Clock::now();
-        connection.send("GET /render?width=200&height=150 HTTP/1.1\r\nHost: x\r\n\r\n");
+        connection.send("GET /render?width=200&height=150&seed=" + std::to_string(++seed) +
+                        " HTTP/1.1\r\nHost: x\r\n\r\n");
         const Response response = connection.receive();
         if (response.status == 200) ++load->done;
         else if (response.status != 429) ++load->other;
@@ -116,7 +118,7 @@ std::unique_ptr<Load> drive(int port, int clients, Clock::duration duration) {
 }
 
 TEST(SoakOverload, RefusesQuicklyAndGoesOnAtFullSpeed) {
-  Tia tia({"--port", "0", "--renders", "2", "--queue", "4"});
+  Tia tia({"--port", "0", "--renders", "2", "--queue", "4", "--cache-bytes", "0"});
   const auto duration = std::chrono::duration_cast<Clock::duration>(seconds(2) * scale());
   drive(tia.port(), 6, seconds(1));
   const long before = kilobytes(tia);

@@ -70,8 +70,12 @@ class Host {
   Pool pool_{threads};
   Admission admission_{config_.renders, config_.queue};
   Metrics metrics_;
-  Service service_{
-      config_, {gallery_, kept_, geometries_, pool_, config_.limits()}, admission_, metrics_};
+  PictureStore pictures_{config_.cache_bytes};
+  Service service_{config_,
+                   {gallery_, kept_, geometries_, pool_, config_.limits()},
+                   admission_,
+                   metrics_,
+                   pictures_};
 };
 
 /// One for all tests that need none of their own. The scenes that they post stay in it.

@@ -14,7 +14,7 @@ struct Decoded {
 
 Decoded decode(std::string_view bytes) {
   Decoded out;
-  out.ended = ChunkDecoder(1 << 30).decode(bytes, out.body);
+  out.ended = ChunkDecoder({1 << 30}).decode(bytes, out.body);
   out.rest = bytes;
   return out;
 }
@@ -36,7 +36,7 @@ TEST(Chunks, EndAtTheirEmptyLineAndLeaveWhatFollows) {
 }
 
 TEST(Chunks, DataComesOutBeforeItsChunkIsWhole) {
-  ChunkDecoder decoder(1 << 30);
+  ChunkDecoder decoder({1 << 30});
   std::string body;
   std::string_view bytes = "ff\r\nabc";
   EXPECT_FALSE(decoder.decode(bytes, body));

@@ -1,0 +1,125 @@
+#include "server/picture_store.h"
+
+#include <new>
+#include <utility>
+
+namespace tia::server {
+namespace {
+
+constexpr std::size_t picture_entry_bytes = 512;  // an entry's own, with its places in the tables
+
+std::size_t bytes_of(const Picture& picture) {
+  return picture_entry_bytes + picture.bytes.capacity();
+}
+
+}  // namespace
+
+/// Flight: one thread draws, others may wait. All but `stop` is guarded by the store's mutex.
+struct PictureStore::Flight {
+  std::stop_source stop;
+  int waiting = 1;  // who still wants it
+  bool landed = false, kept = false;
+  SharedPicture picture;
+  std::exception_ptr failure;
+  std::condition_variable_any has_landed;
+};
+
+PictureStore::Found PictureStore::get(const std::string& etag, const Draw& draw,
+                                      const std::stop_token& stop) {
+  std::unique_lock lock(mutex_);
+  if (const SharedPicture* stored = pictures_.find(etag)) {
+    ++counts_.stored;
+    return {*stored, Source::stored, true};
+  }
+  if (const auto known = flights_.find(etag); known != flights_.end())
+    return join(etag, known->second, std::move(lock), stop);
+  const auto flight = std::make_shared<Flight>();
+  flights_.emplace(etag, flight);
+  ++counts_.drawn;
+  lock.unlock();
+  return lead(etag, flight, draw, stop);
+}
+
+PictureStore::Found PictureStore::lead(const std::string& etag, const SharedFlight& flight,
+                                       const Draw& draw, const std::stop_token& stop) {
+  const std::stop_callback left(stop, [&] { leave(etag, *flight); });
+  SharedPicture picture;
+  std::exception_ptr failure;
+  try {
+    picture = std::make_shared<const Picture>(draw(flight->stop.get_token()));
+  } catch (...) {
+    failure = std::current_exception();
+  }
+  const bool kept = land(etag, *flight, picture, failure);
+  if (failure) std::rethrow_exception(failure);
+  return {picture, Source::drawn, kept};
+}
+
+PictureStore::Found PictureStore::join(const std::string& etag, const SharedFlight& flight,
+                                       std::unique_lock<std::mutex> lock,
+                                       const std::stop_token& stop) {
+  const SharedFlight mine = flight;
+  ++mine->waiting;
+  ++counts_.joined;
+  if (!mine->has_landed.wait(lock, stop, [&] { return mine->landed; })) {
+    lock.unlock();
+    leave(etag, *mine);
+    throw Stopped();
+  }
+  if (mine->failure) std::rethrow_exception(mine->failure);
+  return {mine->picture, Source::joined, mine->kept};
+}
+
+// One who comes after the last has left begins anew: what nobody waited for is being given up.
+void PictureStore::leave(const std::string& etag, Flight& flight) {
+  std::unique_lock lock(mutex_);
+  if (flight.landed || --flight.waiting > 0) return;
+  forget(etag, flight);
+  lock.unlock();
+  flight.stop.request_stop();
+}
+
+void PictureStore::forget(const std::string& etag, const Flight& flight) {
+  const auto known = flights_.find(etag);
+  if (known != flights_.end() && known->second.get() == &flight) flights_.erase(known);
+}
+
+// Hands the picture, or what failed, to all who wait. Returns: whether the picture is kept, too.
+bool PictureStore::land(const std::string& etag, Flight& flight, const SharedPicture& picture,
+                        std::exception_ptr failure) {
+  Pictures::Entries surplus;
+  const std::lock_guard lock(mutex_);
+  forget(etag, flight);
+  flight.landed = true;
+  flight.picture = picture;
+  flight.failure = std::move(failure);
+  flight.has_landed.notify_all();
+  if (!picture) return false;
+  try {
+    if (!pictures_.contains(etag)) flight.kept = keep(etag, picture, surplus);
+  } catch (const std::bad_alloc&) {  // then it is sent all the same
+  }
+  return flight.kept;
+}
+
+bool PictureStore::keep(const std::string& etag, const SharedPicture& picture,
+                        Pictures::Entries& surplus) {
+  const std::size_t bytes = bytes_of(*picture);
+  if (bytes > max_bytes_) return false;
+  pictures_.add(etag, picture);
+  counts_.bytes += bytes;
+  while (counts_.bytes > max_bytes_) {
+    counts_.bytes -= bytes_of(*pictures_.last());
+    pictures_.take_last(surplus);
+  }
+  return true;
+}
+
+PictureCounts PictureStore::counts() const {
+  const std::lock_guard lock(mutex_);
+  PictureCounts counts = counts_;
+  counts.pictures = pictures_.size();
+  return counts;
+}
+
+}  // namespace tia::server

@@ -1,0 +1,74 @@
+// Pictures by what they show, in bounded memory: one that has been drawn is not drawn again, and
+// one that many ask for at the same time is drawn once. Any thread may call.
+#pragma once
+
+#include <condition_variable>
+#include <cstdint>
+#include <exception>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <stop_token>
+#include <string>
+#include <unordered_map>
+
+#include "server/picture.h"
+#include "server/recent.h"
+
+namespace tia::server {
+
+/// SharedPicture: one that is being sent outlives its place in the store.
+using SharedPicture = std::shared_ptr<const Picture>;
+
+/// Where a picture came from: the store, its own drawing, or another request's that was under way.
+enum class Source { stored, drawn, joined };
+
+/// How often pictures came from where, and what the store holds now.
+struct PictureCounts {
+  std::int64_t stored = 0, drawn = 0, joined = 0;
+  std::size_t pictures = 0, bytes = 0;
+};
+
+class PictureStore {
+ public:
+  /// Of 0 bytes it keeps nothing; what is asked for at the same time is drawn once all the same.
+  explicit PictureStore(std::int64_t max_bytes) : max_bytes_(static_cast<std::size_t>(max_bytes)) {}
+
+  struct Found {
+    SharedPicture picture;
+    Source source = Source::drawn;
+    bool kept = false;  ///< whether it stays in the store
+  };
+  using Draw = std::function<Picture(const std::stop_token&)>;
+
+  /// The picture of that tag, which `draw` draws where nobody has. It goes on as long as one of
+  /// those who want it waits, whoever came first.
+  /// Errors: Stopped once `stop` is requested; what `draw` throws, to all who wait for it.
+  Found get(const std::string& etag, const Draw& draw, const std::stop_token& stop);
+
+  PictureCounts counts() const;
+
+ private:
+  struct Flight;  // a picture that is being drawn
+  using SharedFlight = std::shared_ptr<Flight>;
+  using Pictures = Recent<std::string, SharedPicture>;
+
+  Found lead(const std::string& etag, const SharedFlight& flight, const Draw& draw,
+             const std::stop_token& stop);
+  Found join(const std::string& etag, const SharedFlight& flight, std::unique_lock<std::mutex> lock,
+             const std::stop_token& stop);
+  void leave(const std::string& etag, Flight& flight);
+  bool land(const std::string& etag, Flight& flight, const SharedPicture& picture,
+            std::exception_ptr failure);
+  void forget(const std::string& etag, const Flight& flight);
+  // Takes out what is then too much.
+  bool keep(const std::string& etag, const SharedPicture& picture, Pictures::Entries& surplus);
+
+  const std::size_t max_bytes_;
+  mutable std::mutex mutex_;
+  Pictures pictures_;  // by tag
+  std::unordered_map<std::string, SharedFlight> flights_;
+  PictureCounts counts_;
+};
+
+}  // namespace tia::server

@@ -1,0 +1,107 @@
+#include "server/recipe.h"
+
+#include "core/film/png_chunk.h"
+#include "core/film/png_text.h"
+#include "core/input/json.h"
+#include "server/digest.h"
+
+namespace tia::server {
+namespace {
+
+/// Visitor: copies all of a scene but what there may be a lot of.
+struct SmallFields {
+  const Scene& from;
+  Scene& to;
+  template <class Member>
+  void operator()(std::string_view, Member Scene::*member, const Spec&) {
+    if constexpr (!std::is_same_v<Member, decltype(Scene::objects)> &&
+                  !std::is_same_v<Member, decltype(Scene::materials)>)
+      to.*member = from.*member;
+  }
+};
+
+// As they hold for this picture, whether the request or the scene has said so.
+SceneOptions options_in_effect(const Plan& plan) {
+  SceneOptions options = plan.scene->options;
+  options.integrator = plan.options.integrator;
+  options.transfer = plan.display.transfer;
+  options.samples = options.threshold = std::nullopt;
+  if (plan.options.samples != 1) options.samples = plan.options.samples;
+  if (plan.options.threshold != 0) options.threshold = plan.options.threshold;
+  options.max_depth = plan.options.max_depth;
+  options.seed = plan.options.seed;
+  return options;
+}
+
+Value told_scene(const Plan& plan) {
+  const ObjectsName& objects = *plan.scene.objects;
+  Scene told;
+  Scene::fields(SmallFields{*plan.scene, told});
+  told.options = options_in_effect(plan);
+  const bool small = objects.bytes <= most_told_bytes;
+  if (small) {
+    told.materials = plan.scene->materials;
+    told.objects = plan.scene->objects;
+  }
+  Value scene = write_value(told);
+  if (!small) scene.as<Value::Object>()->emplace_back("objects", "sha256:" + hex(objects.digest));
+  return scene;
+}
+
+void refuse_untold(const Value& request) {
+  const auto* members = request.as<Value::Object>();
+  const Value* scene = members != nullptr ? find(*members, "scene") : nullptr;
+  const auto* parts = scene != nullptr ? scene->as<Value::Object>() : nullptr;
+  const Value* objects = parts != nullptr ? find(*parts, "objects") : nullptr;
+  if (objects != nullptr && objects->as<std::string>() != nullptr)
+    throw InputError({FaultKind::limit, "/scene/objects", *objects,
+                      "the picture of a scene whose objects hold at most " +
+                          std::to_string(most_told_bytes) +
+                          " bytes, for then its recipe tells them"});
+}
+
+Recipe read_recipe(Value&& value) {
+  auto* members = value.as<Value::Object>();
+  const Value* version = members != nullptr ? find(*members, "version") : nullptr;
+  const Value* request = members != nullptr ? find(*members, "request") : nullptr;
+  if (version == nullptr || request == nullptr || members->size() != 2 ||
+      version->as<std::string>() == nullptr)
+    throw InputError({FaultKind::malformed, "", value, "the recipe of a picture of Tia"});
+  refuse_untold(*request);
+  return {*version->as<std::string>(), *request};
+}
+
+}  // namespace
+
+std::string recipe_of(const PictureRequest& asked, const Plan& plan) {
+  const PictureRequest usual;
+  Value::Object request{{"scene", told_scene(plan)}};
+  if (asked.width != usual.width) request.emplace_back("width", asked.width);
+  if (asked.height != usual.height) request.emplace_back("height", asked.height);
+  if (!(plan.window == Window{0, 0, asked.width, asked.height}))
+    request.emplace_back("crop", write_value(asked.crop));
+  if (asked.format != usual.format) request.emplace_back("format", name_of(asked.format));
+  return to_json(Value::Object{{"request", std::move(request)}, {"version", full_version()}});
+}
+
+std::string etag_of(std::string_view recipe) { return '"' + sha256_hex(recipe) + '"'; }
+
+bool is_png(std::string_view body) { return body.starts_with(png_signature); }
+
+Recipe recipe_in(std::string_view png, const JsonLimits& limits, std::size_t most_bytes) {
+  const auto text = text_in(png, recipe_keyword, most_bytes);
+  if (!text)
+    throw InputError({FaultKind::missing, "", std::nullopt,
+                      "a PNG file as this server has sent it: its recipe is in a text chunk, which "
+                      "some programs leave out when they save a picture"});
+  return read_recipe(parse_json(*text, limits));
+}
+
+void check_version(const Recipe& recipe) {
+  if (recipe.version != full_version())
+    throw InputError({FaultKind::conflict, "/version", Value(recipe.version),
+                      full_version() + ", for only the version that drew a picture draws it again; "
+                                       "what another asks for is told by POST /verify"});
+}
+
+}  // namespace tia::server

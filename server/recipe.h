@@ -1,0 +1,46 @@
+// Recipes: the canonical request of a picture and the version that draws it, as text. Requests that
+// ask for the same picture in other words have the same recipe, another picture has another one:
+// so its SHA-256 is the picture's entity tag, known before any ray. A PNG carries it as its text.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "server/picture.h"
+
+namespace tia::server {
+
+/// The keyword of a recipe's iTXt chunk.
+constexpr std::string_view recipe_keyword = "Tia recipe";
+
+/// Objects of which more bytes are hashed are not told in recipes, but their digest: to write a
+/// million triangles takes longer than to draw them. Such a picture cannot be drawn again from
+/// itself.
+constexpr std::size_t most_told_bytes = 256 << 10;
+
+/// Returns: {"request":{…},"version":"…"}: what POST /render takes, without what is as it would be
+/// anyhow, or changes no byte. The scene is whole, after its key or light and with the options that
+/// hold. Canonical text (RFC 8785).
+std::string recipe_of(const PictureRequest& asked, const Plan& plan);
+
+/// The strong entity tag of the picture: its recipe's SHA-256.
+std::string etag_of(std::string_view recipe);
+
+/// Recipe: one that has been read.
+struct Recipe {
+  std::string version;
+  Value request;
+};
+
+/// Whether a body begins as every PNG file does.
+bool is_png(std::string_view body);
+
+/// Reads the recipe out of a PNG file. Errors: InputError: malformed or limit as text_in, and for a
+/// text that is no recipe; missing where there is none.
+Recipe recipe_in(std::string_view png, const JsonLimits& limits, std::size_t most_bytes);
+
+/// Errors: InputError (conflict) at /version for a recipe of another version than this.
+void check_version(const Recipe& recipe);
+
+}  // namespace tia::server

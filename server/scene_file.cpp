@@ -1,0 +1,175 @@
+#include "server/scene_file.h"
+
+#include <sqlite3.h>
+
+#include <filesystem>
+#include <new>
+#include <stdexcept>
+
+#include "server/digest.h"
+#include "server/problem.h"
+
+namespace tia::server {
+namespace {
+
+constexpr int application = 0x54696100;  // "Tia", in the file's header, as file(1) shows it
+constexpr int layout = 1;
+constexpr int patience_ms = 5000;  // with another process that is writing
+
+/// Failure: what SQLite says went wrong.
+struct Failure : std::runtime_error {
+  Failure(int given, const char* text) : std::runtime_error(text), code(given & 0xFF) {}
+  int code;
+};
+
+// The file's text stays in the log: it is nobody else's business.
+[[noreturn]] void refuse(const Failure& failure) {
+  if (failure.code == SQLITE_NOMEM) throw std::bad_alloc();
+  if (failure.code == SQLITE_FULL)
+    throw HttpError("storage-full",
+                    "the file of kept scenes is full (option TIA_MAX_DATA_BYTES), or the disk is");
+  throw StorageError(std::string("the file of kept scenes: ") + failure.what());
+}
+
+}  // namespace
+
+/// Statement: one SQL statement, run row by row.
+class SceneFile::Statement {
+ public:
+  Statement(SceneFile& file, const std::string& sql) : file_(file) {
+    sqlite3_stmt* made = nullptr;
+    const int code = sqlite3_prepare_v2(file.database_.get(), sql.c_str(), -1, &made, nullptr);
+    statement_.reset(made);
+    if (code != SQLITE_OK) file.fail();
+  }
+  void bind(int place, const std::string& text) {
+    if (sqlite3_bind_text64(statement_.get(), place, text.data(), text.size(), SQLITE_STATIC,
+                            SQLITE_UTF8) != SQLITE_OK)
+      file_.fail();
+  }
+  /// Returns: whether there is one more row.
+  bool next() {
+    const int code = sqlite3_step(statement_.get());
+    if (code != SQLITE_ROW && code != SQLITE_DONE) file_.fail();
+    return code == SQLITE_ROW;
+  }
+  std::string text(int column = 0) {
+    const auto* bytes = sqlite3_column_text(statement_.get(), column);
+    const auto size = static_cast<std::size_t>(sqlite3_column_bytes(statement_.get(), column));
+    return bytes == nullptr ? "" : std::string(reinterpret_cast<const char*>(bytes), size);
+  }
+
+ private:
+  struct Finalize {
+    void operator()(sqlite3_stmt* statement) const { sqlite3_finalize(statement); }
+  };
+  SceneFile& file_;
+  std::unique_ptr<sqlite3_stmt, Finalize> statement_;
+};
+
+void SceneFile::Close::operator()(sqlite3* database) const { sqlite3_close(database); }
+
+SceneFile::SceneFile(const std::string& folder, std::int64_t max_bytes) {
+  const std::string path = folder + "/" + name;
+  std::error_code ignored;
+  if (!std::filesystem::is_directory(folder, ignored))
+    throw std::runtime_error("option TIA_DATA_DIR: got " + folder +
+                             ", allowed: a folder that is there and can be written to");
+  try {
+    open(path);
+    prepare(max_bytes);
+  } catch (const Failure& failure) {
+    throw std::runtime_error("option TIA_DATA_DIR: " + path + ": " + failure.what());
+  }
+}
+
+SceneFile::~SceneFile() = default;
+
+void SceneFile::open(const std::string& path) {
+  sqlite3* made = nullptr;
+  constexpr int flags = SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE | SQLITE_OPEN_NOMUTEX;
+  const int code = sqlite3_open_v2(path.c_str(), &made, flags, nullptr);
+  database_.reset(made);
+  if (made == nullptr) throw std::bad_alloc();
+  if (code != SQLITE_OK) fail();
+  sqlite3_extended_result_codes(made, 1);
+  sqlite3_busy_timeout(made, patience_ms);
+}
+
+// All that can be wrong with the file comes to light here: it is written to even if nothing is new.
+void SceneFile::prepare(std::int64_t max_bytes) {
+  const std::string of = word("PRAGMA application_id"), is = word("PRAGMA user_version");
+  const bool is_new = word("SELECT count(*) FROM sqlite_schema") == "0";
+  if (!is_new && of != std::to_string(application))
+    throw Failure(SQLITE_NOTADB, "this is another program's file");
+  if (!is_new && is != std::to_string(layout))
+    throw Failure(SQLITE_NOTADB, "another version of Tia has written this file");
+  if (!is_new) look_through();
+  if (word("PRAGMA journal_mode = WAL") != "wal")
+    throw Failure(SQLITE_CANTOPEN, "the folder's file system cannot share memory (SQLite's WAL)");
+  run("PRAGMA synchronous = FULL");  // a commit is on the disk before it is told
+  run("PRAGMA temp_store = MEMORY");
+  run("PRAGMA journal_size_limit = 8388608");
+  const std::int64_t pages = max_bytes / std::stoll(word("PRAGMA page_size"));
+  run(("PRAGMA max_page_count = " + std::to_string(pages)).c_str());
+  run("BEGIN IMMEDIATE");
+  run("CREATE TABLE IF NOT EXISTS scenes (id TEXT PRIMARY KEY NOT NULL, text TEXT NOT NULL)");
+  run(("PRAGMA application_id = " + std::to_string(application)).c_str());
+  run(("PRAGMA user_version = " + std::to_string(layout)).c_str());
+  run("COMMIT");
+  measure();
+}
+
+void SceneFile::keep(const std::string& id, const std::string& text) try {
+  const std::lock_guard lock(mutex_);
+  Statement insert(*this, "INSERT OR IGNORE INTO scenes (id, text) VALUES (?, ?)");
+  insert.bind(1, id);
+  insert.bind(2, text);
+  insert.next();
+  measure();
+} catch (const Failure& failure) {
+  refuse(failure);
+}
+
+std::optional<std::string> SceneFile::find(const std::string& id) try {
+  const std::lock_guard lock(mutex_);
+  Statement select(*this, "SELECT text FROM scenes WHERE id = ?");
+  select.bind(1, id);
+  if (!select.next()) return std::nullopt;
+  std::string text = select.text();
+  if (sha256_hex(text) != id) throw Failure(SQLITE_CORRUPT, "a text that its id does not fit");
+  return text;
+} catch (const Failure& failure) {
+  refuse(failure);
+}
+
+// SQLite sees to its own order, we to the texts. Cost: a second for a gigabyte.
+void SceneFile::look_through() {
+  if (const std::string found = word("PRAGMA integrity_check(1)"); found != "ok")
+    throw Failure(SQLITE_CORRUPT, ("it is damaged: " + found).c_str());
+  for (Statement all(*this, "SELECT id, text FROM scenes"); all.next();)
+    if (all.text(0) != sha256_hex(all.text(1)))
+      throw Failure(SQLITE_CORRUPT, ("it is damaged: the text of " + all.text(0)).c_str());
+}
+
+void SceneFile::measure() {
+  bytes_ = std::stoll(word("PRAGMA page_count")) * std::stoll(word("PRAGMA page_size"));
+}
+
+void SceneFile::run(const char* sql) {
+  Statement statement(*this, sql);
+  while (statement.next()) {
+  }
+}
+
+// The first column of the first row.
+std::string SceneFile::word(const std::string& sql) {
+  Statement statement(*this, sql);
+  return statement.next() ? statement.text() : "";
+}
+
+void SceneFile::fail() const {
+  throw Failure(sqlite3_extended_errcode(database_.get()), sqlite3_errmsg(database_.get()));
+}
+
+}  // namespace tia::server

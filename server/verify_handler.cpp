@@ -1,0 +1,46 @@
+// /verify: a PNG in, whether its bytes are what this version draws from its recipe out.
+#include "core/input/json.h"
+#include "server/digest.h"
+#include "server/handlers.h"
+#include "server/problem.h"
+#include "server/recipe.h"
+
+namespace tia::server {
+namespace {
+
+Recipe recipe_of_body(const Request& request, Service& service) {
+  const auto ticket = service.admission.read(request.body.size(), request.stop);
+  if (!request.query().empty())
+    throw InputError(
+        {FaultKind::conflict, "", Value(request.query()), "all in the PNG, nothing in the URL"});
+  if (!is_png(request.body))
+    throw HttpError("media-type", "send a PNG file, such as this server has sent");
+  return recipe_in(request.body, service.config.recipe_limits(), service.config.max_png_bytes);
+}
+
+// Where the recipe comes from another version, what it draws is not known here.
+Value::Object verdict_on(const Recipe& recipe, const Request& request, Service& service) {
+  if (recipe.version != full_version()) return {{"verdict", "other-version"}};
+  const auto asked = read_described<PictureRequest>(recipe.request);
+  Plan plan = plan_of(asked, service.studio);
+  const auto found = picture_of(plan, etag_of(plan.recipe), request.stop, service);
+  const std::string& expected = found.picture->bytes;
+  return {{"verdict", expected == request.body ? "same" : "different"},
+          {"expected_sha256", sha256_hex(expected)}};
+}
+
+}  // namespace
+
+Response post_verify(const Request& request, const std::string&, Service& service) {
+  const Recipe recipe = recipe_of_body(request, service);
+  Value::Object told = verdict_on(recipe, request, service);
+  told.emplace_back("sha256", sha256_hex(request.body));
+  told.emplace_back("version", full_version());
+  told.emplace_back("drawn_by", recipe.version);
+  told.emplace_back("request", recipe.request);
+  return {.content_type = "application/json",
+          .body = to_json(told),
+          .headers = {{"Cache-Control", "no-store"}}};
+}
+
+}  // namespace tia::server
