@@ -126,8 +126,12 @@ void key_to_png(State& state) {
   server::GeometryStore geometries(config.max_geometry_bytes);
   server::Admission admission(config.renders, config.queue);
   server::Metrics metrics;
-  server::Service service{
-      config, {gallery, kept, geometries, pool(), config.limits()}, admission, metrics};
+  server::PictureStore none_kept(0);
+  server::Service service{config,
+                          {gallery, kept, geometries, pool(), config.limits()},
+                          admission,
+                          metrics,
+                          none_kept};
   server::HttpServer http(
       {.host = "127.0.0.1", .port = 0},
       {.answer = [&](const server::Request& asked) { return server::answer(asked, service); },

@@ -14,7 +14,7 @@ from scene_to_tachyon import OPTIONS, to_tachyon
 THREADS = 2
 # Scenes of 100 000 balls are larger than what a server takes from anyone.
 LARGE = ["--max-body-bytes", str(64 << 20), "--max-nodes", "10000000",
-         "--max-scenes-bytes", str(1 << 30)]
+         "--max-scenes-bytes", str(1 << 30), "--cache-bytes", "0"]
 
 
 def output_of(command, folder):

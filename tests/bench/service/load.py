@@ -22,6 +22,8 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[3]
 SMALL = "/render?key=a&width=64&height=64"
+USUAL = "/render?key=a"
+HEAVY = "/render?scene=soft-shadows"
 POSTER = "/render?scene=soft-shadows&width=4096&height=4096"
 
 
@@ -50,10 +52,10 @@ class Server:
         return http.client.HTTPConnection("127.0.0.1", self.port, timeout=60)
 
 
-def timed(connection, target):
+def timed(connection, target, headers={}):
     """Milliseconds and status of one request."""
     start = time.perf_counter()
-    connection.request("GET", target)
+    connection.request("GET", target, headers=headers)
     answer = connection.getresponse()
     answer.read()
     return 1000 * (time.perf_counter() - start), answer.status
@@ -138,6 +140,33 @@ def slow_clients(server, heads, readers, idle):
             + [opened(b"GET /healthz HTTP/1.1\r\nHost: x\r\n\r\n") for _ in range(idle)])
 
 
+def cached(seconds):
+    """What is asked for again: a picture, 304, and ten who ask for the same at once."""
+    with Server() as server:
+        connection = server.connect()
+        connection.request("GET", USUAL)
+        answer = connection.getresponse()
+        known = {"If-None-Match": answer.headers["ETag"]}
+        answer.read()
+        for what, headers, status, aim in (("again", {}, 200, "1 ms"),
+                                           ("If-None-Match, 304", known, 304, "0.5 ms")):
+            answers = [timed(connection, USUAL, headers) for _ in range(1000 * seconds)]
+            times = [ms for ms, _ in answers]
+            failed = sum(code != status for _, code in answers)
+            row(f"`{USUAL}` {what}, median; 95 %",
+                f"{statistics.median(times):.2f}; {p95(times):.2f} ms, {failed} failed", aim)
+        threads = [threading.Thread(target=timed, args=(server.connect(), HEAVY))
+                   for _ in range(10)]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+        connection.request("GET", "/metrics")
+        text = connection.getresponse().read().decode()
+        drawn = int(re.search(r'tia_cache_lookups_total{result="miss"} (\d+)', text)[1]) - 1
+        row("pictures drawn for ten who ask for the same at once", drawn, "1")
+
+
 def beside_slow_clients(server, seconds):
     """R1-R3: another client's latencies under slow heads, slow bodies, non-readers, idle ones."""
     alone = {target: latencies(server, target, seconds)[0] for target in ("/healthz", SMALL)}
@@ -180,11 +209,12 @@ def main():
     if not (ROOT / "build/release/tia").exists():
         sys.exit("build it first: server/run.sh, or cmake --build --preset release --target tia")
     print(f"| on {os.cpu_count()} processors | measured | aim |\n|---|---:|---:|")
-    with Server() as server:
+    with Server("--cache-bytes", "0") as server:
         row("memory when idle", f"{server.memory_mib():.1f} MiB", "30 MiB")
         throughput(server, seconds)
         beside_posters(server, seconds)
-    with Server("--connections", "2048") as server:
+    cached(seconds)
+    with Server("--connections", "2048", "--cache-bytes", "0") as server:
         beside_slow_clients(server, seconds)
         beside_attacks(server, seconds)
 
