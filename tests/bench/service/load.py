@@ -33,7 +33,7 @@ class Server:
     def __init__(self, *options):
         self.log = tempfile.TemporaryFile()
         self.process = subprocess.Popen(
-            [ROOT / "build/release/tia", "serve", "--port", "0", "--cache-bytes", "0", *options],
+            [ROOT / "build/release/tia", "serve", "--port", "0", *options],
             stdout=subprocess.PIPE, stderr=self.log, text=True)
         self.port = int(self.process.stdout.readline().rsplit(":", 1)[1])
 
