@@ -47,10 +47,14 @@ void QueryReader::add_once(Value::Object& object, const Place& at, const std::st
   object.emplace_back(name, std::move(value));
 }
 
-Value body_json(const Request& request, const std::string& what, const JsonLimits& limits) {
+void refuse_query(const Request& request) {
   if (!request.query().empty())
     throw InputError({FaultKind::conflict, "", Value(request.query()),
                       "with POST all in the body, nothing in the URL"});
+}
+
+Value body_json(const Request& request, const std::string& what, const JsonLimits& limits) {
+  refuse_query(request);
   const auto start = request.body.find_first_not_of(" \t\r\n");
   const bool declared_json = request.header("Content-Type").find("json") != std::string_view::npos;
   if (start == std::string::npos || (request.body[start] != '{' && !declared_json))

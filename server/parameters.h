@@ -51,6 +51,9 @@ Value query_object(std::string_view query) {
   return reader.take();
 }
 
+/// Errors: InputError (conflict) where a request with a body has a query, too.
+void refuse_query(const Request& request);
+
 /// The JSON that a body is, whatever type it declares where it starts with {: curl -d declares a
 /// form. `what` says what to send. Errors: InputError; HttpError (media-type).
 Value body_json(const Request& request, const std::string& what, const JsonLimits& limits = {});

@@ -47,6 +47,7 @@ Asked asked_in(Value parameters, const Request& request) {
 }
 
 Value recipe_request(const Request& request, const Config& config) {
+  refuse_query(request);
   Recipe recipe = recipe_in(request.body, config.recipe_limits(), config.max_png_bytes);
   check_version(recipe);
   return std::move(recipe.request);
@@ -90,8 +91,7 @@ Response picture_response(const PictureStore::Found& found, double parse_ms, dou
 }
 
 // HEAD and If-None-Match need no ray: what the picture is called is known.
-Response picture_or_its_name(const Asked& asked, Stopwatch watch, const Request& request,
-                             Service& service) {
+Response rendered(const Asked& asked, Stopwatch watch, const Request& request, Service& service) {
   Plan plan = plan_of(asked.picture, service.studio);
   const std::string etag = etag_of(plan.recipe);
   const double parse_ms = watch.lap_ms();
@@ -131,13 +131,13 @@ PictureStore::Found picture_of(Plan& plan, const std::string& etag, const std::s
 
 Response get_render(const Request& request, const std::string&, Service& service) {
   const Stopwatch watch;
-  return picture_or_its_name(asked_in(query_object<PictureRequest>(request.query()), request),
-                             watch, request, service);
+  return rendered(asked_in(query_object<PictureRequest>(request.query()), request), watch, request,
+                  service);
 }
 
 Response post_render(const Request& request, const std::string&, Service& service) {
   const Stopwatch watch;
-  return picture_or_its_name(asked_in_body(request, service), watch, request, service);
+  return rendered(asked_in_body(request, service), watch, request, service);
 }
 
 }  // namespace tia::server

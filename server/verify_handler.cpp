@@ -2,20 +2,27 @@
 #include "core/input/json.h"
 #include "server/digest.h"
 #include "server/handlers.h"
+#include "server/parameters.h"
 #include "server/problem.h"
 #include "server/recipe.h"
 
 namespace tia::server {
 namespace {
 
-Recipe recipe_of_body(const Request& request, Service& service) {
+/// Sent: a picture that has come back.
+struct Sent {
+  Recipe recipe;
+  std::string sha256;
+};
+
+Sent sent_in(const Request& request, Service& service) {
   const auto ticket = service.admission.read(request.body.size(), request.stop);
-  if (!request.query().empty())
-    throw InputError(
-        {FaultKind::conflict, "", Value(request.query()), "all in the PNG, nothing in the URL"});
+  refuse_query(request);
   if (!is_png(request.body))
     throw HttpError("media-type", "send a PNG file, such as this server has sent");
-  return recipe_in(request.body, service.config.recipe_limits(), service.config.max_png_bytes);
+  const Config& config = service.config;
+  return {recipe_in(request.body, config.recipe_limits(), config.max_png_bytes),
+          sha256_hex(request.body)};
 }
 
 // Where the recipe comes from another version, what it draws is not known here.
@@ -32,9 +39,9 @@ Value::Object verdict_on(const Recipe& recipe, const Request& request, Service& 
 }  // namespace
 
 Response post_verify(const Request& request, const std::string&, Service& service) {
-  const Recipe recipe = recipe_of_body(request, service);
+  const auto [recipe, sha256] = sent_in(request, service);
   Value::Object told = verdict_on(recipe, request, service);
-  told.emplace_back("sha256", sha256_hex(request.body));
+  told.emplace_back("sha256", sha256);
   told.emplace_back("version", full_version());
   told.emplace_back("drawn_by", recipe.version);
   told.emplace_back("request", recipe.request);

@@ -183,6 +183,8 @@ TEST(Verify, TakesNothingButAPng) {
   EXPECT_EQ(problem_of(host().post("/verify?key=a", picture(), "image/png")).type,
             "/problems/conflict");
   EXPECT_EQ(host().get("/verify").status, 405);
+  EXPECT_EQ(problem_of(host().post("/render?key=a", picture(), "image/png")).type,
+            "/problems/conflict");
 }
 
 // A text that unpacks to more than any recipe may hold costs its bytes, and no more.
