@@ -146,7 +146,7 @@ old_processor() {
 # fuzz: each fuzzer for FUZZ_SECONDS, from the seeds on. What breaks it stays in build/asan.
 fuzz() {
   local name
-  for name in request scene query formula; do
+  for name in request scene query formula picture; do
     mkdir -p "$scratch/$name"
     run "fuzz $name" "build/asan/tests/${name}_fuzz" -max_total_time="${FUZZ_SECONDS:-10}" \
       -max_len=4096 -timeout=5 -rss_limit_mb=2048 -verbosity=0 -artifact_prefix=build/asan/ \
@@ -188,7 +188,7 @@ if build portable -DTIA_WERROR=ON -- tia && [ $release = yes ]; then
 fi
 # The tests are those that release has compiled: what they watch are the libraries.
 if build asan -DTIA_TESTS_OF="$ROOT/build/release" -- core_tests server_tests \
-  request_fuzz scene_fuzz query_fuzz formula_fuzz; then
+  request_fuzz scene_fuzz query_fuzz formula_fuzz picture_fuzz; then
   googletest asan core_tests
   googletest asan server_tests
   fuzz
