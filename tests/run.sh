@@ -155,18 +155,19 @@ fuzz() {
   done
 }
 
-browser() {
-  local good bad cancelled
-  title "browser packages"
-  if [ ! tests/browser/node_modules/.package-lock.json -nt tests/browser/package-lock.json ]; then
-    npm ci --prefix tests/browser --no-audit --no-fund || true
+# node_tests FOLDER: the tests of a folder that has its own packages.
+node_tests() {
+  local name=$1 folder=tests/$1 good bad cancelled
+  title "$name packages"
+  if [ ! "$folder/node_modules/.package-lock.json" -nt "$folder/package-lock.json" ]; then
+    npm ci --prefix "$folder" --no-audit --no-fund || true
   fi
-  run "browser" env TIA="$ROOT/build/release/tia" \
-    node --test --test-reporter=tap tests/browser/*.test.mjs
+  run "$name" env TIA="$ROOT/build/release/tia" \
+    node --test --test-reporter=tap "$folder"/*.test.mjs
   good=$(last_match '^# pass ([0-9]+)')
   bad=$(last_match '^# fail ([0-9]+)')
   cancelled=$(last_match '^# cancelled ([0-9]+)')
-  count browser "$good" $((${bad:-0} + ${cancelled:-0}))
+  count "$name" "$good" $((${bad:-0} + ${cancelled:-0}))
 }
 
 title "set-up"
@@ -178,7 +179,8 @@ if build release -DTIA_WERROR=ON -DTIA_TESTS=ON -- all; then
   release=yes
   googletest release core_tests
   googletest release server_tests
-  browser
+  node_tests browser
+  node_tests deploy
 fi
 if build portable -DTIA_WERROR=ON -- tia && [ $release = yes ]; then
   same_bytes

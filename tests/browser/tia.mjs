@@ -6,11 +6,14 @@ import { createInterface } from 'node:readline';
 import { fileURLToPath } from 'node:url';
 
 const BINARY = process.env.TIA ?? fileURLToPath(new URL('../../build/release/tia', import.meta.url));
-const READY = /^Tia \S+ listening on http:\/\/\S+:(\d+)$/;
+const READY = /^Tia \S+ listening on (http:\/\/\S+:(\d+))$/;
 
-/** Starts a server and gives { base, port, get(path), stop() } once it says that it listens. */
-export async function startTia(port = 0) {
-  const child = spawn(BINARY, ['serve', '--port', String(port)], { stdio: ['ignore', 'pipe', 'inherit'] });
+/**
+ * Starts a server and gives { base, port, get(path), stop() } once it says that it listens;
+ * `stop(signal)` gives [exit status, signal]. `log`: where its standard error goes.
+ */
+export async function startTia(port = 0, options = [], log = 'inherit') {
+  const child = spawn(BINARY, ['serve', '--port', String(port), ...options], { stdio: ['ignore', 'pipe', log] });
   const ended = once(child, 'exit');
   const line = await Promise.race([
     once(createInterface(child.stdout), 'line').then(([first]) => first),
@@ -19,12 +22,12 @@ export async function startTia(port = 0) {
   const listening = READY.exec(line);
   if (!listening) throw new Error(`not the line of a server that listens: ${line}`);
 
-  const base = `http://127.0.0.1:${listening[1]}`;
+  const base = listening[1];
   return {
     base,
-    port: Number(listening[1]),
+    port: Number(listening[2]),
     get: (path) => bytesOf(base + path),
-    stop: () => (child.kill('SIGTERM'), ended),
+    stop: (signal = 'SIGTERM') => (child.kill(signal), ended),
   };
 }
 

@@ -1,0 +1,121 @@
+// What haproxy.cfg promises, each thing alone: which replica is asked, what is asked again, what is not.
+
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { isUp, startBalancer, startReplica } from './balancer.mjs';
+import { HANG_UP, startStandIn } from './stand_in.mjs';
+
+const SCENE = { objects: [{ type: 'sphere', center: [0, 0, -9], radius: 2 }] };
+const SMALL = 'width=16&height=12';
+
+const get = (balancer, path, headers) => fetch(balancer.base + path, { headers });
+const post = (balancer, path, body) => fetch(balancer.base + path, { method: 'POST', body });
+
+// Runs `body(balancer, replicas)` with HAProxy before two replicas that `start(number)` starts.
+async function balanced(start, body) {
+  const replicas = await Promise.all([start(1), start(2)]);
+  let balancer;
+  try {
+    balancer = await startBalancer(replicas.map((replica) => replica.address));
+    await body(balancer, replicas);
+  } finally {
+    await balancer?.stop();
+    for (const replica of replicas) await (replica.tia ?? replica).stop();
+  }
+}
+
+const withReplicas = (body) => () => balanced(startReplica, body);
+const withStandIns = (body) => () => balanced(startStandIn, body);
+
+// Asks, and gives the name of the one that answered.
+async function answeredBy(balancer, asking) {
+  const earlier = await balancer.replicas();
+  assert.equal((await asking()).status, 200);
+  const later = await balancer.replicas();
+  return later.find((replica, i) => replica.answered > earlier[i].answered).name;
+}
+
+test('the same request goes to the same replica, and different ones to both', withReplicas(async (balancer) => {
+  for (const asking of [
+    (seed) => get(balancer, `/render?${SMALL}&seed=${seed}`),
+    (seed) => post(balancer, '/render', JSON.stringify({ width: 16, height: 12, seed })),
+  ]) {
+    const seen = [];
+    for (let seed = 0; seed < 12; ++seed) {
+      seen.push(await answeredBy(balancer, () => asking(seed)));
+      assert.equal(await answeredBy(balancer, () => asking(seed)), seen.at(-1), `seed ${seed}`);
+    }
+    assert.equal(new Set(seen).size, 2);
+  }
+}));
+
+test('what names a kept scene goes to the replica that keeps it', withReplicas(async (balancer, replicas) => {
+  const kept = await (await post(balancer, '/scenes', JSON.stringify(SCENE))).json();
+  const known = await Promise.all(replicas.map(({ tia }) => fetch(tia.base + kept.location)));
+  assert.deepEqual(known.map(({ status }) => status).sort(), [200, 404], 'one keeps it');
+  assert.equal((await get(balancer, kept.location)).status, 200);
+  for (let seed = 0; seed < 12; ++seed) {
+    assert.equal((await get(balancer, `/render?scene=${kept.id}&${SMALL}&seed=${seed}`)).status, 200);
+    const wish = JSON.stringify({ scene: kept.id, width: 16, height: 12, seed });
+    assert.equal((await post(balancer, '/render', wish)).status, 200);
+  }
+}));
+
+test('a replica that hangs up is left for the other one, which gets the same request', withStandIns(
+  async (balancer, replicas) => {
+    for (const replica of replicas) replica.next = [HANG_UP];
+    assert.equal((await get(balancer, '/render?key=a')).status, 200);
+    assert.equal((await post(balancer, '/render', 'x'.repeat(64 << 10))).status, 200);
+    const asked = replicas.flatMap((replica) => replica.asked);
+    assert.equal(asked.length, 4, 'each request twice');
+    assert.deepEqual(new Set(asked.map(({ url }) => url)), new Set(['/render?key=a', '/render']));
+    assert.ok(asked.every(({ method, body }) => body.length === (method === 'POST' ? 64 << 10 : 0)));
+  }));
+
+test('a body beyond the buffer is sent once: where its replica hangs up, 502 says so', withStandIns(
+  async (balancer, replicas) => {
+    assert.equal((await post(balancer, '/render', 'x'.repeat(1 << 20))).status, 200);
+    for (const replica of replicas) replica.next = [HANG_UP];
+    const answer = await post(balancer, '/render', 'x'.repeat(1 << 20));
+    assert.equal(answer.status, 502);
+    assert.equal(answer.headers.get('Retry-After'), '1');
+    assert.equal((await answer.json()).status, 502);
+  }));
+
+test('a refusal is the answer: no other replica is asked', withStandIns(async (balancer, replicas) => {
+  for (const status of [404, 422, 429, 500, 503]) {
+    for (const replica of replicas) Object.assign(replica, { next: [status], asked: [] });
+    assert.equal((await get(balancer, '/render')).status, status);
+    assert.equal(replicas.flatMap(({ asked }) => asked).length, 1, `asked again after ${status}`);
+  }
+}));
+
+test('who drains gets nothing new, who has too much to do does', withStandIns(async (balancer, replicas) => {
+  replicas[0].ready = [503, 'draining'];
+  replicas[1].ready = [503, 'overloaded'];
+  await balancer.sees(1);
+  assert.deepEqual((await balancer.replicas()).filter(isUp).map(({ name }) => name), ['tia2']);
+}));
+
+test('without any replica the answer is a problem document', withStandIns(async (balancer, replicas) => {
+  for (const replica of replicas) replica.stop();
+  await balancer.sees(0);
+  const answer = await get(balancer, '/render');
+  assert.equal(answer.headers.get('Content-Type'), 'application/problem+json');
+  const { status, instance } = await answer.json();
+  assert.equal(status, 503);
+  assert.equal(answer.headers.get('X-Request-Id'), instance);
+}));
+
+test('replicas hear who asks and under which name; their numbers are their own', withStandIns(
+  async (balancer, replicas) => {
+    await get(balancer, '/named', { 'X-Request-Id': 'mine', 'X-Forwarded-For': '192.0.2.1' });
+    await get(balancer, '/nameless', { 'X-Request-Id': '"' });
+    for (const path of ['/metrics', '/%6detrics?a']) assert.equal((await get(balancer, path)).status, 404);
+    const asked = replicas.flatMap((replica) => replica.asked);
+    assert.deepEqual(asked.map(({ url }) => url).sort(), ['/named', '/nameless']);
+    const [named, nameless] = ['/named', '/nameless'].map((path) => asked.find(({ url }) => url === path).headers);
+    assert.equal(named['x-request-id'], 'mine');
+    assert.match(named['x-forwarded-for'], /^192\.0\.2\.1, 127\./);
+    assert.match(nameless['x-request-id'], /^[0-9a-f-]{36}$/);
+  }));

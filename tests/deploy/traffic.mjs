@@ -1,0 +1,80 @@
+// Many clients at once, who ask for the same things again and again and compare what they get.
+
+import { createHash } from 'node:crypto';
+import http from 'node:http';
+
+const SPHERE = { type: 'sphere', center: [0, 0, -9], radius: 2 };
+const SCENE = { objects: [SPHERE], lights: [{ type: 'point', position: [4, 6, -3] }] };
+const SMALL = { width: 48, height: 36 };
+
+const get = (path, headers = {}) => ({ method: 'GET', path, headers });
+const post = (path, json) => ({ method: 'POST', path, headers: {}, body: JSON.stringify(json) });
+
+/** What is asked: small pictures and some that take a while, explanations, scenes, what is cached. */
+export function wishes(pageTag) {
+  const all = [get('/healthz'), get('/', { 'If-None-Match': pageTag }), get('/scenes/thesis')];
+  for (let seed = 0; seed < 24; ++seed) {
+    all.push(get(`/render?key=${'adsw'[seed % 4]}&samples=2&seed=${seed}&width=48&height=36`));
+    all.push(post('/render', { ...SMALL, scene: SCENE, seed, samples: 2 }));
+  }
+  for (let x = 0; x < 8; ++x) {
+    all.push(get(`/explain?x=${x}&y=1&key=a`), post('/explain', { x, y: 1, key: 'a' }));
+    all.push(post('/scenes', { ...SCENE, objects: [{ ...SPHERE, radius: 1 + x }] }));
+    all.push(get(`/render?key=a&samples=16&width=320&height=240&seed=${x}`));
+  }
+  return all;
+}
+
+/** Asks once. Gives { status, sha256, ms, headers }; status 0 where the connection broke. */
+export function ask(base, { method, path, headers, body }, agent) {
+  const began = performance.now();
+  return new Promise((done) => {
+    const hash = createHash('sha256');
+    const end = (status, answered = {}) =>
+      done({ status, headers: answered, sha256: hash.digest('hex'), ms: performance.now() - began });
+    const request = http.request(base + path, { method, headers, agent }, (response) => {
+      response.on('data', (part) => hash.update(part));
+      response.on('end', () => end(response.statusCode, response.headers));
+      response.on('error', () => end(0));
+    });
+    request.on('error', () => end(0));
+    request.end(body);
+  });
+}
+
+/**
+ * `clients` ask until told to stop, each wish of `wanted` in turn, which has its { status, sha256 }.
+ * `stop()` gives { asked, failures, worst (ms) } of the time since the last call of `lap()` or stop.
+ */
+export function startTraffic(base, wanted, clients) {
+  const agent = new http.Agent({ keepAlive: true, maxSockets: clients });
+  let going = true;
+  let next = 0;
+  let so = { asked: 0, worst: 0, failures: [] };
+  const lap = () => {
+    const before = so;
+    so = { asked: 0, worst: 0, failures: [] };
+    return before;
+  };
+  const client = async () => {
+    while (going) {
+      const { wish, answer } = wanted[next++ % wanted.length];
+      const got = await ask(base, wish, agent);
+      ++so.asked;
+      so.worst = Math.max(so.worst, got.ms);
+      if (got.status !== answer.status || got.sha256 !== answer.sha256)
+        so.failures.push(`${wish.method} ${wish.path}: ${got.status}, ${got.ms.toFixed()} ms`);
+    }
+  };
+  const ended = Promise.all(Array.from({ length: clients }, client));
+  return {
+    lap,
+    asked: () => so.asked,
+    stop: async () => {
+      going = false;
+      await ended;
+      agent.destroy();
+      return lap();
+    },
+  };
+}
