@@ -5,7 +5,7 @@ import { once } from 'node:events';
 import { createInterface } from 'node:readline';
 import { fileURLToPath } from 'node:url';
 
-const BINARY = process.env.TIA ?? fileURLToPath(new URL('../../build/release/tia', import.meta.url));
+export const BINARY = process.env.TIA ?? fileURLToPath(new URL('../../build/release/tia', import.meta.url));
 const READY = /^Tia \S+ listening on (http:\/\/\S+:(\d+))$/;
 
 /**
