@@ -1,17 +1,17 @@
 // HAProxy with the configuration that is shipped, as a child process; and replicas for it.
 
-import { spawn } from 'node:child_process';
+import { execFile, spawn } from 'node:child_process';
 import { once } from 'node:events';
 import { mkdtemp, rm } from 'node:fs/promises';
 import net from 'node:net';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
+import { promisify } from 'node:util';
 import { startTia } from '../browser/tia.mjs';
 
 const CONFIG = fileURLToPath(new URL('../../server/deploy/haproxy.cfg', import.meta.url));
 const PATH = `${process.env.PATH}:/usr/sbin`; // where Debian has haproxy
-const ROOT = process.getuid() === 0;
 
 /** Looks again and again until `look()` gives something true, and gives that. */
 export async function eventually(look, what, patience = 20_000) {
@@ -33,12 +33,13 @@ export async function startReplica(number, options = []) {
   return replica;
 }
 
-/** Starts HAProxy before replicas, two addresses, and waits until it sees `live` of them. */
-export async function startBalancer([REPLICA_1, REPLICA_2], live = 2) {
+/** Starts HAProxy before replicas, two addresses, and waits until it sees them. */
+export async function startBalancer([REPLICA_1, REPLICA_2], variables = {}) {
   const folder = await mkdtemp(join(tmpdir(), 'tia-balancer-'));
   const LISTEN = await freeAddress();
   const ADMIN_SOCKET = join(folder, 'admin');
-  const env = { PATH, LISTEN, ADMIN_SOCKET, REPLICA_1, REPLICA_2, ...(!ROOT && { AS_STARTED: '1' }) };
+  const env = { PATH, LISTEN, ADMIN_SOCKET, REPLICA_1, REPLICA_2, ...variables };
+  if (process.getuid() !== 0) env.AS_STARTED = '1';
   const child = spawn('haproxy', ['-q', '-f', CONFIG], { env, stdio: ['ignore', 'ignore', 'inherit'] });
   const ended = once(child, 'exit');
   const balancer = {
@@ -53,9 +54,13 @@ export async function startBalancer([REPLICA_1, REPLICA_2], live = 2) {
     },
   };
   await eventually(() => balancer.replicas().catch(() => false), 'haproxy to start');
-  await balancer.sees(live);
+  await balancer.sees(2);
   return balancer;
 }
+
+/** Lets HAProxy read the configuration with these variables. Throws where it refuses it. */
+export const checkConfig = (variables) =>
+  promisify(execFile)('haproxy', ['-c', '-q', '-f', CONFIG], { env: { PATH, ...variables } });
 
 export const isUp = (replica) => replica.status.startsWith('UP');
 

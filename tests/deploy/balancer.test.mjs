@@ -1,9 +1,10 @@
 // What haproxy.cfg promises, each thing alone: which replica is asked, what is asked again, what is not.
 
 import assert from 'node:assert/strict';
-import { after, before, test } from 'node:test';
-import { isUp, startBalancer, startReplica } from './balancer.mjs';
-import { HANG_UP, startStandIn } from './stand_in.mjs';
+import { test } from 'node:test';
+import { setTimeout } from 'node:timers/promises';
+import { checkConfig, isUp, startBalancer, startReplica } from './balancer.mjs';
+import { HANG_UP, SILENCE, startStandIn } from './stand_in.mjs';
 
 const SCENE = { objects: [{ type: 'sphere', center: [0, 0, -9], radius: 2 }] };
 const SMALL = 'width=16&height=12';
@@ -12,11 +13,11 @@ const get = (balancer, path, headers) => fetch(balancer.base + path, { headers }
 const post = (balancer, path, body) => fetch(balancer.base + path, { method: 'POST', body });
 
 // Runs `body(balancer, replicas)` with HAProxy before two replicas that `start(number)` starts.
-async function balanced(start, body) {
+async function balanced(start, body, variables) {
   const replicas = await Promise.all([start(1), start(2)]);
   let balancer;
   try {
-    balancer = await startBalancer(replicas.map((replica) => replica.address));
+    balancer = await startBalancer(replicas.map((replica) => replica.address), variables);
     await body(balancer, replicas);
   } finally {
     await balancer?.stop();
@@ -25,7 +26,7 @@ async function balanced(start, body) {
 }
 
 const withReplicas = (body) => () => balanced(startReplica, body);
-const withStandIns = (body) => () => balanced(startStandIn, body);
+const withStandIns = (body, variables) => () => balanced(startStandIn, body, variables);
 
 // Asks, and gives the name of the one that answered.
 async function answeredBy(balancer, asking) {
@@ -33,6 +34,13 @@ async function answeredBy(balancer, asking) {
   assert.equal((await asking()).status, 200);
   const later = await balancer.replicas();
   return later.find((replica, i) => replica.answered > earlier[i].answered).name;
+}
+
+// As a slow client sends it.
+async function* inParts(text) {
+  yield text.slice(0, 9);
+  await setTimeout(100);
+  yield text.slice(9);
 }
 
 test('the same request goes to the same replica, and different ones to both', withReplicas(async (balancer) => {
@@ -63,14 +71,24 @@ test('what names a kept scene goes to the replica that keeps it', withReplicas(a
 
 test('a replica that hangs up is left for the other one, which gets the same request', withStandIns(
   async (balancer, replicas) => {
-    for (const replica of replicas) replica.next = [HANG_UP];
-    assert.equal((await get(balancer, '/render?key=a')).status, 200);
-    assert.equal((await post(balancer, '/render', 'x'.repeat(64 << 10))).status, 200);
-    const asked = replicas.flatMap((replica) => replica.asked);
-    assert.equal(asked.length, 4, 'each request twice');
-    assert.deepEqual(new Set(asked.map(({ url }) => url)), new Set(['/render?key=a', '/render']));
-    assert.ok(asked.every(({ method, body }) => body.length === (method === 'POST' ? 64 << 10 : 0)));
+    const text = 'x'.repeat(64 << 10);
+    for (const [body, sent] of [[undefined, ''], [text, text], [inParts(text), text]]) {
+      for (const replica of replicas) Object.assign(replica, { next: [HANG_UP], asked: [] });
+      const asking = { method: sent ? 'POST' : 'GET', body, duplex: 'half' };
+      assert.equal((await fetch(`${balancer.base}/render`, asking)).status, 200);
+      const asked = replicas.flatMap((replica) => replica.asked);
+      assert.equal(asked.length, 3, 'one, the other, the one');
+      assert.ok(replicas.every((replica) => replica.asked.length < 3));
+      assert.ok(asked.every((one) => one.method === asking.method && one.body === sent));
+    }
   }));
+
+test('a replica that does not answer in time is left for the other one', withStandIns(
+  async (balancer, replicas) => {
+    for (const replica of replicas) replica.next = [SILENCE];
+    assert.equal((await post(balancer, '/explain', '{}')).status, 200);
+    assert.ok(replicas.every(({ asked: [{ body }] }) => body === '{}'));
+  }, { ANSWER_WITHIN: '200ms' }));
 
 test('a body beyond the buffer is sent once: where its replica hangs up, 502 says so', withStandIns(
   async (balancer, replicas) => {
@@ -106,6 +124,11 @@ test('without any replica the answer is a problem document', withStandIns(async 
   assert.equal(status, 503);
   assert.equal(answer.headers.get('X-Request-Id'), instance);
 }));
+
+test('every variable is understood', async () => {
+  await checkConfig({ REPLICAS: 'tia.example:8080', STATS: '127.0.0.1:8404', AS_STARTED: '1' });
+  await assert.rejects(checkConfig({ ANSWER_WITHIN: 'soon' }));
+});
 
 test('replicas hear who asks and under which name; their numbers are their own', withStandIns(
   async (balancer, replicas) => {

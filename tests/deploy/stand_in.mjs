@@ -6,7 +6,10 @@ import http from 'node:http';
 /** Instead of an answer the connection is closed. */
 export const HANG_UP = Symbol('hang up');
 
-/** Starts one. `next`: its answers, in order, each a status or HANG_UP; then 200. */
+/** Instead of an answer there is none. */
+export const SILENCE = Symbol('silence');
+
+/** Starts one. `next`: its answers, in order, each a status or one of these; then 200. */
 export async function startStandIn(number) {
   const standIn = { name: `tia${number}`, ready: [200, 'ready'], next: [], asked: [] };
   const server = http.createServer(async (request, response) => {
@@ -16,7 +19,7 @@ export async function startStandIn(number) {
     standIn.asked.push({ method: request.method, url: request.url, headers: request.headers, body });
     const answer = standIn.next.shift() ?? 200;
     if (answer === HANG_UP) response.destroy();
-    else say(response, answer, 'as told');
+    else if (answer !== SILENCE) say(response, answer, 'as told');
   }).listen(0, `127.0.1.${number}`);
   await once(server, 'listening');
   const { address, port } = server.address();
