@@ -20,7 +20,7 @@ export function wishes(pageTag) {
   for (let x = 0; x < 8; ++x) {
     all.push(get(`/explain?x=${x}&y=1&key=a`), post('/explain', { x, y: 1, key: 'a' }));
     all.push(post('/scenes', { ...SCENE, objects: [{ ...SPHERE, radius: 1 + x }] }));
-    all.push(get(`/render?key=a&samples=16&width=320&height=240&seed=${x}`));
+    all.push(get(`/render?key=a&samples=4&width=320&height=240&seed=${x}`));
   }
   return all;
 }
