@@ -33,8 +33,9 @@ async function underLoad(t, body) {
     await body(traffic);
     await eventually(() => traffic.asked() >= ENOUGH, 'requests');
   } finally {
-    var { asked, worst, failures } = await traffic.stop();
+    await traffic.stop();
   }
+  const { asked, worst, failures } = await traffic.stop();
   t.diagnostic(`${failures.length} of ${asked} failed, ${worst.toFixed()} ms at worst`);
   assert.deepEqual(failures.slice(0, 9), []);
   return worst;

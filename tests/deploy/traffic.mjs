@@ -44,18 +44,13 @@ export function ask(base, { method, path, headers, body }, agent) {
 
 /**
  * `clients` ask until told to stop, each wish of `wanted` in turn, which has its { status, sha256 }.
- * `stop()` gives { asked, failures, worst (ms) } of the time since the last call of `lap()` or stop.
+ * `stop()` gives { asked, failures, worst (ms) }.
  */
 export function startTraffic(base, wanted, clients) {
   const agent = new http.Agent({ keepAlive: true, maxSockets: clients });
+  const so = { asked: 0, worst: 0, failures: [] };
   let going = true;
   let next = 0;
-  let so = { asked: 0, worst: 0, failures: [] };
-  const lap = () => {
-    const before = so;
-    so = { asked: 0, worst: 0, failures: [] };
-    return before;
-  };
   const client = async () => {
     while (going) {
       const { wish, answer } = wanted[next++ % wanted.length];
@@ -68,13 +63,12 @@ export function startTraffic(base, wanted, clients) {
   };
   const ended = Promise.all(Array.from({ length: clients }, client));
   return {
-    lap,
     asked: () => so.asked,
     stop: async () => {
       going = false;
       await ended;
       agent.destroy();
-      return lap();
+      return so;
     },
   };
 }
