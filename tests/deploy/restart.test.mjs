@@ -7,18 +7,18 @@ import { ask, startTraffic, wishes } from './traffic.mjs';
 
 const CLIENTS = 8;
 const ENOUGH = 1_000; // requests while something happens
-const DRAINING = ['--drain-delay-ms', '1500', '--drain-ms', '30000'];
+// With room for a part of the pictures, so that there are some to draw.
+const OPTIONS = ['--drain-delay-ms', '1500', '--drain-ms', '30000', '--cache-bytes', '100000'];
 
 let replicas = [];
 let balancer;
 let wanted;
 
 before(async () => {
-  replicas = await Promise.all([startReplica(1, DRAINING), startReplica(2, DRAINING)]);
+  replicas = await Promise.all([startReplica(1, OPTIONS), startReplica(2, OPTIONS)]);
   balancer = await startBalancer(replicas.map((replica) => replica.address));
-  const tag = (await ask(replicas[0].tia.base, { method: 'GET', path: '/' })).headers.etag;
   wanted = [];
-  for (const wish of wishes(tag)) wanted.push({ wish, answer: await ask(replicas[0].tia.base, wish) });
+  for (const wish of await wishes(replicas[0].tia.base)) wanted.push({ wish, answer: await ask(replicas[0].tia.base, wish) });
 });
 
 after(async () => {

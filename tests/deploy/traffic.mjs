@@ -10,9 +10,16 @@ const SMALL = { width: 48, height: 36 };
 const get = (path, headers = {}) => ({ method: 'GET', path, headers });
 const post = (path, json) => ({ method: 'POST', path, headers: {}, body: JSON.stringify(json) });
 
-/** What is asked: small pictures and some that take a while, explanations, scenes, what is cached. */
-export function wishes(pageTag) {
-  const all = [get('/healthz'), get('/', { 'If-None-Match': pageTag }), get('/scenes/thesis')];
+const PICTURE = '/render?key=a&width=48&height=36';
+
+/** What is asked: small pictures and some that take a while, explanations, scenes, what `base` has. */
+export async function wishes(base) {
+  const tag = async (path) => (await ask(base, { method: 'HEAD', path })).headers.etag;
+  const png = Buffer.from(await (await fetch(base + PICTURE)).arrayBuffer());
+  const all = [get('/healthz'), get('/scenes/thesis')];
+  for (const path of ['/', PICTURE]) all.push(get(path, { 'If-None-Match': await tag(path) }));
+  for (const path of ['/verify', '/render'])
+    all.push({ method: 'POST', path, headers: { 'Content-Type': 'image/png' }, body: png });
   for (let seed = 0; seed < 24; ++seed) {
     all.push(get(`/render?key=${'adsw'[seed % 4]}&samples=2&seed=${seed}&width=48&height=36`));
     all.push(post('/render', { ...SMALL, scene: SCENE, seed, samples: 2 }));
