@@ -128,13 +128,6 @@ struct Config {
   Limits limits() const { return {max_pixels, max_rays, max_work}; }
   /// What a text may hold.
   JsonLimits json_limits() const { return {.values = static_cast<std::size_t>(max_nodes)}; }
-  /// What a recipe may hold: a request and a place around it.
-  JsonLimits recipe_limits() const {
-    JsonLimits limits = json_limits();
-    limits.depth += 1;
-    limits.values += 3;
-    return limits;
-  }
 
   /// Processors that this process may use, at most 64.
   static int processors();

@@ -60,6 +60,14 @@ void refuse_untold(const Value& request) {
                           " bytes, for then its recipe tells them"});
 }
 
+// A request's, and a place around it.
+JsonLimits limits_of(const Config& config) {
+  JsonLimits limits = config.json_limits();
+  limits.depth += 1;
+  limits.values += 3;
+  return limits;
+}
+
 Recipe read_recipe(Value&& value) {
   auto* members = value.as<Value::Object>();
   const Value* version = members != nullptr ? find(*members, "version") : nullptr;
@@ -88,13 +96,13 @@ std::string etag_of(std::string_view recipe) { return '"' + sha256_hex(recipe) +
 
 bool is_png(std::string_view body) { return body.starts_with(png_signature); }
 
-Recipe recipe_in(std::string_view png, const JsonLimits& limits, std::size_t most_bytes) {
-  const auto text = text_in(png, recipe_keyword, most_bytes);
+Recipe recipe_in(std::string_view png, const Config& config) {
+  const auto text = text_in(png, recipe_keyword, static_cast<std::size_t>(config.max_png_bytes));
   if (!text)
     throw InputError({FaultKind::missing, "", std::nullopt,
                       "a PNG file as this server has sent it: its recipe is in a text chunk, which "
                       "some programs leave out when they save a picture"});
-  return read_recipe(parse_json(*text, limits));
+  return read_recipe(parse_json(*text, limits_of(config)));
 }
 
 void check_version(const Recipe& recipe) {

@@ -3,10 +3,10 @@
 // so its SHA-256 is the picture's entity tag, known before any ray. A PNG carries it as its text.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <string_view>
 
+#include "server/config.h"
 #include "server/picture.h"
 
 namespace tia::server {
@@ -36,9 +36,9 @@ struct Recipe {
 /// Whether a body begins as every PNG file does.
 bool is_png(std::string_view body);
 
-/// Reads the recipe out of a PNG file. Errors: InputError: malformed or limit as text_in, and for a
-/// text that is no recipe; missing where there is none.
-Recipe recipe_in(std::string_view png, const JsonLimits& limits, std::size_t most_bytes);
+/// Reads the recipe out of a PNG file, within the bounds of bodies. Errors: InputError: malformed or
+/// limit as text_in, and for a text that is no recipe; missing where there is none.
+Recipe recipe_in(std::string_view png, const Config& config);
 
 /// Errors: InputError (conflict) at /version for a recipe of another version than this.
 void check_version(const Recipe& recipe);

@@ -48,7 +48,7 @@ Asked asked_in(Value parameters, const Request& request) {
 
 Value recipe_request(const Request& request, const Config& config) {
   refuse_query(request);
-  Recipe recipe = recipe_in(request.body, config.recipe_limits(), config.max_png_bytes);
+  Recipe recipe = recipe_in(request.body, config);
   check_version(recipe);
   return std::move(recipe.request);
 }

@@ -12,8 +12,8 @@
 namespace tia::server {
 namespace {
 
-constexpr int application = 0x54696100;  // "Tia", in the file's header, as file(1) shows it
-constexpr int layout = 1;
+constexpr int application_id = 0x54696100;  // "Tia", in the file's header, as file(1) shows it
+constexpr int layout_version = 1;
 constexpr int patience_ms = 5000;  // with another process that is writing
 
 /// Failure: what SQLite says went wrong.
@@ -100,9 +100,9 @@ void SceneFile::open(const std::string& path) {
 void SceneFile::prepare(std::int64_t max_bytes) {
   const std::string of = word("PRAGMA application_id"), is = word("PRAGMA user_version");
   const bool is_new = word("SELECT count(*) FROM sqlite_schema") == "0";
-  if (!is_new && of != std::to_string(application))
+  if (!is_new && of != std::to_string(application_id))
     throw Failure(SQLITE_NOTADB, "this is another program's file");
-  if (!is_new && is != std::to_string(layout))
+  if (!is_new && is != std::to_string(layout_version))
     throw Failure(SQLITE_NOTADB, "another version of Tia has written this file");
   if (!is_new) look_through();
   if (word("PRAGMA journal_mode = WAL") != "wal")
@@ -114,8 +114,8 @@ void SceneFile::prepare(std::int64_t max_bytes) {
   run(("PRAGMA max_page_count = " + std::to_string(pages)).c_str());
   run("BEGIN IMMEDIATE");
   run("CREATE TABLE IF NOT EXISTS scenes (id TEXT PRIMARY KEY NOT NULL, text TEXT NOT NULL)");
-  run(("PRAGMA application_id = " + std::to_string(application)).c_str());
-  run(("PRAGMA user_version = " + std::to_string(layout)).c_str());
+  run(("PRAGMA application_id = " + std::to_string(application_id)).c_str());
+  run(("PRAGMA user_version = " + std::to_string(layout_version)).c_str());
   run("COMMIT");
   measure();
 }

@@ -20,9 +20,7 @@ Sent sent_in(const Request& request, Service& service) {
   refuse_query(request);
   if (!is_png(request.body))
     throw HttpError("media-type", "send a PNG file, such as this server has sent");
-  const Config& config = service.config;
-  return {recipe_in(request.body, config.recipe_limits(), config.max_png_bytes),
-          sha256_hex(request.body)};
+  return {recipe_in(request.body, service.config), sha256_hex(request.body)};
 }
 
 // Where the recipe comes from another version, what it draws is not known here.

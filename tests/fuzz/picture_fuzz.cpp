@@ -23,9 +23,11 @@ void must(bool holds) {
 
 void read(std::string_view png) {
   try {
+    server::Config config;
+    config.max_png_bytes = most_bytes;
     const auto text = text_in(png, server::recipe_keyword, most_bytes);
     must(!text || text->size() <= most_bytes);
-    const server::Recipe recipe = server::recipe_in(png, {}, most_bytes);
+    const server::Recipe recipe = server::recipe_in(png, config);
     must(text && to_json(parse_json(*text)).find(to_json(Value(recipe.version))) != text->npos);
   } catch (const InputError& error) {
     must(!error.faults().empty() && *error.what() != '\0');

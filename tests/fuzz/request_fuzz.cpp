@@ -36,7 +36,9 @@ struct House {
   Pool pool{1};
   Admission admission{1};
   Metrics metrics;
-  Service service{config, {gallery, kept, geometries, pool, config.limits()}, admission, metrics};
+  PictureStore pictures{config.cache_bytes};
+  Service service{
+      config, {gallery, kept, geometries, pool, config.limits()}, admission, metrics, pictures};
 };
 
 void expect_an_answer(const Request& request) {
