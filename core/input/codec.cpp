@@ -2,6 +2,16 @@
 
 #include <cmath>
 
+namespace tia {
+
+Value::Object with_definitions(const Value& schema, const Definitions& named) {
+  Value::Object members = *schema.as<Value::Object>();
+  if (!named.empty()) members.emplace_back("$defs", Value::Object(named.begin(), named.end()));
+  return members;
+}
+
+}  // namespace tia
+
 namespace tia::detail {
 
 std::optional<double> read_number(const Value& value, const Place& at, const Spec& spec,

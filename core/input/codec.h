@@ -44,14 +44,21 @@ concept NamedSchema = requires {
   T::schema_name;
 };
 
+/// The reference to the schema of that name, which `make` makes where it is not there yet; it may
+/// refer to itself.
+template <class Make>
+Value schema_called(std::string_view name, Definitions& named, const Make& make) {
+  const std::string key(name);
+  if (named.emplace(key, Value()).second) named[key] = make();
+  return Value::Object{{"$ref", "#/$defs/" + key}};
+}
+
 /// The schema of a T, or the reference to it. Whatever it refers to is in `named` afterwards.
 /// A codec whose parts may have names takes `named` as well.
 template <class T>
 Value schema_of(const Spec& spec, Definitions& named) {
   if constexpr (NamedSchema<T>) {
-    const std::string name(T::schema_name);
-    if (named.emplace(name, Value()).second) named[name] = Codec<T>::schema(Spec{}, named);
-    return Value::Object{{"$ref", "#/$defs/" + name}};
+    return schema_called(T::schema_name, named, [&] { return Codec<T>::schema(Spec{}, named); });
   } else if constexpr (requires { Codec<T>::schema(spec, named); }) {
     return Codec<T>::schema(spec, named);
   } else {
@@ -59,14 +66,13 @@ Value schema_of(const Spec& spec, Definitions& named) {
   }
 }
 
-/// The schema of a T with all that it refers to.
+/// A schema with all that it refers to.
+Value::Object with_definitions(const Value& schema, const Definitions& named);
 template <class T>
 Value::Object whole_schema() {
   Definitions named;
-  Value schema = schema_of<T>({}, named);
-  Value::Object members = std::move(*schema.as<Value::Object>());
-  if (!named.empty()) members.emplace_back("$defs", Value::Object(named.begin(), named.end()));
-  return members;
+  const Value schema = schema_of<T>({}, named);
+  return with_definitions(schema, named);
 }
 
 namespace detail {

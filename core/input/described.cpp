@@ -45,9 +45,7 @@ void MemberReader::finish() const {
 void ObjectSchema::add(std::string_view name, const Value& schema, const Spec& spec,
                        const std::optional<Value>& standard) {
   Value::Object property = *schema.as<Value::Object>();
-  std::string about = spec.about;
-  if (*spec.unit != '\0') about += std::string(", in ") + spec.unit;
-  property.emplace_back("description", about);
+  property.emplace_back("description", about_text(spec));
   if (spec.required) required.emplace_back(name);
   else if (standard) property.emplace_back("default", *standard);
   properties.emplace_back(name, std::move(property));

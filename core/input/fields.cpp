@@ -9,6 +9,10 @@ bool in_range(double number, const Spec& spec) {
   return (spec.open_min ? number > spec.min : number >= spec.min) && number <= spec.max;
 }
 
+std::string about_text(const Spec& spec) {
+  return *spec.unit == '\0' ? spec.about : std::string(spec.about) + ", in " + spec.unit;
+}
+
 std::string range_text(const Spec& spec, bool integer) {
   constexpr double inf = std::numeric_limits<double>::infinity();
   std::string text = integer ? "an integer" : "a number";

@@ -45,6 +45,8 @@ std::string_view name_of(E value) {
   return Names<E>::names[static_cast<std::size_t>(value)];
 }
 
+/// What a field means, with its unit: "the width, in pixels".
+std::string about_text(const Spec& spec);
 /// The words for a numeric range: "an integer from 1 to 64", "a number above 0".
 std::string range_text(const Spec& spec, bool integer);
 /// Whether a number lies in the field's range. NaN never does.

@@ -23,6 +23,7 @@ concept MovableLight = requires(Kind kind, const Vec3d& p) {
 
 /// Light: a kind and what all kinds share. It sends color * intensity.
 struct Light {
+  static constexpr std::string_view schema_name = "light";
   std::variant<PointLight, DirectionalLight, SpotLight, SphereLight, QuadLight, SkyLight> kind;
   Color color{1, 1, 1};
   double intensity = 1;

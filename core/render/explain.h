@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/accel/all_hits.h"
+#include "core/input/codec.h"
 #include "core/integrators/notes.h"
 #include "core/render/render.h"
 #include "core/scene/labels.h"
@@ -45,5 +46,7 @@ Explanation explain(const Scene& scene, World world, const View& view, int x, in
 /// and of an equation's root "root": {"bracket": [from, to], "how", "degree"}}],
 /// "tree": {"ray", "depth", "winner", "point", "normal", "terms", "color"}}.
 Value::Object value_of(const Explanation& explanation);
+/// The schema of that.
+Value explanation_schema(Definitions& named);
 
 }  // namespace tia

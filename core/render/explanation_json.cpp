@@ -1,5 +1,5 @@
 // An explanation as JSON.
-#include "core/input/codec.h"
+#include "core/input/written.h"
 #include "core/render/explain.h"
 
 namespace tia {
@@ -93,7 +93,88 @@ class Writer {
   const Explanation& all_;
 };
 
+// ---- what that may be -----------------------------------------------------------------------
+
+using Pair = std::array<double, 2>;
+
+Value triple_schema() { return plain_schema<Vec3d>(); }
+Value number_schema(const Spec& spec = {}) { return plain_schema<double>(spec); }
+Value name_schema() { return plain_schema<std::string>(); }
+
+Value ray_schema(Definitions& named) {
+  return schema_called("ray", named, [] {
+    return object_schema(
+        {{"origin", triple_schema()},
+         {"direction", triple_schema(), "of length 1"},
+         {"raster", plain_schema<Pair>(), "a pixel's: where it goes through, in pixels", false},
+         {"ndc", plain_schema<Pair>(), "the same from 0 to 1, y down", false},
+         {"screen", plain_schema<Pair>(), "the same from -1 to 1, y up", false}});
+  });
+}
+
+Value hit_schema() {
+  const Value root = object_schema(
+      {{"bracket", plain_schema<Pair>(), "the interval of t that was told to hold the root alone"},
+       {"how", name_schema(), "how that was told"},
+       {"degree", count_schema(1), "of the equation", false}});
+  return object_schema(
+      {{"t", number_schema(), "the distance along the ray"},
+       {"object", name_schema(), "its name, or a JSON Pointer into the scene"},
+       {"type", name_schema(), "of its shape"},
+       {"point", triple_schema()},
+       {"normal", triple_schema(), "of length 1"},
+       {"uv", plain_schema<Pair>(), "where on the surface"},
+       {"front", plain_schema<bool>(), "whether it is met from outside"},
+       {"root", root, "of a surface that is an equation's: how it was found", false}});
+}
+
+Value node_schema(Definitions& named);
+
+Value term_schema(Definitions& named) {
+  return object_schema(
+      {{"name", plain_schema<TermName>()},
+       {"weight", number_schema()},
+       {"value", triple_schema(), "linear RGB; weight * value is what the term adds"},
+       {"light", name_schema(), "diffuse, specular: the light's name", false},
+       {"distance", nullable_schema(number_schema({.min = 0})), "null where it is infinite", false},
+       {"direction", triple_schema(), "towards the light", false},
+       {"n_dot_l", number_schema(), "the cosine between normal and direction", false},
+       {"visible", number_schema({.min = 0, .max = 1}), "the share of the light that is seen",
+        false},
+       {"fade", number_schema({.min = 0}), "what distance and direction leave of the light", false},
+       {"blocker", nullable_schema(name_schema()), "what takes light first, null: nothing", false},
+       {"node", node_schema(named), "reflection, refraction: the ray that follows", false}});
+}
+
+Value node_schema(Definitions& named) {
+  return schema_called("node", named, [&] {
+    return object_schema(
+        {{"ray", ray_schema(named)},
+         {"depth", count_schema(), "how often it has been mirrored or refracted"},
+         {"winner", nullable_schema(name_schema()), "what it meets first, null: nothing"},
+         {"terms", list_schema(term_schema(named)), "in the order in which they are added"},
+         {"color", triple_schema(), "linear RGB: the sum of the terms"},
+         {"t", number_schema(), "of the hit: the distance along the ray", false},
+         {"point", triple_schema(), "of the hit", false},
+         {"normal", triple_schema(), "of the hit", false},
+         {"transmittance", triple_schema(), "what a medium has left of the light on the way",
+          false}});
+  });
+}
+
 }  // namespace
+
+Value explanation_schema(Definitions& named) {
+  return schema_called("explanation", named, [&] {
+    return object_schema(
+        {{"pixel", plain_schema<std::array<int, 2>>({.min = 0}), "x and y, of a pixel's ray",
+          false},
+         {"sample", count_schema(), "which of the pixel's rays", false},
+         {"ray", ray_schema(named), "in double"},
+         {"hits", list_schema(hit_schema()), "all along the ray, the nearest first, in double"},
+         {"tree", node_schema(named), "what makes the colour, in the picture's own arithmetic"}});
+  });
+}
 
 Value::Object value_of(const Explanation& all) {
   const Writer writer(all);

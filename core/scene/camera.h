@@ -40,6 +40,7 @@ struct Basis {
 /// - AlgoWiki's `basis` and a grid of squares of `pixel_size` at `distance` (orthographic: none).
 /// Space/units: world space, scene units. Default: at the origin, looking along -z.
 struct Camera {
+  static constexpr std::string_view schema_name = "camera";
   Vec3d location{};
   std::optional<Vec3d> look_at, direction;
   Vec3d up{0, 1, 0};

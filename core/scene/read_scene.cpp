@@ -7,7 +7,10 @@ Scene read_scene(std::string_view json) { return read_described<Scene>(parse_jso
 std::string canonical_text(const Scene& scene) { return to_json(write_value(scene)); }
 
 std::string scene_schema() {
-  Value::Object members = whole_schema<Scene>();
+  Definitions named;
+  // Its fields stand in the document itself, where people look for them.
+  const Value scene = Codec<Scene>::schema({}, named);
+  Value::Object members = with_definitions(scene, named);
   members.emplace_back("$schema", "https://json-schema.org/draft/2020-12/schema");
   members.emplace_back("title", "Tia scene");
   return to_json(members);

@@ -30,6 +30,7 @@ struct Names<IntegratorName> {
 };
 
 struct SceneOptions {
+  static constexpr std::string_view schema_name = "options";
   static constexpr double last_seed = 9007199254740991;  // 2^53 - 1
   static constexpr int deepest = 64;
   IntegratorName integrator = IntegratorName::whitted;
@@ -66,6 +67,7 @@ struct SceneOptions {
 };
 
 struct Scene {
+  static constexpr std::string_view schema_name = "scene";
   std::string title, description;
   Camera camera;
   Color background{};

@@ -30,16 +30,18 @@ Value Corpus::make(const Value& reference, int depth) {
     return as_array(*words)[pick(as_array(*words).size())];
   if (const Value* examples = find(schema, "examples"))
     return as_array(*examples)[pick(as_array(*examples).size())];
-  if (const Value* alternatives = find(schema, "oneOf")) {
-    const auto& list = as_array(*alternatives);
-    return make(list[depth < deepest ? pick(list.size()) : 0], depth + 1);
-  }
+  for (const char* either : {"oneOf", "anyOf"})
+    if (const Value* alternatives = find(schema, either)) {
+      const auto& list = as_array(*alternatives);
+      return make(list[depth < deepest ? pick(list.size()) : 0], depth + 1);
+    }
   const Value* type = find(schema, "type");
   if (type == nullptr) return random_.chance(0.5) ? Value(1) : Value("any");
   if (as_text(*type) == "object") return make_object(schema, depth);
   if (as_text(*type) == "array") return make_array(schema, depth);
   if (as_text(*type) == "string") return random_.chance(0.5) ? "" : "text";
   if (as_text(*type) == "boolean") return random_.chance(0.5);
+  if (as_text(*type) == "null") return {};
   return make_number(schema, as_text(*type) == "integer");
 }
 

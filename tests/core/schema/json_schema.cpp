@@ -14,6 +14,7 @@ bool has_type(const Value& value, const std::string& type) {
   if (type == "array") return value.as<Value::Array>() != nullptr;
   if (type == "string") return value.as<std::string>() != nullptr;
   if (type == "boolean") return value.as<bool>() != nullptr;
+  if (type == "null") return value.as<std::nullptr_t>() != nullptr;
   if (type == "number") return value.as<double>() != nullptr;
   if (type == "integer")
     return value.as<double>() != nullptr && as_number(value) == std::trunc(as_number(value));
@@ -21,24 +22,26 @@ bool has_type(const Value& value, const std::string& type) {
 }
 
 bool matches_pattern(const std::string& value, const std::string& pattern) {
-  static std::map<std::string, std::regex> compiled;
+  thread_local std::map<std::string, std::regex> compiled;
   const auto at = compiled.try_emplace(pattern, pattern).first;
   return std::regex_search(value, at->second);
 }
 
 }  // namespace
 
-const Value& JsonSchema::resolved(const Value& schema) const {
-  const Value* ref = find(as_object(schema), "$ref");
-  if (ref == nullptr) return schema;
-  const std::string start = "#/$defs/";
-  if (!as_text(*ref).starts_with(start)) throw std::runtime_error("$ref " + as_text(*ref));
-  const Value* definitions = find(as_object(document_), "$defs");
-  const Value* named = definitions != nullptr
-                           ? find(as_object(*definitions), as_text(*ref).substr(start.size()))
-                           : nullptr;
-  if (named == nullptr) throw std::runtime_error("$ref " + as_text(*ref) + " points nowhere");
-  return *named;
+const Value& JsonSchema::resolved(const Value& part) const {
+  const Value* ref = find(as_object(part), "$ref");
+  if (ref == nullptr) return part;
+  const std::string& pointer = as_text(*ref);
+  if (!pointer.starts_with("#/")) throw std::runtime_error("$ref " + pointer);
+  const Value* here = &document_;
+  for (std::size_t at = 1; at != std::string::npos && here != nullptr;) {
+    const std::size_t slash = pointer.find('/', at + 1);
+    here = find(as_object(*here), pointer.substr(at + 1, slash - at - 1));
+    at = slash;
+  }
+  if (here == nullptr) throw std::runtime_error("$ref " + pointer + " points nowhere");
+  return *here;
 }
 
 bool JsonSchema::valid(const Value& value, const Value& schema) const {
@@ -51,8 +54,8 @@ bool JsonSchema::valid(const Value& value, const Value& schema) const {
 // A word says nothing about values of another type than its own.
 bool JsonSchema::obeys(const std::string& word, const Value& is, const Value& value,
                        const Value::Object& schema) const {
-  for (const char* annotation :
-       {"description", "default", "title", "examples", "$schema", "$defs", "contentEncoding"})
+  for (const char* annotation : {"description", "default", "title", "examples", "$schema", "$defs",
+                                 "contentEncoding", "contentMediaType", "contentSchema"})
     if (word == annotation) return true;
   if (word == "type") return has_type(value, as_text(is));
   if (word == "const") return value == is;

@@ -14,11 +14,12 @@ class JsonSchema {
   explicit JsonSchema(Value document) : document_(std::move(document)) {}
   const Value& document() const { return document_; }
   bool valid(const Value& value) const { return valid(value, document_); }
-  /// The schema that a schema refers to, else itself.
-  const Value& resolved(const Value& schema) const;
+  /// By a schema that is a part of the document.
+  bool valid(const Value& value, const Value& schema) const;
+  /// What a part of the document refers to ("$ref" with a JSON Pointer), else itself.
+  const Value& resolved(const Value& part) const;
 
  private:
-  bool valid(const Value& value, const Value& schema) const;
   bool obeys(const std::string& word, const Value& is, const Value& value,
              const Value::Object& schema) const;
   bool members_obey(const std::string& word, const Value& is, const Value::Object& object,
