@@ -2,66 +2,35 @@
 #include "core/input/json.h"
 #include "core/integrators/integrator.h"
 #include "core/render/sampler.h"
+#include "server/explain_request.h"
 #include "server/handlers.h"
 #include "server/parameters.h"
 
 namespace tia::server {
+
+void FreeRay::check(const Place& at, Faults& faults) const {
+  if (!(length(direction) > 1e-100))
+    faults.add({FaultKind::out_of_range, at.at("direction").pointer(), write_value(direction),
+                "a direction of some length, 1e-100 at least"});
+}
+
+void ExplainRequest::check(const Place& at, Faults& faults) const {
+  ViewRequest::check(at, faults);
+  const auto coordinate = [&](const char* name, const std::optional<int>& is, int size) {
+    const std::string place = at.at(name).pointer();
+    const std::string range = range_text({.unit = "pixels", .min = 0, .max = size - 1.0}, true);
+    if (ray && is) faults.add({FaultKind::conflict, place, write_value(*is), "x and y, or ray"});
+    else if (!ray && !is)
+      faults.add(
+          {FaultKind::missing, place, std::nullopt, range + ", of a pixel with x and y; or a ray"});
+    else if (is && *is >= size)
+      faults.add({FaultKind::out_of_range, place, write_value(*is), range});
+  };
+  coordinate("x", x, width);
+  coordinate("y", y, height);
+}
+
 namespace {
-
-/// FreeRay: a ray that belongs to no pixel.
-struct FreeRay {
-  Vec3d origin{}, direction{};
-
-  template <class Visitor>
-  static void fields(Visitor&& visit) {
-    visit("origin", &FreeRay::origin,
-          Spec{.about = "where the ray starts", .min = -1e9, .max = 1e9, .required = true});
-    visit("direction", &FreeRay::direction,
-          Spec{.about = "where it goes", .min = -1e9, .max = 1e9, .required = true});
-  }
-  /// A direction too short to tell where it goes.
-  void check(const Place& at, Faults& faults) const {
-    if (!(length(direction) > 1e-100))
-      faults.add({FaultKind::out_of_range, at.at("direction").pointer(), write_value(direction),
-                  "a direction of some length, 1e-100 at least"});
-  }
-};
-
-/// ExplainRequest: the parameters of /explain.
-struct ExplainRequest : TraceRequest {
-  std::optional<int> x, y;
-  int sample = 0;
-  std::optional<FreeRay> ray;
-
-  template <class Visitor>
-  static void fields(Visitor&& visit) {
-    using E = ExplainRequest;
-    constexpr double most_samples = 16 * 65536 - 1;
-    TraceRequest::fields(visit);
-    visit("x", &E::x, Spec{.about = "the pixel's column, from the left", .min = 0, .max = most_px});
-    visit("y", &E::y, Spec{.about = "the pixel's row, from the top", .min = 0, .max = most_px});
-    visit("sample", &E::sample,
-          Spec{.about = "which of the pixel's rays, from 0", .min = 0, .max = most_samples});
-    visit("ray", &E::ray, Spec{.about = "a ray of its own instead of a pixel's"});
-  }
-
-  /// Neither a pixel nor a ray, or both; a pixel outside the picture.
-  void check(const Place& at, Faults& faults) const {
-    ViewRequest::check(at, faults);
-    const auto coordinate = [&](const char* name, const std::optional<int>& is, int size) {
-      const std::string place = at.at(name).pointer();
-      const std::string range = range_text({.unit = "pixels", .min = 0, .max = size - 1.0}, true);
-      if (ray && is) faults.add({FaultKind::conflict, place, write_value(*is), "x and y, or ray"});
-      else if (!ray && !is)
-        faults.add({FaultKind::missing, place, std::nullopt,
-                    range + ", of a pixel with x and y; or a ray"});
-      else if (is && *is >= size)
-        faults.add({FaultKind::out_of_range, place, write_value(*is), range});
-    };
-    coordinate("x", x, width);
-    coordinate("y", y, height);
-  }
-};
 
 RenderOptions options_of(const ExplainRequest& asked, const Scene& scene, const Service& service) {
   const RenderOptions options = options_of(TraceRequest(asked), scene, service.studio);

@@ -1,6 +1,6 @@
 #include "server/gallery.h"
 
-#include "core/input/json.h"
+#include "core/input/written.h"
 #include "core/scene/read_scene.h"
 #include "server/assets.h"
 
@@ -20,6 +20,16 @@ Gallery::Gallery() {
     list.push_back(Value::Object{
         {"name", name}, {"title", scene->title}, {"description", scene->description}});
   listing_ = to_json(Value::Object{{"scenes", list}});
+}
+
+Value Gallery::listing_schema(Definitions& named) {
+  return schema_called("scene_list", named, [] {
+    const Value text = plain_schema<std::string>();
+    const Value scene = object_schema({{"name", text, "what requests call it"},
+                                       {"title", text, "what the picture shows"},
+                                       {"description", text, "what to look at"}});
+    return object_schema({{"scenes", list_schema(scene), "sorted by name"}});
+  });
 }
 
 KnownScene Gallery::find(std::string_view name) const {

@@ -20,6 +20,7 @@ class Gallery {
   std::vector<std::string_view> names() const;
   /// Names, titles and descriptions as JSON.
   const std::string& listing() const { return listing_; }
+  static Value listing_schema(Definitions& named);
 
  private:
   std::map<std::string, KnownScene, std::less<>> scenes_;

@@ -26,16 +26,29 @@ Response get_scenes(const Request& request, const std::string&, Service& service
 Response get_scene(const Request& request, const std::string& name, Service& service);
 Response post_scene(const Request& request, const std::string&, Service& service);
 Response get_scene_schema(const Request& request, const std::string&, Service& service);
+Value kept_scene_schema(Definitions& named);
 
 // health_handler.cpp
 Response get_health(const Request& request, const std::string&, Service& service);
 Response get_ready(const Request& request, const std::string&, Service& service);
 Response get_metrics(const Request& request, const std::string&, Service& service);
 Response get_version(const Request& request, const std::string&, Service& service);
+Value healthy_schema(Definitions& named);
+Value ready_schema(Definitions& named);
+Value unready_schema(Definitions& named);
+Value version_schema(Definitions& named);
 
 // page_handler.cpp
 Response get_page(const Request& request, const std::string&, Service& service);
-/// A file of the page, or a 404.
-Response get_asset(const Request& request, std::string_view path);
+Response get_page_file(const Request& request, const std::string&, Service& service);
+bool is_page_file(std::string_view name);
+Value page_file_schema(Definitions&);
+/// The media types of the files.
+std::vector<Content> page_file_contents();
+
+// documents_handler.cpp
+Response get_openapi(const Request& request, const std::string&, Service& service);
+Response get_docs(const Request& request, const std::string&, Service& service);
+Response get_problem(const Request& request, const std::string& type, Service& service);
 
 }  // namespace tia::server

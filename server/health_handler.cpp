@@ -1,5 +1,5 @@
 // What operators ask: /healthz, /readyz, /version, /metrics.
-#include "core/input/json.h"
+#include "core/input/written.h"
 #include "core/math/wide.h"
 #include "core/version.h"
 #include "server/handlers.h"
@@ -14,13 +14,24 @@ constexpr std::string_view compiler = "gcc " __VERSION__;
 #endif
 
 Response status_of(const char* word, int status) {
-  return {.status = status,
-          .content_type = "application/json",
-          .body = to_json(Value::Object{{"status", word}}),
-          .headers = {{"Cache-Control", "no-store"}}};
+  Response response{.status = status,
+                    .content_type = "application/json",
+                    .body = to_json(Value::Object{{"status", word}}),
+                    .headers = {{"Cache-Control", "no-store"}}};
+  if (status == 503) response.headers.emplace_back("Retry-After", "1");
+  return response;
+}
+
+template <class... Words>
+Value status_schema(const Words&... words) {
+  return object_schema({{"status", Value::Object{{"enum", Value::Array{words...}}}}});
 }
 
 }  // namespace
+
+Value healthy_schema(Definitions&) { return status_schema("ok"); }
+Value ready_schema(Definitions&) { return status_schema("ready"); }
+Value unready_schema(Definitions&) { return status_schema("draining", "overloaded"); }
 
 Response get_health(const Request&, const std::string&, Service&) { return status_of("ok", 200); }
 
@@ -54,6 +65,18 @@ Response get_version(const Request&, const std::string&, Service&) {
                             {"compiler", compiler},
                             {"lanes", lanes<Wide>}};
   return {.content_type = "application/json", .body = to_json(build)};
+}
+
+Value version_schema(Definitions& named) {
+  return schema_called("build", named, [] {
+    const Value text = plain_schema<std::string>();
+    return object_schema(
+        {{"name", text},
+         {"version", text},
+         {"bytes", text, "the same bytes come from builds of which this is equal"},
+         {"compiler", text},
+         {"lanes", count_schema(1), "rays that are traced at once"}});
+  });
 }
 
 }  // namespace tia::server

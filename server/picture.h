@@ -27,6 +27,7 @@ namespace tia::server {
 
 /// PictureRequest: the parameters of /render.
 struct PictureRequest : TraceRequest {
+  static constexpr std::string_view schema_name = "picture_request";
   std::optional<std::array<int, 4>> crop;
   std::optional<Transfer> transfer;
   Format format = Format::png;
@@ -42,8 +43,10 @@ struct PictureRequest : TraceRequest {
                .unit = "pixels",
                .min = 0,
                .max = most_px});
-    visit("transfer", &P::transfer, Spec{.about = "curve from linear light to stored codes"});
-    visit("format", &P::format, Spec{.about = "png, or pfm for linear light in float"});
+    visit("transfer", &P::transfer,
+          Spec{.about = "curve from linear light to stored codes; else the scene's"});
+    visit("format", &P::format,
+          Spec{.about = "png, or pfm for linear light in float; else what Accept prefers"});
     visit("threads", &P::threads,
           Spec{.about = "most threads for this picture; never changes it", .min = 1, .max = 64});
     visit("v", &P::v,

@@ -1,8 +1,6 @@
 #include "server/routes.h"
 
 #include "server/accept.h"
-#include "server/assets.h"
-#include "server/handlers.h"
 #include "server/headers.h"
 #include "server/problem.h"
 
@@ -15,7 +13,7 @@ bool matches(const Route& route, std::string_view path, std::string_view& name) 
   const std::string_view stem = route.path.substr(0, route.path.size() - 2);
   if (!path.starts_with(stem) || path.size() == stem.size()) return false;
   name = path.substr(stem.size());
-  return name.find('/') == name.npos;
+  return name.find('/') == name.npos && (route.has == nullptr || route.has(name));
 }
 
 // What may be done with a path (RFC 9110, 9.3.7), or with some path of this server.
@@ -38,10 +36,6 @@ Response dispatch(const Request& request, Service& service) {
     }
     allow += (allow.empty() ? "" : ", ") + std::string(route.method);
     if (route.method == "GET") allow += ", HEAD";
-  }
-  if (allow.empty() && find_asset(request.path()) != nullptr) {
-    if (method == "GET") return get_asset(request, request.path());
-    allow = "GET, HEAD";
   }
   if (allow.empty()) throw HttpError("not-found", "no such path");
   allow += ", OPTIONS";
@@ -69,45 +63,6 @@ Response dressed(Response response, const Request& request, const Service& servi
 
 }  // namespace
 
-const std::vector<Route>& routes() {
-  using enum Pace;
-  static constexpr std::string_view json = "application/json";
-  static constexpr std::string_view schema = "application/schema+json";  // which is JSON too
-  static const std::vector<Route> table{
-      {"GET", "/", "the page", at_once, get_page},
-      {"GET", "/render", "a picture; no parameter is required", in_turn, get_render},
-      {"POST", "/render", "the same, parameters as a JSON object", in_turn, post_render},
-      {"POST",
-       "/verify",
-       "whether a PNG is, byte by byte, what this version renders",
-       in_turn,
-       post_verify,
-       {json}},
-      {"GET",
-       "/explain",
-       "what the ray of a pixel, or any ray, meets",
-       in_turn,
-       get_explain,
-       {json}},
-      {"POST", "/explain", "the same, parameters as a JSON object", in_turn, post_explain, {json}},
-      {"GET", "/scenes", "the gallery: names and titles", at_once, get_scenes, {json}},
-      {"POST", "/scenes", "keeps a scene: its id is a name", in_turn, post_scene, {json}},
-      {"GET", "/scenes/{}", "one scene's canonical JSON", in_turn, get_scene, {json}},
-      {"GET",
-       "/schema/scene.json",
-       "JSON Schema of a scene",
-       at_once,
-       get_scene_schema,
-       {schema, json}},
-      {"GET", "/healthz", "whether the server lives", at_once, get_health},
-      {"GET", "/readyz", "whether it takes requests: 503 when it goes down or has too much to do",
-       at_once, get_ready},
-      {"GET", "/version", "what this build is", at_once, get_version},
-      {"GET", "/metrics", "counters and gauges, in Prometheus' text format", at_once, get_metrics},
-  };
-  return table;
-}
-
 Response answer(const Request& request, Service& service) {
   return dressed(answer_or_problem(request, service), request, service);
 }
@@ -121,7 +76,7 @@ std::string_view route_label(const Request& request) {
   std::string_view name;
   for (const Route& route : routes())
     if (matches(route, request.path(), name)) return route.path;
-  return find_asset(request.path()) != nullptr ? "file" : "none";
+  return "none";
 }
 
 bool is_answered_at_once(const Request& request) {
@@ -130,7 +85,7 @@ bool is_answered_at_once(const Request& request) {
   for (const Route& route : routes())
     if (route.method == method && matches(route, request.path(), name))
       return route.pace == Pace::at_once;
-  return true;  // a file of the page, or nothing that is here
+  return true;  // nothing that is here
 }
 
 }  // namespace tia::server

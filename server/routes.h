@@ -1,5 +1,5 @@
-// One table of method, path, meaning and handler. It answers requests; OpenAPI and the documents
-// will come from it too.
+// One table of method, path, meaning and handler, of what a request may bring and what its answer
+// may be. It answers requests; the OpenAPI document and the page of documentation come from it.
 #pragma once
 
 #include <atomic>
@@ -10,6 +10,7 @@
 
 #include "server/admission.h"
 #include "server/config.h"
+#include "server/contract.h"
 #include "server/http/message.h"
 #include "server/metrics.h"
 #include "server/picture_store.h"
@@ -36,13 +37,23 @@ enum class Pace { in_turn, at_once };
 struct Route {
   std::string_view method;  ///< GET answers HEAD too
   std::string_view path;    ///< exact, or ending in {}: one more segment
+  std::string_view name;    ///< that programs call it by
   std::string_view about;
-  Pace pace;
-  Handler handler;
+  Pace pace = Pace::at_once;
+  Handler handler = nullptr;
+  std::vector<Answer> answers = {};  ///< but for problems
   /// The media types of which Accept must allow one; empty = it is not asked, or by the handler.
   std::vector<std::string_view> gives = {};
+  bool chooses = false;  ///< whether the handler lets Accept choose among the answer's types
+  Value::Array (*query)(Definitions&) = nullptr;  ///< the parameters of a query
+  std::vector<Content> body = {};                 ///< what may be sent, one of them
+  Segment segment = {};                           ///< what the path's {} stands for
+  /// Which segments there are, for a path that shares its place with what is not here; null = any.
+  bool (*has)(std::string_view segment) = nullptr;
+  std::vector<std::string_view> examples = {};  ///< targets, of GET
 };
 
+/// All routes. Where two fit a path, the first is meant.
 const std::vector<Route>& routes();
 
 /// The whole service as a function: never throws, whatever fails becomes a problem document.
@@ -51,8 +62,8 @@ Response answer(const Request& request, Service& service);
 /// The answer to a request that failed before it came to answer().
 Response refusal(const std::exception_ptr& failure, const Request& request, const Service& service);
 
-/// The word by which a request is counted: its route's path, "file" for one of the page, "none" for
-/// what is not here; few, however many targets are asked for.
+/// The word by which a request is counted: its route's path, "none" for what is not here; few,
+/// however many targets are asked for.
 std::string_view route_label(const Request& request);
 
 /// Whether the request's route, if it has one, is answered at once.

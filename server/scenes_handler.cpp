@@ -1,5 +1,5 @@
 // /scenes: the gallery and the scenes that are kept. /schema/scene.json: what a scene may be.
-#include "core/input/json.h"
+#include "core/input/written.h"
 #include "core/scene/read_scene.h"
 #include "server/handlers.h"
 #include "server/parameters.h"
@@ -36,6 +36,14 @@ Response post_scene(const Request& request, const std::string&, Service& service
           .content_type = "application/json",
           .body = to_json(Value::Object{{"id", id}, {"location", location}}),
           .headers = {{"Location", location}}};
+}
+
+Value kept_scene_schema(Definitions& named) {
+  return schema_called("kept_scene", named, [] {
+    const Value text = plain_schema<std::string>();
+    return object_schema({{"id", text, "its name from now on: SHA-256 of its canonical text"},
+                          {"location", text, "where it is"}});
+  });
 }
 
 Response get_scene_schema(const Request&, const std::string&, Service&) {

@@ -49,6 +49,24 @@ Value json_or_name_from_text(std::string_view text, const Place& at) {
   }
 }
 
+Value::Object list_in_query(Value::Object schema) {
+  return {{"style", "form"}, {"explode", false}, {"schema", std::move(schema)}};
+}
+
+Value::Object json_in_query(Value::Object schema) {
+  const Value::Object json{{"schema", std::move(schema)}};
+  return {{"content", Value::Object{{"application/json", json}}}};
+}
+
+Value::Object json_or_name_in_query(Value::Object schema) {
+  const Value::Array& either = *find(schema, "oneOf")->as<Value::Array>();
+  const Value json = Value::Object{
+      {"type", "string"}, {"contentMediaType", "application/json"}, {"contentSchema", either[1]}};
+  Value::Object text{{"anyOf", Value::Array{either[0], json}}};
+  if (const Value* standard = find(schema, "default")) text.emplace_back("default", *standard);
+  return {{"schema", std::move(text)}};
+}
+
 std::string text_of(const Value& value) {
   if (const auto* text = value.as<std::string>()) return *text;
   const auto* list = value.as<Value::Array>();

@@ -23,6 +23,11 @@ Value list_from_text(std::string_view text);
 Value words_from_text(std::string_view text);
 /// "{…}" as the JSON that it is, any other as a string. Errors: InputError, pointers below `at`.
 Value json_or_name_from_text(std::string_view text, const Place& at);
+/// How OpenAPI describes a field in a query, by the schema of its JSON: a list with commas between,
+/// an object as JSON, and what is a name or an object as either.
+Value::Object list_in_query(Value::Object schema);
+Value::Object json_in_query(Value::Object schema);
+Value::Object json_or_name_in_query(Value::Object schema);
 /// The text that gives this value: strings as they are, lists of them with commas.
 std::string text_of(const Value& value);
 
@@ -38,17 +43,23 @@ struct TextForm {
     else if constexpr (Named<T>) return listed({Names<T>::names.begin(), Names<T>::names.end()});
     else return "text";
   }
+  /// How OpenAPI describes it in a query, by the schema of its JSON.
+  static Value::Object in_query(Value::Object schema) { return {{"schema", std::move(schema)}}; }
 };
 template <class T>
 struct TextForm<std::optional<T>> : TextForm<T> {};
-template <>
-struct TextForm<Vec3d> {
+
+/// Numbers with commas between, or a JSON array.
+struct NumbersForm {
   static Value read(std::string_view text, const Place&) { return list_from_text(text); }
+  static Value::Object in_query(Value::Object schema) { return list_in_query(std::move(schema)); }
+};
+template <>
+struct TextForm<Vec3d> : NumbersForm {
   static std::string allowed(const Spec& spec) { return "x,y,z, each " + range_text(spec, false); }
 };
 template <std::size_t N>
-struct TextForm<std::array<int, N>> {
-  static Value read(std::string_view text, const Place&) { return list_from_text(text); }
+struct TextForm<std::array<int, N>> : NumbersForm {
   static std::string allowed(const Spec& spec) {
     return std::to_string(N) + " numbers, each " + range_text(spec, true);
   }
@@ -65,6 +76,9 @@ struct TextForm<std::variant<std::string, T>> {
   static Value read(std::string_view text, const Place& at) {
     return json_or_name_from_text(text, at);
   }
+  static Value::Object in_query(Value::Object schema) {
+    return json_or_name_in_query(std::move(schema));
+  }
 };
 
 /// An object, as URL-encoded JSON.
@@ -73,6 +87,7 @@ struct ObjectForm {
     return json_or_name_from_text(text, at);
   }
   static std::string allowed(const Spec&) { return "a JSON object"; }
+  static Value::Object in_query(Value::Object schema) { return json_in_query(std::move(schema)); }
 };
 template <Described T>
 struct TextForm<T> : ObjectForm {};

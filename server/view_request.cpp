@@ -1,5 +1,6 @@
 #include "server/view_request.h"
 
+#include "core/input/written.h"
 #include "core/integrators/shown.h"
 
 namespace tia {
@@ -18,7 +19,27 @@ struct PatchReader {
   }
 };
 
+// The schema of a merge patch of what obeys `schema`: all may be left out, null removes. Inside of
+// a member null may also remove what is not known.
+Value patch_schema(const Value& schema, bool inside = false) {
+  Value::Object patch;
+  for (const auto& [word, is] : *schema.as<Value::Object>()) {
+    if (word == "required" || word == "default") continue;
+    Value means = is;
+    if (word == "properties")
+      for (auto& [name, property] : *means.as<Value::Object>())
+        property = nullable_schema(patch_schema(property, true));
+    if (word == "additionalProperties" && inside) means = Value::Object{{"type", "null"}};
+    patch.emplace_back(word, std::move(means));
+  }
+  return patch;
+}
+
 }  // namespace
+
+Value Codec<server::CameraPatch>::schema(const Spec& spec, Definitions& named) {
+  return patch_schema(Codec<Camera>::schema(spec, named));
+}
 
 void Codec<server::CameraPatch>::read(const Value& v, const Place& at, const Spec& spec,
                                       Faults& faults, server::CameraPatch& out) {

@@ -15,6 +15,7 @@ namespace tia::server {
 
 /// CameraPatch: what replaces fields of the scene's camera, a JSON merge patch (RFC 7396).
 struct CameraPatch {
+  static constexpr std::string_view schema_name = "camera_patch";
   Value::Object members;
 };
 
@@ -56,20 +57,27 @@ struct TraceRequest : ViewRequest {
   static void fields(Visitor&& visit) {
     using T = TraceRequest;
     ViewRequest::fields(visit);
-    visit("integrator", &T::integrator, Spec{.about = "how light is gathered"});
+    visit("integrator", &T::integrator,
+          Spec{.about = "how light is gathered; else as the scene says"});
     visit("samples", &T::samples,
-          Spec{.about = "rays a pixel; 1 goes through its centre", .min = 1, .max = 65536});
+          Spec{.about = "rays a pixel; 1 goes through its centre; else as the scene says",
+               .min = 1,
+               .max = 65536});
     visit("threshold", &T::threshold,
           Spec{.about = "more rays where a pixel's own disagree: the standard error that its mean "
-                        "may keep; 0 is off",
+                        "may keep; 0 is off; else as the scene says",
                .min = 0,
                .max = 1});
     visit("max_depth", &T::max_depth,
-          Spec{.about = "how often light is mirrored or refracted on its way; 0 is never",
+          Spec{.about =
+                   "how often light is mirrored or refracted on its way; 0 is never; else as the "
+                   "scene says",
                .min = 0,
                .max = SceneOptions::deepest});
     visit("seed", &T::seed,
-          Spec{.about = "the random stream", .min = 0, .max = SceneOptions::last_seed});
+          Spec{.about = "the random stream; else the scene's",
+               .min = 0,
+               .max = SceneOptions::last_seed});
   }
 };
 
@@ -101,6 +109,7 @@ template <>
 struct Codec<server::CameraPatch> {
   static void read(const Value& v, const Place& at, const Spec& spec, Faults& faults,
                    server::CameraPatch& out);
+  static Value schema(const Spec& spec, Definitions& named);
   static std::string allowed(const Spec&) { return "an object of the camera's fields"; }
 };
 template <>

@@ -75,7 +75,7 @@ test('Tab alone reaches every control, the picture first, and Enter presses it',
       await page.keyboard.press('Tab');
     }
     assert.deepEqual(reached, ['picture', 'w', 'a', 'Escape', 'd', 's', 'everywhere', 'x', 'y', 'z',
-      'Move the lamp', 'copy-light', 'copy-curl']);
+      'Move the lamp', 'copy-light', 'copy-curl', 'Documentation']);
     await page.getByRole('button', { name: 'Light to the left' }).focus();
     await page.keyboard.press('Enter');
     await told(page, STATUS.a);

@@ -63,7 +63,7 @@ TEST(Metrics, CountRequestsByRouteAndStatus) {
   EXPECT_EQ(count("/scenes/{}", "200"), 1);
   EXPECT_EQ(count("/scenes/{}", "404"), 1);
   EXPECT_EQ(count("none", "404"), 1);
-  EXPECT_EQ(count("file", "200"), 1);
+  EXPECT_EQ(count("/{}", "200"), 1);
 }
 
 TEST(Metrics, TellOfKeptScenesAndTheBuild) {

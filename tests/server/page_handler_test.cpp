@@ -158,7 +158,7 @@ TEST(Page, EachCodingHasATagOfItsOwn) {  // RFC 9110, 8.8.3.3
 }
 
 TEST(Page, AnUnknownFileIs404) {
-  for (const char* path : {"/docs", "/style", "/style.css2", "/index.htm", "/scenes/thesis.png"})
+  for (const char* path : {"/doc", "/style", "/style.css2", "/index.htm", "/scenes/thesis.png"})
     EXPECT_EQ(host().get(path).status, 404) << path;
 }
 

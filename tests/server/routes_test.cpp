@@ -56,6 +56,9 @@ INSTANTIATE_TEST_SUITE_P(
                     Path{"Schema", "/schema/scene.json", "GET, HEAD, OPTIONS"},
                     Path{"Health", "/healthz", "GET, HEAD, OPTIONS"},
                     Path{"Version", "/version", "GET, HEAD, OPTIONS"},
+                    Path{"OpenApi", "/openapi.json", "GET, HEAD, OPTIONS"},
+                    Path{"Docs", "/docs", "GET, HEAD, OPTIONS"},
+                    Path{"Problem", "/problems/busy", "GET, HEAD, OPTIONS", 308},
                     Path{"PageFile", "/style.css", "GET, HEAD, OPTIONS"}),
     law_of);
 

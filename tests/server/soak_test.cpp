@@ -95,7 +95,7 @@ TEST(SoakCounters, EqualTheClientsCountByRouteAndStatus) {
       {get("/scenes/thesis"), "/scenes/{}"},
       {get("/scenes/none"), "/scenes/{}"},
       {get("/nowhere"), "none"},
-      {get("/style.css"), "file"},
+      {get("/style.css"), "/{}"},
       {get("/"), "/"},
       {forms::sized(" 20", R"({"width":8,"k":"a"})"
                            " "),
