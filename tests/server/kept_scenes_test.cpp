@@ -176,15 +176,16 @@ TEST(PostScenes, WhatIsNoSceneIsRefused) {
 TEST(PostScenes, WorksOverASocket) {
   Server server;
   auto client = server.client();
-  const Response response =
-      plain(client.Post("/scenes", lit_ball, "application/x-www-form-urlencoded"));
+  const Response response = plain(
+      "POST", "/scenes", client.Post("/scenes", lit_ball, "application/x-www-form-urlencoded"));
   EXPECT_EQ(response.status, 201);
   const std::string location = header(response, "Location").value_or("");
   EXPECT_EQ(location, "/scenes/" + text_at(parse_json(response.body), "id"));
-  EXPECT_EQ(plain(client.Get(location)).body, canonical_text(read_scene(lit_ball)));
+  EXPECT_EQ(plain("GET", location, client.Get(location)).body,
+            canonical_text(read_scene(lit_ball)));
   const std::string picture =
       "/render?width=37&height=23&scene=" + text_at(parse_json(response.body), "id");
-  EXPECT_TRUE(plain(client.Get(picture)).body == server.host().get(picture).body);
+  EXPECT_TRUE(plain("GET", picture, client.Get(picture)).body == server.host().get(picture).body);
 }
 
 TEST(PostScenes, ClientsThatKeepAndDrawAtOnceGetTheirOwnPictures) {

@@ -107,13 +107,16 @@ Tia::Tia(const Words& arguments, const Words& environment, int error_output)
   first_line_ = out().substr(0, out().find('\n'));
   const std::size_t colon = first_line_.rfind(':');
   port_ = std::stoi(first_line_.substr(colon + 1));
+  served_.emplace(port_);
 }
 httplib::Client Tia::client() const {
   httplib::Client client("127.0.0.1", port_);
   client.set_read_timeout(60);
   return client;
 }
-Response Tia::get(const std::string& target) const { return plain(client().Get(target.c_str())); }
+Response Tia::get(const std::string& target) const {
+  return plain("GET", target, client().Get(target.c_str()));
+}
 
 long kilobytes(const Process& process, const std::string& name) {
   std::istringstream lines(file_bytes(process.proc("status")));

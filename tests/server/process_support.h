@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -80,6 +81,7 @@ class Tia : public Process {
  private:
   std::string first_line_;
   int port_ = 0;
+  std::optional<ServicePort> served_;
 };
 
 // ---- what a process holds -------------------------------------------------------------------

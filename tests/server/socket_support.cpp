@@ -9,6 +9,8 @@
 #include <cstdint>
 #include <utility>
 
+#include "tests/server/contract.h"
+
 namespace tia::test {
 
 bool eventually(const std::function<bool()>& ask, Clock::duration patience) {
@@ -43,35 +45,21 @@ Server& shared_server() {
   return shared;
 }
 
-Response plain(const httplib::Result& result) {
+Response plain(const std::string& method, const std::string& target,
+               const httplib::Result& result) {
   if (!result) throw std::runtime_error("no answer: " + httplib::to_string(result.error()));
   Response response{.status = result->status,
                     .content_type = result->get_header_value("Content-Type"),
                     .body = result->body};
   response.headers.assign(result->headers.begin(), result->headers.end());
+  expect_allowed({method, target, {}, "", ""}, response);
   return response;
 }
 
 // ---- Connection -----------------------------------------------------------------------------
 
-namespace {
-
-Response head_of(const std::string& head) {
-  Response response;
-  response.status = std::stoi(head.substr(head.find(' ')));
-  for (std::size_t line = head.find("\r\n") + 2; line + 2 < head.size();) {
-    const std::size_t end = head.find("\r\n", line), colon = head.find(": ", line);
-    response.headers.emplace_back(head.substr(line, colon - line),
-                                  head.substr(colon + 2, end - colon - 2));
-    line = end + 2;
-  }
-  response.content_type = header(response, "Content-Type").value_or("");
-  return response;
-}
-
-}  // namespace
-
-Connection::Connection(int port) : socket_(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
+Connection::Connection(int port)
+    : witness_(port), socket_(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
   sockaddr_in to{};
   to.sin_family = AF_INET;
   to.sin_port = htons(static_cast<std::uint16_t>(port));
@@ -84,6 +72,7 @@ Connection::Connection(int port) : socket_(::socket(AF_INET, SOCK_STREAM | SOCK_
 Connection::~Connection() { ::close(socket_); }
 
 void Connection::send(std::string_view bytes) {
+  witness_.sent(bytes);
   while (!bytes.empty()) {
     const ssize_t sent = ::send(socket_, bytes.data(), bytes.size(), MSG_NOSIGNAL);
     if (sent <= 0) return;
@@ -97,19 +86,12 @@ bool Connection::readable(milliseconds wait) const {
   return ::poll(&poll, 1, static_cast<int>(wait.count())) > 0;
 }
 Response Connection::receive() {
-  while (bytes_.find("\r\n\r\n") == bytes_.npos)
-    if (!more()) {
-      if (!bytes_.empty()) throw std::runtime_error("cut in the head: " + bytes_);
-      return {.status = 0, .content_type = "", .body = ""};
-    }
-  const std::size_t head = bytes_.find("\r\n\r\n") + 4;
-  Response response = head_of(bytes_.substr(0, head));
-  const std::size_t length = std::stoul(header(response, "Content-Length").value_or("0"));
-  while (bytes_.size() < head + length)
-    if (!more()) throw std::runtime_error("cut in the body");
-  response.body = bytes_.substr(head, length);
-  bytes_.erase(0, head + length);
-  return response;
+  for (;;) {
+    if (auto response = take_answer(bytes_)) return std::move(*response);
+    if (more()) continue;
+    if (!bytes_.empty()) throw std::runtime_error("cut: " + bytes_.substr(0, 1000));
+    return {.status = 0, .content_type = "", .body = ""};
+  }
 }
 bool Connection::closed() { return bytes_.empty() && !more(); }
 
@@ -120,6 +102,7 @@ bool Connection::more() {
   const ssize_t n = ::recv(socket_, buffer, sizeof buffer, 0);
   if (n <= 0) return false;
   bytes_.append(buffer, static_cast<std::size_t>(n));
+  witness_.received({buffer, static_cast<std::size_t>(n)});
   return true;
 }
 

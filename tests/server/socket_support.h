@@ -10,6 +10,7 @@
 
 #include "server/http/http_server.h"
 #include "tests/server/support.h"
+#include "tests/server/witness.h"
 
 namespace httplib {  // its header is long: it is for those who ask through its client
 class Client;
@@ -39,14 +40,15 @@ class Server {
  private:
   Host host_;
   HttpServer http_;
+  ServicePort served_{port()};
   std::thread running_;
 };
 
 /// One for all tests that need none of their own.
 Server& shared_server();
 
-/// A library's answer as a Response of ours.
-Response plain(const httplib::Result& result);
+/// A library's answer as a Response of ours, which the OpenAPI document must allow.
+Response plain(const std::string& method, const std::string& target, const httplib::Result& result);
 
 /// Connection: a plain socket to 127.0.0.1.
 class Connection {
@@ -70,6 +72,7 @@ class Connection {
  private:
   bool more();
 
+  Witness witness_;
   int socket_;
   std::string bytes_;  // received, not yet taken
 };

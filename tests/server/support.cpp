@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "tests/server/contract.h"
+
 namespace tia::test {
 
 std::string file_bytes(const std::string& path) {
@@ -31,9 +33,13 @@ Response Host::ask(const std::string& method, const std::string& target, const s
                    const Headers& headers, const std::string& request_id) {
   Request request{method, target, headers, body, request_id};
   request.stop = stop_.get_token();
-  return answer(request, service_);
+  return ask(request);
 }
-Response Host::ask(const Request& request) { return answer(request, service_); }
+Response Host::ask(const Request& request) {
+  Response response = answer(request, service_);
+  expect_allowed(request, response);
+  return response;
+}
 Response Host::get(const std::string& target, const Headers& headers) {
   return ask("GET", target, "", headers);
 }

@@ -36,7 +36,8 @@ std::string file_bytes(const std::string& path);
 /// The first header field of that exact name, or nothing.
 std::optional<std::string> header(const Response& response, std::string_view name);
 
-/// Host: what `tia serve` sets up, without connections.
+/// Host: what `tia serve` sets up, without connections. The test fails where an answer is none that
+/// the OpenAPI document allows.
 class Host {
  public:
   static constexpr int threads = 7;  // more than most machines have: they must not matter

@@ -127,9 +127,9 @@ TEST_F(Body, OfALongCurlDIsReadAsJson) {  // declared as a form, beyond the libr
 TEST_F(Body, AfterExpectContinueIsReadToo) {
   auto client = server().client();
   const httplib::Headers expect{{"Expect", "100-continue"}};
-  EXPECT_TRUE(
-      plain(client.Post("/render", expect, body_of_size(most_bytes), "application/json")).body ==
-      picture);
+  EXPECT_TRUE(plain("POST", "/render",
+                    client.Post("/render", expect, body_of_size(most_bytes), "application/json"))
+                  .body == picture);
 }
 
 TEST_F(Body, OfAnotherTypeIs415) {

@@ -46,7 +46,7 @@ TEST(HttpServer, EveryBodyHasItsLength) {
   auto client = server.client();
   for (const char* target : {"/", "/style.css", "/render?width=37&height=23", "/scenes", "/healthz",
                              "/render?width=0", "/nowhere"}) {
-    const Response response = plain(client.Get(target));
+    const Response response = plain("GET", target, client.Get(target));
     EXPECT_EQ(header(response, "Content-Length"), std::to_string(response.body.size())) << target;
     EXPECT_EQ(header(response, "Transfer-Encoding"), std::nullopt) << target;
   }
@@ -57,7 +57,8 @@ TEST(HttpServer, GivesTheHandlersBytes) {
   auto client = server.client();
   for (const char* target : {"/", "/render?key=a&width=75&height=50", "/scenes/thesis", "/version",
                              "/render?key=d&width=75&height=50&format=pfm"}) {
-    const Response direct = server.host().get(target), sent = plain(client.Get(target));
+    const Response direct = server.host().get(target),
+                   sent = plain("GET", target, client.Get(target));
     EXPECT_EQ(sent.status, direct.status) << target;
     EXPECT_EQ(sent.content_type, direct.content_type) << target;
     EXPECT_TRUE(sent.body == direct.body) << target;
@@ -69,7 +70,8 @@ TEST(HttpServer, HeadHasTheHeadOfGetAndNoBody) {
   auto client = server.client();
   client.set_default_headers({{"X-Request-Id", Host::id}});
   for (const char* target : {"/", "/scenes", "/render", "/render?format=pfm", "/render?width=0"}) {
-    const Response get = server.host().get(target), head = plain(client.Head(target));
+    const Response get = server.host().get(target),
+                   head = plain("HEAD", target, client.Head(target));
     EXPECT_EQ(head.status, get.status) << target;
     EXPECT_EQ(head.content_type, get.content_type) << target;
     EXPECT_EQ(head.body, "") << target;

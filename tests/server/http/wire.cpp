@@ -40,7 +40,7 @@ void Latch::wait() { opening_.wait(); }
 
 // ---- Wire -----------------------------------------------------------------------------------
 
-Wire::Wire(int port, int receive_buffer, const char* address) {
+Wire::Wire(int port, int receive_buffer, const char* address) : witness_(port) {
   addrinfo hints{}, *found = nullptr;
   hints.ai_flags = AI_NUMERICHOST | AI_NUMERICSERV;
   hints.ai_socktype = SOCK_STREAM;
@@ -57,6 +57,7 @@ Wire::Wire(int port, int receive_buffer, const char* address) {
 }
 
 bool Wire::send(std::string_view bytes) {
+  witness_.sent(bytes);
   while (!bytes.empty()) {
     const ssize_t sent = ::send(socket_, bytes.data(), bytes.size(), MSG_NOSIGNAL);
     if (sent <= 0) return false;
@@ -65,7 +66,9 @@ bool Wire::send(std::string_view bytes) {
   return true;
 }
 ssize_t Wire::offer(std::string_view bytes) {
-  return ::send(socket_, bytes.data(), bytes.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
+  const ssize_t n = ::send(socket_, bytes.data(), bytes.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
+  if (n > 0) witness_.sent(bytes.substr(0, static_cast<std::size_t>(n)));
+  return n;
 }
 void Wire::get(const std::string& target) {
   send("GET " + target + " HTTP/1.1\r\nHost: x\r\n\r\n");
@@ -100,6 +103,7 @@ std::string Wire::read(std::size_t most, milliseconds patience) {
   std::string bytes(most, '\0');
   const ssize_t n = ::recv(socket_, bytes.data(), most, 0);
   bytes.resize(n > 0 ? static_cast<std::size_t>(n) : 0);
+  witness_.received(bytes);
   return bytes;
 }
 

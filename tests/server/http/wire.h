@@ -82,6 +82,7 @@ class Wire {
   std::string read(std::size_t most, milliseconds patience = seconds(60));
 
  private:
+  Witness witness_;
   int socket_ = -1;
 };
 
