@@ -16,6 +16,7 @@ PictureStore::Found picture_of(Plan& plan, const std::string& etag, const std::s
 
 // verify_handler.cpp
 Response post_verify(const Request& request, const std::string&, Service& service);
+Value verdict_schema(Definitions& named);
 
 // explain_handler.cpp
 Response get_explain(const Request& request, const std::string&, Service& service);

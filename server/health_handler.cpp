@@ -70,12 +70,11 @@ Response get_version(const Request&, const std::string&, Service&) {
 Value version_schema(Definitions& named) {
   return schema_called("build", named, [] {
     const Value text = plain_schema<std::string>();
-    return object_schema(
-        {{"name", text},
-         {"version", text},
-         {"bytes", text, "the same bytes come from builds of which this is equal"},
-         {"compiler", text},
-         {"lanes", count_schema(1), "rays that are traced at once"}});
+    return object_schema({{"name", text},
+                          {"version", text},
+                          {"bytes", text, "the same bytes come from builds of which this is equal"},
+                          {"compiler", text},
+                          {"lanes", count_schema(1), "rays that are traced at once"}});
   });
 }
 

@@ -73,7 +73,7 @@ Recipe read_recipe(Value&& value) {
   const Value* version = members != nullptr ? find(*members, "version") : nullptr;
   const Value* request = members != nullptr ? find(*members, "request") : nullptr;
   if (version == nullptr || request == nullptr || members->size() != 2 ||
-      version->as<std::string>() == nullptr)
+      version->as<std::string>() == nullptr || request->as<Value::Object>() == nullptr)
     throw InputError({FaultKind::malformed, "", value, "the recipe of a picture of Tia"});
   refuse_untold(*request);
   return {*version->as<std::string>(), *request};

@@ -8,6 +8,7 @@ namespace {
 
 constexpr std::string_view json = "application/json";
 constexpr std::string_view json_schema = "application/schema+json";  // which is JSON, too
+constexpr std::string_view png = "image/png";
 constexpr std::string_view html = "text/html; charset=utf-8";
 
 // ---- answers --------------------------------------------------------------------------------
@@ -30,8 +31,20 @@ Answer picture() {
   Answer answer{.about = "the picture"};
   for (std::size_t i = 0; i < Names<Format>::names.size(); ++i)
     answer.contents.push_back({media_type_of(static_cast<Format>(i))});
-  answer.headers = {"Server-Timing", "Tia-Rays", "Cache-Control"};
+  answer.headers = {"Server-Timing", "Tia-Rays", "Cache-Control", "ETag", "Cache-Status"};
   return answer;
+}
+
+Answer picture_not_modified() {
+  return {304,
+          "If-None-Match names the picture's tag: no ray was traced",
+          {},
+          {"ETag", "Cache-Control", "Cache-Status"}};
+}
+
+Answer verdict() {
+  return ok("the verdict, and what the picture was drawn from", json, verdict_schema,
+            {"Cache-Control"});
 }
 
 Answer explanation() {
@@ -54,8 +67,11 @@ std::vector<Content> picture_body() {
             {"a scene of one's own", R"({"width": 320, "height": 240, "scene": {
   "background": [0.1, 0.2, 0.4],
   "objects": [{"type": "sphere", "center": [0, 0, -9], "radius": 1.5}],
-  "lights": [{"type": "point", "position": [4, 6, -3]}]}})"}}}};
+  "lights": [{"type": "point", "position": [4, 6, -3]}]}})"}}},
+          {png}};
 }
+
+std::vector<Content> png_body() { return {{png}}; }
 
 std::vector<Content> explain_body() {
   return {{json,
@@ -80,7 +96,7 @@ std::vector<Route> pictures() {
            .about = "a picture; no parameter is required",
            .pace = Pace::in_turn,
            .handler = get_render,
-           .answers = {picture()},
+           .answers = {picture(), picture_not_modified()},
            .chooses = true,
            .query = query_parameters<PictureRequest>,
            .examples = {"/render", "/render?key=a&width=320&height=240",
@@ -88,12 +104,21 @@ std::vector<Route> pictures() {
           {.method = "POST",
            .path = "/render",
            .name = "post_render",
-           .about = "the same, parameters as a JSON object",
+           .about = "the same, parameters as a JSON object; or again, from a PNG that was sent",
            .pace = Pace::in_turn,
            .handler = post_render,
            .answers = {picture()},
            .chooses = true,
            .body = picture_body()},
+          {.method = "POST",
+           .path = "/verify",
+           .name = "post_verify",
+           .about = "whether a PNG is, byte by byte, what this version draws",
+           .pace = Pace::in_turn,
+           .handler = post_verify,
+           .answers = {verdict()},
+           .gives = {json},
+           .body = png_body()},
           {.method = "GET",
            .path = "/explain",
            .name = "get_explain",

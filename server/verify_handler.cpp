@@ -1,10 +1,22 @@
 // /verify: a PNG in, whether its bytes are what this version draws from its recipe out.
 #include "core/input/json.h"
+#include "core/input/written.h"
 #include "server/digest.h"
 #include "server/handlers.h"
 #include "server/parameters.h"
 #include "server/problem.h"
 #include "server/recipe.h"
+
+namespace tia::server {
+
+enum class Verdict { same, different, other_version };
+
+}  // namespace tia::server
+
+template <>
+struct tia::Names<tia::server::Verdict> {
+  static constexpr std::array<std::string_view, 3> names{"same", "different", "other-version"};
+};
 
 namespace tia::server {
 namespace {
@@ -25,12 +37,12 @@ Sent sent_in(const Request& request, Service& service) {
 
 // Where the recipe comes from another version, what it draws is not known here.
 Value::Object verdict_on(const Recipe& recipe, const Request& request, Service& service) {
-  if (recipe.version != full_version()) return {{"verdict", "other-version"}};
+  if (recipe.version != full_version()) return {{"verdict", name_of(Verdict::other_version)}};
   const auto asked = read_described<PictureRequest>(recipe.request);
   Plan plan = plan_of(asked, service.studio);
   const auto found = picture_of(plan, etag_of(plan.recipe), request.stop, service);
   const std::string& expected = found.picture->bytes;
-  return {{"verdict", expected == request.body ? "same" : "different"},
+  return {{"verdict", name_of(expected == request.body ? Verdict::same : Verdict::different)},
           {"expected_sha256", sha256_hex(expected)}};
 }
 
@@ -46,6 +58,20 @@ Response post_verify(const Request& request, const std::string&, Service& servic
   return {.content_type = "application/json",
           .body = to_json(told),
           .headers = {{"Cache-Control", "no-store"}}};
+}
+
+Value verdict_schema(Definitions& named) {
+  return schema_called("verdict", named, [] {
+    const Value text = plain_schema<std::string>();
+    return object_schema(
+        {{"verdict", plain_schema<Verdict>(),
+          "whether the bytes are what this version draws; what another draws is not known"},
+         {"sha256", text, "of the bytes that came"},
+         {"expected_sha256", text, "of what this version draws", false},
+         {"version", text, "this version"},
+         {"drawn_by", text, "the version that the picture says has drawn it"},
+         {"request", Value::Object{{"type", "object"}}, "what POST /render takes"}});
+  });
 }
 
 }  // namespace tia::server

@@ -9,7 +9,7 @@
 namespace tia::test {
 namespace {
 
-constexpr const char* small = "/render?width=37&height=23";
+constexpr const char* little = "/render?width=37&height=23";
 
 std::string said(const Response& response, const char* name) {
   return header(response, name).value_or("");
@@ -20,9 +20,9 @@ std::string etag_of(const std::string& target) { return said(host().head(target)
 
 TEST(PictureTag, IsTheSha256OfTheRecipeInThePicture) {
   for (const char* query : {"", "&key=a", "&scene=shapes&samples=2&seed=3", "&crop=3,2,20,10"}) {
-    const Response response = host().get(std::string(small) + query);
+    const Response response = host().get(std::string(little) + query);
     EXPECT_EQ(said(response, "ETag"), '"' + sha256_hex(recipe_text(response.body)) + '"') << query;
-    EXPECT_EQ(said(response, "ETag"), etag_of(std::string(small) + query));
+    EXPECT_EQ(said(response, "ETag"), etag_of(std::string(little) + query));
   }
 }
 
@@ -45,7 +45,7 @@ TEST(PictureTag, IsTheSameForTheSameRequestInOtherWords) {
 }
 
 TEST(PictureTag, IsTheSameWhetherItIsAskedForWithGetOrPost) {
-  const Response got = host().get(std::string(small) + "&key=s");
+  const Response got = host().get(std::string(little) + "&key=s");
   const Response posted = host().post("/render", R"({"height":23,"key":"s","width":37})");
   EXPECT_EQ(said(got, "ETag"), said(posted, "ETag"));
   EXPECT_TRUE(got.body == posted.body);
@@ -76,12 +76,12 @@ TEST(PictureTag, IsAnotherForAnotherPicture) {
 // ---- 304 ------------------------------------------------------------------------------------
 
 TEST(Conditional, APictureThatTheClientHasCostsNoRay) {
-  const std::string etag = etag_of(small);
+  const std::string etag = etag_of(little);
   EXPECT_TRUE(std::regex_match(etag, std::regex("\"[0-9a-f]{64}\""))) << etag;
   Host stopped;
   stopped.stop();  // whatever traces a ray is 503
   for (const std::string& has : {etag, "W/" + etag, "\"x\", " + etag, std::string("*")}) {
-    const Response response = stopped.get(small, {{"If-None-Match", has}});
+    const Response response = stopped.get(little, {{"If-None-Match", has}});
     EXPECT_EQ(response.status, 304) << has;
     EXPECT_EQ(response.body, "");
     EXPECT_EQ(response.content_type, "");
@@ -89,13 +89,13 @@ TEST(Conditional, APictureThatTheClientHasCostsNoRay) {
     EXPECT_EQ(said(response, "Cache-Control"), "no-cache");
     EXPECT_EQ(said(response, "Vary"), "Accept");
   }
-  EXPECT_EQ(stopped.ask("HEAD", small, "", {{"If-None-Match", etag}}).status, 304);
-  EXPECT_EQ(stopped.get(small, {{"If-None-Match", "\"x\""}}).status, 503);
+  EXPECT_EQ(stopped.ask("HEAD", little, "", {{"If-None-Match", etag}}).status, 304);
+  EXPECT_EQ(stopped.get(little, {{"If-None-Match", "\"x\""}}).status, 503);
 }
 
 TEST(Conditional, OtherPicturesAndPostsAreSent) {
-  const std::string etag = etag_of(small);
-  EXPECT_EQ(host().get(std::string(small) + "&key=a", {{"If-None-Match", etag}}).status, 200);
+  const std::string etag = etag_of(little);
+  EXPECT_EQ(host().get(std::string(little) + "&key=a", {{"If-None-Match", etag}}).status, 200);
   EXPECT_EQ(host()
                 .ask("POST", "/render", R"({"width":37,"height":23})",
                      {{"If-None-Match", etag}, {"Content-Type", "application/json"}})
@@ -107,10 +107,10 @@ TEST(Conditional, OtherPicturesAndPostsAreSent) {
 TEST(Conditional, AnswersOverASocketHaveNoBodyAndNoLength) {
   Server server;
   Connection connection(server.port());
-  const std::string etag = etag_of(small);
+  const std::string etag = etag_of(little);
   for (int i = 0; i < 3; ++i) {
-    connection.send(std::string("GET ") + small + " HTTP/1.1\r\nHost: x\r\nIf-None-Match: " + etag +
-                    "\r\n\r\n");
+    connection.send(std::string("GET ") + little +
+                    " HTTP/1.1\r\nHost: x\r\nIf-None-Match: " + etag + "\r\n\r\n");
     const Response response = connection.receive();
     EXPECT_EQ(response.status, 304);
     EXPECT_EQ(header(response, "Content-Length"), std::nullopt);  // RFC 9110, 8.6
@@ -121,7 +121,7 @@ TEST(Conditional, AnswersOverASocketHaveNoBodyAndNoLength) {
 
 TEST(Cache, APictureIsDrawnOnceAndTheSameBytesAfterwards) {
   Host host;
-  const Response first = host.get(small), again = host.get(small);
+  const Response first = host.get(little), again = host.get(little);
   EXPECT_EQ(said(first, "Cache-Status"), "Tia; fwd=miss; stored");
   EXPECT_EQ(said(again, "Cache-Status"), "Tia; hit");
   EXPECT_TRUE(first.body == again.body);
@@ -140,7 +140,7 @@ TEST(Cache, OfNoBytesDrawsEachPictureAnew) {
   Config config;
   config.cache_bytes = 0;
   Host host(config);
-  const Response first = host.get(small), again = host.get(small);
+  const Response first = host.get(little), again = host.get(little);
   EXPECT_EQ(said(first, "Cache-Status"), "Tia; fwd=miss");
   EXPECT_EQ(said(again, "Cache-Status"), "Tia; fwd=miss");
   EXPECT_TRUE(first.body == again.body);
@@ -157,12 +157,12 @@ TEST(Cache, KeepsNoRefusal) {
 
 TEST(Cache, TellsOthersWhatTheyMayKeep) {
   const auto policy = [](const std::string& more) {
-    return said(host().get(small + more), "Cache-Control");
+    return said(host().get(little + more), "Cache-Control");
   };
   EXPECT_EQ(policy(""), "no-cache");
   for (const std::string& v : {version(), full_version(), url_encode(full_version())})
     EXPECT_EQ(policy("&v=" + v), "public, max-age=31536000, immutable") << v;
-  const ProblemError other = only_error(host().get(std::string(small) + "&v=0.0.1"));
+  const ProblemError other = only_error(host().get(std::string(little) + "&v=0.0.1"));
   EXPECT_EQ(other.pointer, "/v");
   EXPECT_THAT(other.allowed, testing::HasSubstr(full_version()));
 }

@@ -11,15 +11,15 @@ namespace {
 
 constexpr std::int64_t ample = 1 << 20;
 
-Picture picture_of(std::size_t bytes, char filled_with = 'x') {
-  Picture picture;
+server::Picture picture_of(std::size_t bytes, char filled_with = 'x') {
+  server::Picture picture;
   picture.bytes.assign(bytes, filled_with);
   return picture;
 }
 PictureStore::Draw drawing(std::size_t bytes) {
   return [bytes](const std::stop_token&) { return picture_of(bytes); };
 }
-const PictureStore::Draw never = [](const std::stop_token&) -> Picture {
+const PictureStore::Draw never = [](const std::stop_token&) -> server::Picture {
   ADD_FAILURE() << "drawn again";
   return {};
 };
@@ -170,7 +170,7 @@ TEST_F(Flight, OneWhoLeavesTakesNothingFromTheOthers) {
 }
 
 TEST_F(Flight, ThatFailsFailsForAllAndIsNotKept) {
-  const auto failing = [&](const std::stop_token&) -> Picture {
+  const auto failing = [&](const std::stop_token&) -> server::Picture {
     ++held.begun;
     held.go.acquire();
     throw std::runtime_error("no");
@@ -191,7 +191,7 @@ TEST_F(Flight, BeginsAnewForOneWhoComesAfterAllHaveLeft) {
   std::stop_source first;
   Answer slow = ask(
       store,
-      [&](const std::stop_token& given_up) -> Picture {
+      [&](const std::stop_token& given_up) -> server::Picture {
         ++held.begun;
         end.acquire();
         EXPECT_TRUE(given_up.stop_requested());
