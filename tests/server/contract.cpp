@@ -10,6 +10,7 @@
 #include "core/input/json.h"
 #include "server/headers.h"
 #include "server/openapi.h"
+#include "tests/core/png/png_reader.h"
 
 namespace tia::test {
 namespace {
@@ -230,6 +231,7 @@ std::vector<std::string> Contract::faults(const Request& request, const Response
 }
 
 void expect_allowed(const Request& request, const Response& response) {
+  if (response.content_type == "image/png" && !request.is_head()) check_png(response.body);
   static const Contract contract(server::openapi_document());
   for (const std::string& fault : contract.faults(request, response))
     ADD_FAILURE() << "not by /openapi.json: " << fault << "\n" << response.body.substr(0, 500);

@@ -38,7 +38,7 @@ class Contract {
 /// Where a value breaks its schema: a JSON Pointer to the innermost part that does.
 std::string place_of_fault(const JsonSchema& document, const Value& value, const Value& schema);
 
-/// Fails the running test for each fault by the server's own document.
+/// Fails the running test for each fault by the server's own document, and for a PNG that is none.
 void expect_allowed(const server::Request& request, const server::Response& response);
 
 }  // namespace tia::test

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <map>
 #include <sstream>
 
@@ -15,6 +16,18 @@ namespace {
 
 std::string golden(const std::string& name) {
   return file_bytes(std::string(TIA_SOURCE_DIR) + "/tests/golden/" + name);
+}
+
+TEST(GoldenFiles, AreReadAlikeByTwoReaders) {
+  int files = 0;
+  for (const auto& each :
+       std::filesystem::recursive_directory_iterator(std::string(TIA_SOURCE_DIR) + "/tests/golden"))
+    if (each.path().extension() == ".png") {
+      SCOPED_TRACE(each.path());
+      EXPECT_NO_THROW(decode_png(file_bytes(each.path())));
+      ++files;
+    }
+  EXPECT_GT(files, 30);
 }
 
 struct Golden {

@@ -1,9 +1,12 @@
 #include "tests/server/picture_support.h"
 
+#include <algorithm>
 #include <cstring>
 #include <memory>
 #include <sstream>
 #include <stdexcept>
+
+#include "tests/core/png/png_reader.h"
 
 #define STB_IMAGE_STATIC
 #define STB_IMAGE_IMPLEMENTATION
@@ -24,6 +27,7 @@ template struct Pixels<unsigned char>;
 template struct Pixels<float>;
 
 Pixels<unsigned char> decode_png(const std::string& file) {
+  const Png read = read_png(file);
   Pixels<unsigned char> image;
   int channels = 0;
   const std::unique_ptr<unsigned char, void (*)(void*)> data(
@@ -35,6 +39,9 @@ Pixels<unsigned char> decode_png(const std::string& file) {
   const auto pixels =
       static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
   image.rgb.assign(data.get(), data.get() + 3 * pixels);
+  if (!std::equal(read.rgb.begin(), read.rgb.end(), image.rgb.begin(), image.rgb.end(),
+                  [](char a, unsigned char b) { return static_cast<unsigned char>(a) == b; }))
+    throw std::runtime_error("a PNG that two readers read otherwise");
   return image;
 }
 

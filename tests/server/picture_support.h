@@ -1,5 +1,5 @@
-// Pictures as the tests read them: PNG by stb_image, PFM by the format's own words. Neither decoder
-// is the server's.
+// Pictures as the tests read them: PNG by stb_image and by the standard's words, which must agree,
+// PFM by the format's own. No decoder is the server's.
 #pragma once
 
 #include <cstddef>

@@ -1,15 +1,13 @@
-// The parts of a PNG file, read by no library, and pictures to encode.
+// The parts of a PNG file, and pictures to encode.
 #pragma once
-
-#include <gtest/gtest.h>
 
 #include <cstdint>
 #include <cstring>
-#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "tests/core/png/png_reader.h"
 #include "tests/core/support.h"
 
 namespace tia::test {
@@ -20,36 +18,10 @@ inline std::uint32_t number_of(std::string_view bytes) {
   return value;
 }
 
-// PNG (third edition), annex D: CRC-32, bit by bit.
-inline std::uint32_t crc(std::string_view bytes) {
-  std::uint32_t c = 0xFFFFFFFFU;
-  for (const char byte : bytes) {
-    c ^= static_cast<unsigned char>(byte);
-    for (int k = 0; k < 8; ++k) c = (c & 1U) != 0 ? 0xEDB88320U ^ (c >> 1U) : c >> 1U;
-  }
-  return c ^ 0xFFFFFFFFU;
-}
+using Chunk = PngChunk;
 
-struct Chunk {
-  std::string type, data;
-};
-
-// The chunks after the signature; a test failure where the layout or a checksum is wrong.
-inline std::vector<Chunk> chunks_of(const std::string& png) {
-  std::vector<Chunk> chunks;
-  std::string_view rest = png;
-  EXPECT_EQ(rest.substr(0, 8), "\x89PNG\r\n\x1A\n");
-  rest.remove_prefix(8);
-  while (rest.size() >= 12) {
-    const std::size_t length = number_of(rest);
-    if (rest.size() < 12 + length) break;
-    EXPECT_EQ(number_of(rest.substr(8 + length)), crc(rest.substr(4, 4 + length)));
-    chunks.push_back({std::string(rest.substr(4, 4)), std::string(rest.substr(8, length))});
-    rest.remove_prefix(12 + length);
-  }
-  EXPECT_TRUE(rest.empty()) << "bytes after the last chunk";
-  return chunks;
-}
+// The chunks after the signature. Errors: std::runtime_error where anything of the file is wrong.
+inline std::vector<Chunk> chunks_of(const std::string& png) { return read_png(png).chunks; }
 
 inline Image8 noise(int width, int height, std::uint64_t seed) {
   Random random(seed);
