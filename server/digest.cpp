@@ -2,6 +2,8 @@
 
 #include <openssl/sha.h>
 
+#include <new>
+
 namespace tia::server {
 
 std::string hex(const Digest& digest) {
@@ -17,7 +19,9 @@ std::string hex(const Digest& digest) {
 std::string sha256_hex(std::string_view bytes) {
   Digest digest{};
   static_assert(SHA256_DIGEST_LENGTH == digest.size());
-  SHA256(reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size(), digest.data());
+  if (SHA256(reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size(), digest.data()) ==
+      nullptr)
+    throw std::bad_alloc();
   return hex(digest);
 }
 

@@ -8,6 +8,7 @@
 #include <chrono>
 #include <climits>
 #include <ctime>
+#include <new>
 #include <thread>
 #include <utility>
 
@@ -26,14 +27,13 @@ constexpr std::size_t most_target = 200;         // of whose bytes a line tells
 std::string utc_now() {
   using namespace std::chrono;
   thread_local std::time_t of = 0;
-  thread_local std::string second;
+  thread_local char second[40];
   const auto ms = duration_cast<milliseconds>(system_clock::now().time_since_epoch()).count();
   const std::time_t now = ms / 1000;
   if (std::exchange(of, now) != now) {
     std::tm utc{};
     gmtime_r(&now, &utc);
-    char text[40];
-    second.assign(text, std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%S.", &utc));
+    std::strftime(second, sizeof second, "%Y-%m-%dT%H:%M:%S.", &utc);
   }
   const std::string fraction = std::to_string(1000 + ms % 1000);
   return second + fraction.substr(1) + 'Z';
@@ -97,6 +97,16 @@ class Line {
   std::string text_;
 };
 
+// Returns: whether there was memory to tell of so many lines that have been lost.
+bool tell_of_lost(std::size_t count, std::string& lines) {
+  try {
+    lines += Line().add("lost_lines", count).finish();
+    return true;
+  } catch (const std::bad_alloc&) {
+    return false;
+  }
+}
+
 }  // namespace
 
 Log::Log() : writer_([this](const std::stop_token& ending) { write(ending); }) { current = this; }
@@ -123,9 +133,10 @@ void Log::write(const std::stop_token& ending) {
     lines.swap(lines_);
     const long lost = std::exchange(lost_, 0);
     lock.unlock();
-    if (lost > 0) lines += Line().add("lost_lines", static_cast<std::size_t>(lost)).finish();
+    const bool told = lost == 0 || tell_of_lost(static_cast<std::size_t>(lost), lines);
     if (!write_out(lines, ending) && ending.stop_requested()) return;
     lock.lock();
+    if (!told) lost_ += lost;
   }
 }
 

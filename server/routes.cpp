@@ -44,16 +44,6 @@ Response dispatch(const Request& request, Service& service) {
                   {{"Allow", allow}});
 }
 
-Response answer_or_problem(const Request& request, Service& service) {
-  try {
-    Response response = dispatch(request, service);
-    response.headers.emplace_back("X-Request-Id", request.id);
-    return response;
-  } catch (...) {
-    return problem_response(std::current_exception(), request);
-  }
-}
-
 // What every answer carries, whatever made it.
 Response dressed(Response response, const Request& request, const Service& service) {
   guard(response);
@@ -64,12 +54,22 @@ Response dressed(Response response, const Request& request, const Service& servi
 }  // namespace
 
 Response answer(const Request& request, Service& service) {
-  return dressed(answer_or_problem(request, service), request, service);
+  try {
+    Response response = dispatch(request, service);
+    response.headers.emplace_back("X-Request-Id", request.id);
+    return dressed(std::move(response), request, service);
+  } catch (...) {
+    return refusal(std::current_exception(), request, service);
+  }
 }
 
 Response refusal(const std::exception_ptr& failure, const Request& request,
                  const Service& service) {
-  return dressed(problem_response(failure, request), request, service);
+  try {
+    return dressed(problem_response(failure, request), request, service);
+  } catch (const std::bad_alloc&) {  // perhaps there is memory for fewer words
+    return dressed(problem_response(std::current_exception(), request), request, service);
+  }
 }
 
 std::string_view route_label(const Request& request) {

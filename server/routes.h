@@ -56,10 +56,11 @@ struct Route {
 /// All routes. Where two fit a path, the first is meant.
 const std::vector<Route>& routes();
 
-/// The whole service as a function: never throws, whatever fails becomes a problem document.
+/// The whole service as a function: whatever fails becomes a problem document.
+/// Errors: std::bad_alloc where there is no memory even for that one.
 Response answer(const Request& request, Service& service);
 
-/// The answer to a request that failed before it came to answer().
+/// The answer to a request that failed before it came to answer(). Errors: as answer().
 Response refusal(const std::exception_ptr& failure, const Request& request, const Service& service);
 
 /// The word by which a request is counted: its route's path, "none" for what is not here; few,

@@ -179,6 +179,7 @@ if build release -DTIA_WERROR=ON -DTIA_TESTS=ON -- all; then
   release=yes
   googletest release core_tests
   googletest release server_tests
+  googletest release memory_tests
   node_tests browser
   node_tests deploy
 fi
@@ -190,9 +191,10 @@ if build portable -DTIA_WERROR=ON -- tia && [ $release = yes ]; then
 fi
 # The tests are those that release has compiled: what they watch are the libraries.
 if build asan -DTIA_TESTS_OF="$ROOT/build/release" -- core_tests server_tests \
-  request_fuzz scene_fuzz query_fuzz formula_fuzz picture_fuzz; then
+  memory_tests request_fuzz scene_fuzz query_fuzz formula_fuzz picture_fuzz; then
   googletest asan core_tests
   googletest asan server_tests
+  googletest asan memory_tests
   fuzz
 fi
 if build tsan -- server_tests; then

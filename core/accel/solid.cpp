@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/input/per_thread.h"
+
 namespace tia {
 namespace {
 
@@ -16,8 +18,8 @@ double same_distance(const Line& line) {
 
 const Spans& spans(const Solid& solid, const std::vector<Part>& parts, const Line& line,
                    Effort& effort) {
-  thread_local std::vector<Spans> stack;
-  thread_local Spans result;
+  auto& stack = per_thread<std::vector<Spans>, struct BetweenSteps>();
+  auto& result = per_thread<Spans, struct OfStep>();
   std::size_t top = 0;
   const double same = same_distance(line);
   for (const Solid::Step& step : solid.steps) {

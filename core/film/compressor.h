@@ -5,7 +5,8 @@ struct libdeflate_compressor;
 
 namespace tia {
 
-/// libdeflate's, level 2. Its tables are large: one for each thread, kept. Null: no memory.
-libdeflate_compressor* compressor();
+/// libdeflate's, level 2. Its tables are large: one for each thread, kept.
+/// Errors: std::bad_alloc.
+libdeflate_compressor& compressor();
 
 }  // namespace tia

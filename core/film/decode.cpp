@@ -3,7 +3,9 @@
 #include <cstdlib>
 #include <cstring>
 #include <memory>
+#include <new>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -11,11 +13,19 @@ namespace {
 // The largest piece of memory that the decoder gets on this thread. A header's pixels set it, so
 // that a zlib stream which unpacks to more than these ends in an error.
 thread_local std::size_t most_at_once = 0;
+// Whether it did not get a smaller one: then nothing is wrong with the file.
+thread_local bool is_short = false;
 
+void* noted(void* p) {
+  if (p == nullptr) is_short = true;
+  return p;
+}
 // Zeroed: where a file lacks a component stb_image shows what it finds in memory.
-void* allocate(std::size_t size) { return size <= most_at_once ? std::calloc(1, size) : nullptr; }
+void* allocate(std::size_t size) {
+  return size <= most_at_once ? noted(std::calloc(1, size)) : nullptr;
+}
 void* reallocate(void* p, std::size_t size) {
-  return size <= most_at_once ? std::realloc(p, size) : nullptr;
+  return size <= most_at_once ? noted(std::realloc(p, size)) : nullptr;
 }
 
 }  // namespace
@@ -40,7 +50,11 @@ namespace {
 using File = std::span<const std::uint8_t>;
 using Bytes = std::vector<std::uint8_t>;
 
-const PictureFault broken{false, "bytes that cannot be decoded", "a whole PNG or JPEG picture"};
+// Errors: std::bad_alloc where that is why they were not decoded.
+PictureFault broken() {
+  if (std::exchange(is_short, false)) throw std::bad_alloc();
+  return {false, "bytes that cannot be decoded", "a whole PNG or JPEG picture"};
+}
 
 std::size_t big_endian(File bytes) {
   return std::size_t{bytes[0]} << 24U | std::size_t{bytes[1]} << 16U | std::size_t{bytes[2]} << 8U |
@@ -128,14 +142,14 @@ std::variant<PictureSize, PictureFault> measure_picture(File file) {
                         "a picture of at most " + std::to_string(most_picture_bytes) + " bytes"};
   if (!is_png(file) && !is_jpeg(file))
     return PictureFault{false, "bytes that begin like neither", "a whole PNG or JPEG picture"};
-  if (is_jpeg(file) && has_broken_tables(file)) return broken;
+  if (is_jpeg(file) && has_broken_tables(file)) return broken();
   PictureSize size;
   int channels = 0;
   most_at_once = memory_for({}, file.size());
   if (stbi_info_from_memory(file.data(), static_cast<int>(file.size()), &size.width, &size.height,
                             &channels) == 0 ||
       size.width < 1 || size.height < 1)
-    return broken;
+    return broken();
   if (size.pixels() > most_picture_pixels)
     return PictureFault{
         true, std::to_string(size.width) + " x " + std::to_string(size.height) + " pixels",
@@ -156,7 +170,7 @@ std::variant<Image8, PictureFault> decode_picture(File file) {
   int width = 0, height = 0, channels = 0;
   const std::unique_ptr<stbi_uc, Free> codes(stbi_load_from_memory(
       whole.data(), static_cast<int>(whole.size()), &width, &height, &channels, 3));
-  if (codes == nullptr || width != size.width || height != size.height) return broken;
+  if (codes == nullptr || width != size.width || height != size.height) return broken();
   std::memcpy(image.rgb.data(), codes.get(), image.rgb.size());
   return image;
 }

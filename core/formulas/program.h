@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/formulas/dual.h"
+#include "core/input/per_thread.h"
 
 namespace tia {
 
@@ -103,7 +104,7 @@ T operated(const Instruction& i, const T& a, const T& b, WhereOf<T>& where) {
 /// thread's next run of the same scalar.
 template <class T>
 const T* run(const Program& program, const T* variables, WhereOf<T>& where) {
-  thread_local std::vector<T> scratch;
+  auto& scratch = per_thread<std::vector<T>, struct Slots>();
   if (scratch.size() < program.slots) scratch.resize(program.slots);
   T* const slots = scratch.data();
   for (const Instruction& i : program.instructions) {

@@ -16,9 +16,18 @@ struct Value {
   using Member = std::pair<std::string, Value>;
   using Object = std::vector<Member>;
 
-  std::variant<std::nullptr_t, bool, double, std::string, Array, Object> is = nullptr;
+  using Kind = std::variant<std::nullptr_t, bool, double, std::string, Array, Object>;
+  Kind is = nullptr;
 
   Value() = default;
+  /// Not the variant's own copy: where memory for it is short, libstdc++ 12 destroys what it has
+  /// not made yet, if it takes all kinds for such that are never without a value, as these.
+  Value(const Value& other)
+      : is(std::visit([](const auto& kind) { return Kind(kind); }, other.is)) {}
+  Value(Value&&) = default;
+  Value& operator=(const Value&) = default;
+  Value& operator=(Value&&) = default;
+  ~Value() = default;
   Value(bool b) : is(b) {}
   Value(double d) : is(d) {}
   Value(int i) : is(static_cast<double>(i)) {}

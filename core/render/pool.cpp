@@ -67,7 +67,9 @@ Nanoseconds Pool::steady_clock() {
 Pool::Pool(int threads, Clock clock) : clock_(std::move(clock)), turns_(threads) {
   idle_.reserve(static_cast<std::size_t>(threads));
   for (int i = 1; i < threads; ++i)
-    workers_.emplace_back([this](const std::stop_token& ending) { serve(ending); });
+    workers_.emplace_back([this, &hand = hands_.emplace_back()](const std::stop_token& ending) {
+      serve(hand, ending);
+    });
 }
 
 Pool::~Pool() {
@@ -104,8 +106,7 @@ Workers Pool::workers(int max_threads, const std::stop_token& stop) {
   return Workers(share, stop);
 }
 
-void Pool::serve(const std::stop_token& ending) {
-  Hand hand;
+void Pool::serve(Hand& hand, const std::stop_token& ending) {
   std::unique_lock lock(mutex_);
   for (;;) {
     if (Job* job = next_job()) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <list>
 #include <mutex>
 #include <stop_token>
 #include <thread>
@@ -39,7 +40,7 @@ class Pool {
   struct Hand;
   static Nanoseconds steady_clock();
 
-  void serve(const std::stop_token& ending);
+  void serve(Hand& hand, const std::stop_token& ending);
   void work(Hand& hand, std::unique_lock<std::mutex>& lock);
   Job* next_job() const;
   void seat(Hand& hand, Job& job);
@@ -51,6 +52,7 @@ class Pool {
   std::mutex mutex_;  // of all below
   Turns turns_;
   std::vector<Hand*> idle_;  // workers that sleep, some of them called to a job already
+  std::list<Hand> hands_;    // the workers', made before them, for making one may fail
   std::vector<std::jthread> workers_;
 };
 

@@ -43,8 +43,9 @@ class Polynomial {
   std::map<std::array<int, 3>, double> sums_;
 };
 
-const Polynomial x = Polynomial::coordinate(0), y = Polynomial::coordinate(1),
-                 z = Polynomial::coordinate(2);
+std::array<Polynomial, 3> coordinates() {
+  return {Polynomial::coordinate(0), Polynomial::coordinate(1), Polynomial::coordinate(2)};
+}
 
 Polynomial square(const Polynomial& a) { return a * a; }
 Polynomial cube(const Polynomial& a) { return a * a * a; }
@@ -60,10 +61,12 @@ Polynomial chebyshev(int n, const Polynomial& t) {
 }  // namespace
 
 std::vector<AlgebraicTerm> Steiner::terms() const {
+  const auto [x, y, z] = coordinates();
   return (square(x * y) + square(y * z) + square(z * x) - x * y * z).terms();
 }
 
 std::vector<AlgebraicTerm> BarthSextic::terms() const {
+  const auto [x, y, z] = coordinates();
   const double p = (1 + std::sqrt(5.0)) / 2;
   const Polynomial x2 = square(x), y2 = square(y), z2 = square(z), p2(p + 1);  // p^2 = p + 1
   const Polynomial planes = (p2 * x2 - y2) * (p2 * y2 - z2) * (p2 * z2 - x2);
@@ -71,10 +74,12 @@ std::vector<AlgebraicTerm> BarthSextic::terms() const {
 }
 
 std::vector<AlgebraicTerm> Chmutov::terms() const {
+  const auto [x, y, z] = coordinates();
   return (chebyshev(order, x) + chebyshev(order, y) + chebyshev(order, z)).terms();
 }
 
 std::vector<AlgebraicTerm> Heart::terms() const {
+  const auto [x, y, z] = coordinates();
   const Polynomial z3 = cube(z);
   return (cube(square(x) + 2.25 * square(y) + square(z) - 1.0) - square(x) * z3 -
           9.0 / 80 * square(y) * z3)
@@ -82,6 +87,7 @@ std::vector<AlgebraicTerm> Heart::terms() const {
 }
 
 std::vector<AlgebraicTerm> Clebsch::terms() const {
+  const auto [x, y, z] = coordinates();
   const Polynomial x2 = square(x), y2 = square(y), z2 = square(z);
   const Polynomial cubes = x * x2 + y * y2 + z * z2;
   const Polynomial mixed = x2 * (y + z) + y2 * (z + x) + z2 * (x + y);
@@ -92,6 +98,7 @@ std::vector<AlgebraicTerm> Clebsch::terms() const {
 }
 
 std::vector<AlgebraicTerm> Cayley::terms() const {
+  const auto [x, y, z] = coordinates();
   return (4.0 * (square(x) + square(y) + square(z)) + 16.0 * x * y * z - 1.0).terms();
 }
 

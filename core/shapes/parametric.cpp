@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/formulas/parse.h"
+#include "core/input/per_thread.h"
 #include "core/math/onb.h"
 #include "core/shapes/patch_search.h"
 
@@ -51,7 +52,7 @@ std::int64_t hits(const ParametricForm& form, const Line& line, double after, do
 
 FirstCrossing first_crossing(const ParametricForm& form, const Line& line, double after,
                              double before) {
-  thread_local std::vector<SurfaceHit> found;
+  auto& found = per_thread<std::vector<SurfaceHit>, struct First>();
   FirstCrossing first;
   first.work = hits(form, line, after, before, true, found);
   if (!found.empty()) first.at = found.front().at;

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "core/input/codec.h"
+#include "core/input/per_thread.h"
 #include "core/shapes/patches.h"
 
 namespace tia {
@@ -69,7 +70,7 @@ std::int64_t hits(const ParametricForm& form, const Line& line, double after, do
 
 template <class Emit>
 std::int64_t crossings(const ParametricForm& form, const Line& line, Emit&& emit) {
-  thread_local std::vector<SurfaceHit> found;
+  auto& found = per_thread<std::vector<SurfaceHit>, struct All>();
   const std::int64_t work = hits(form, line, -Aabb::far, Aabb::far, false, found);
   for (const SurfaceHit& each : found) emit_root(emit, each.at.t, each.at.element, each.bracket);
   return work;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/input/per_thread.h"
 #include "core/math/onb.h"
 
 namespace tia::detail {
@@ -184,7 +185,7 @@ void PatchSearch::part(const SurfacePatch& patch) {
   if (eights_ >= last_evaluations) return accept(patch);
   const int most =
       eights_ + std::max(least_evaluations, (most_evaluations - eights_) / patch_share);
-  thread_local std::vector<SurfacePiece> waiting;
+  auto& waiting = per_thread<std::vector<SurfacePiece>, struct Waiting>();
   waiting.clear();
   part_once(patch, waiting);
   while (!waiting.empty()) {

@@ -6,6 +6,7 @@
 #include <exception>
 #include <utility>
 
+#include "core/input/per_thread.h"
 #include "core/render/pool.h"
 #include "server/http/patience.h"
 
@@ -36,16 +37,15 @@ class Memory : public httplib::Stream {
 };
 
 // RFC 9110, 5.6.7. Made once a second.
-const std::string& http_date() {
+const char* http_date() {
   thread_local std::time_t of = 0;
-  thread_local std::string date;
+  thread_local char date[40];
   const std::time_t now = std::time(nullptr);
   if (std::exchange(of, now) == now) return date;
   std::tm utc{};
   gmtime_r(&now, &utc);
-  char text[40];
-  std::strftime(text, sizeof text, "%a, %d %b %Y %H:%M:%S GMT", &utc);
-  return date = text;
+  std::strftime(date, sizeof date, "%a, %d %b %Y %H:%M:%S GMT", &utc);
+  return date;
 }
 
 // Writer: the library's server, with every request answered by what is to be sent.
@@ -59,12 +59,18 @@ class Writer : httplib::Server {
       fill(to);
       return HandlerResponse::Handled;
     });
+    set_exception_handler([this](const auto&, auto&, std::exception_ptr thrown) {
+      failure_ = std::move(thrown);  // else the library makes an answer of its own of it
+    });
   }
   void write(Response& response, bool is_head, bool keep_alive, const TakeBytes& take) {
     from_ = &response;
     failure_ = nullptr;
     refused_ = false;
-    const TakeBytes take_more = [&](std::string_view bytes) { return !(refused_ = !take(bytes)); };
+    const TakeBytes take_more = [&](std::string_view bytes) {
+      if (failure_) return false;
+      return !(refused_ = !take(bytes));
+    };
     Memory memory(is_head ? "HEAD / HTTP/1.1\r\n\r\n" : "GET / HTTP/1.1\r\n\r\n", take_more);
     bool closed = false;
     process_request(memory, !keep_alive, closed, nullptr);
@@ -108,7 +114,7 @@ class Writer : httplib::Server {
   }
 
   Response* from_ = nullptr;
-  std::exception_ptr failure_;  // of what makes the parts
+  std::exception_ptr failure_;  // of what makes the answer, or its parts
   bool refused_ = false;        // nobody takes the bytes any more
 };
 
@@ -122,8 +128,7 @@ void drop_length(std::string& bytes) {
 }  // namespace
 
 void write_answer(Response& response, bool is_head, bool keep_alive, const TakeBytes& take) {
-  thread_local Writer writer;
-  writer.write(response, is_head, keep_alive, take);
+  per_thread<Writer, struct OfAllAnswers>().write(response, is_head, keep_alive, take);
 }
 
 std::string answer_bytes(Response& response, bool is_head, bool keep_alive) {
