@@ -27,8 +27,12 @@ void write_file(const std::string& name, const std::string& bytes) {
     return;
   }
   std::ofstream file(name, std::ios::binary | std::ios::trunc);
-  file << bytes << std::flush;
-  if (!file) throw std::runtime_error("cannot write " + name);
+  file << bytes;
+  file.close();
+  if (file) return;
+  std::error_code none;  // half a picture is none
+  if (std::filesystem::is_regular_file(name, none)) std::filesystem::remove(name, none);
+  throw std::runtime_error("cannot write " + name);
 }
 
 // A path or a name with an ending is a file, a bare word a scene of the gallery.

@@ -109,14 +109,16 @@ void serve(const Config& config) {
       config, {gallery, kept, geometries, pool, config.limits()}, admission, metrics, pictures};
   HttpServer server(http_options(config), application(service));
   service.connections = [&] { return server.connections(); };
-  std::printf("Tia %s listening on http://%s:%d\n", version().c_str(), in_url(config.host).c_str(),
-              server.port());
-  std::fflush(stdout);
 
   const Log log;
   std::jthread listening([&] { server.run(); });
+  std::printf("Tia %s listening on http://%s:%d\n", version().c_str(), in_url(config.host).c_str(),
+              server.port());
+  std::fflush(stdout);
   wait_for(signals);
-  std::thread([signals] { std::_Exit(128 + wait_for(signals)); }).detach();  // impatience
+  for (const int impatience : {SIGTERM, SIGINT})
+    std::signal(impatience, [](int number) { std::_Exit(128 + number); });
+  pthread_sigmask(SIG_UNBLOCK, &signals, nullptr);
   service.draining = true;
   server.stop(milliseconds(config.drain_delay_ms), milliseconds(config.drain_ms));
   listening.join();

@@ -1,7 +1,5 @@
 // The half of a connection that has to do with answers: who makes them, and what becomes of them.
-#include <asio/post.hpp>
 #include <new>
-#include <thread>
 
 #include "server/http/answer_writer.h"
 #include "server/http/connection.h"
@@ -13,16 +11,6 @@ namespace {
 
 double ms_since(Clock::time_point start) {
   return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
-
-// Hands on to the connections' thread, as soon as there is memory to do so: nobody else could.
-template <class Then>
-void tell(House& house, const Then& then) {
-  for (;;) try {
-      return asio::post(house.io, then);
-    } catch (const std::bad_alloc&) {
-      std::this_thread::sleep_for(patience::memory);
-    }
 }
 
 Request without_body(const Request& from) {
@@ -51,11 +39,11 @@ void Connection::begin(Request request) {
 }
 
 void Connection::work() {
-  asio::post(house_.workers, [self = shared_from_this(), turn = turn_] {
+  house_.workers.post([self = shared_from_this(), turn = turn_] {
     House& house = self->house_;
     turn->make(house.application.answer, house.closing,
-               [&] { tell(house, [self] { self->pump(); }); });
-    tell(house, [self, turn] { self->finish(turn); });
+               [&] { house.tell([self] { self->pump(); }); });
+    house.tell([self, turn] { self->finish(turn); });
   });
   --house_.free_workers;  // last: nothing is taken where memory for the rest is short
   enter(Phase::answering, house_.options.deadline);
@@ -97,8 +85,17 @@ void Connection::deliver(Turn& turn) {
   enter(Phase::writing, patience::answer);
 }
 
-// Answers the request in work with a problem, whatever its worker does, which may still read it.
+// Answers the request in work with a problem, unless there is no memory even for that.
 void Connection::fail_turn(const std::exception_ptr& failure) {
+  try {
+    tell_failure(failure);
+  } catch (...) {
+    run_dry();
+  }
+}
+
+// Whatever its worker does, which may still read the request.
+void Connection::tell_failure(const std::exception_ptr& failure) {
   const std::shared_ptr<Turn> turn = turn_;
   turn->abandon();
   if (turn->has_parts()) return leave();  // its head has gone out: all that is left is to break off
@@ -106,7 +103,7 @@ void Connection::fail_turn(const std::exception_ptr& failure) {
   instead.keep_alive = keep_alive_ && !house_.closing;
   instead.make([&](const Request& request) { return house_.application.refuse(failure, request); },
                house_.closing, [] {});
-  if (instead.failure) return leave();  // there is no memory even for that
+  if (instead.failure) std::rethrow_exception(instead.failure);
   deliver(instead);
 }
 

@@ -24,6 +24,15 @@ std::string address_of(const tcp::socket& socket) {
   return asio::ip::make_address_v4(asio::ip::v4_mapped, address.to_v6()).to_string();
 }
 
+// What is said where there is no memory for other words.
+constexpr std::string_view last_words =
+    "HTTP/1.1 503 Service Unavailable\r\nContent-Type: application/problem+json\r\n"
+    "Content-Length: 173\r\nCache-Control: no-store\r\nRetry-After: 1\r\nConnection: close\r\n\r\n"
+    R"({"type":"/problems/memory","title":"The server is short of memory","status":503,)"
+    R"("detail":"there is no memory for the answer now; ask again or for less",)"
+    R"("instance":"unknown"})";
+static_assert(last_words.size() - last_words.find('{') == 173);
+
 bool would_block(const asio::error_code& error) {
   return error == asio::error::would_block || error == asio::error::try_again ||
          error == asio::error::interrupted;
@@ -40,17 +49,19 @@ Connection::Connection(tcp::socket socket, House& house)
 void Connection::start() {
   asio::error_code error;
   socket_.non_blocking(true, error);
+  if (error) return close();                       // to read from it would keep all others waiting
   socket_.set_option(tcp::no_delay(true), error);  // else a round trip waits 40 ms for an ACK
   // Else the system takes megabytes for each client that does not read, until it has none left.
   socket_.set_option(tcp::socket::send_buffer_size(static_cast<int>(patience::most_at_once)),
                      error);
   enter(Phase::reading, house_.closing ? Clock::duration(patience::drained) : patience::head);
-  read();
+  attempt(&Connection::read);
 }
 
 void Connection::turn_away() {
   asio::error_code error;
   socket_.non_blocking(true, error);
+  if (error) return close();
   refuse(failure("busy", "all connections are in use (option TIA_CONNECTIONS)",
                  {{"Retry-After", std::to_string(house_.application.retry_after())}}));
   proceed();
@@ -80,7 +91,7 @@ void Connection::wait_readable() {
     // While an answer goes out, only whether it does tells that the client is there.
     if (self->phase_ == Phase::closed || self->phase_ == Phase::writing) return;
     if (error) return self->close();
-    self->read();
+    self->attempt(&Connection::read);
   });
   read_armed_ = true;
 }
@@ -92,14 +103,16 @@ std::size_t Connection::waiting_bytes() {
   return std::min(static_cast<std::size_t>(waiting), outbox_.sent());
 }
 
-// Goes on, unless there is no memory for that: to close gives some back.
-void Connection::proceed() {
+// Does it, unless there is no memory for that.
+void Connection::attempt(void (Connection::*step)()) {
   try {
-    go_on();
+    (this->*step)();
   } catch (const std::bad_alloc&) {
-    close();
+    run_dry();
   }
 }
+
+void Connection::proceed() { attempt(&Connection::go_on); }
 
 // Goes on until something must be waited for, or it is others' turn.
 void Connection::go_on() {
@@ -213,8 +226,8 @@ void Connection::tick(Clock::time_point now) {
   if (now < due_) return;
   try {
     cut_off(now);
-  } catch (const std::bad_alloc&) {  // not even words for it
-    close();
+  } catch (const std::bad_alloc&) {
+    run_dry();
   }
 }
 
@@ -264,6 +277,15 @@ void Connection::linger() {
   socket_.shutdown(tcp::socket::shutdown_send, error);
   enter(Phase::lingering, patience::linger);
   wait_readable();
+}
+
+// There is no memory for an answer: to close gives some back.
+void Connection::run_dry() {
+  const bool is_asked = turn_ || (phase_ == Phase::reading && reader_.state() != State::idle);
+  const bool has_begun = !outbox_.empty() || (turn_ && turn_->has_parts());
+  asio::error_code error;
+  if (is_asked && !has_begun) socket_.write_some(asio::buffer(last_words), error);
+  close();
 }
 
 void Connection::close() {

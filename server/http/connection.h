@@ -46,6 +46,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
   enum class Phase { reading, answering, writing, lingering, closed };
 
   void enter(Phase phase, Clock::duration patience);
+  void attempt(void (Connection::*step)());
   void proceed();
   void go_on();
   void queue_up();
@@ -59,10 +60,12 @@ class Connection : public std::enable_shared_from_this<Connection> {
   void deliver(Turn& turn);
   void refuse(const std::exception_ptr& failure);
   void fail_turn(const std::exception_ptr& failure);
+  void tell_failure(const std::exception_ptr& failure);
   void cut_off(Clock::time_point now);
   void leave();
   bool flush();
   void linger();
+  void run_dry();
   void wait_readable();
   void wait_writable();
   void read();

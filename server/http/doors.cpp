@@ -12,6 +12,12 @@ using asio::ip::tcp;
 constexpr std::size_t backlog = 4096;  // connections that wait to be accepted
 constexpr std::chrono::milliseconds breath{50};
 
+// Whether the system cannot give a connection of those that we have more than enough of.
+bool is_shortage(const asio::error_code& error) {
+  return error == asio::error::no_descriptors || error == asio::error::no_buffer_space ||
+         error == asio::error::no_memory || error == std::errc::too_many_files_open_in_system;
+}
+
 }  // namespace
 
 Doors::Doors(asio::io_context& io, const std::string& host, int port, Welcome welcome,
@@ -41,6 +47,8 @@ void Doors::open(const tcp::endpoint& endpoint) {
   acceptor.bind(endpoint);
   acceptor.listen(static_cast<int>(backlog));
   acceptor.non_blocking(true);
+  // Else the library waits for the next client to come, where another may have come already.
+  acceptor.set_option(tcp::acceptor::enable_connection_aborted(true));
   port_ = acceptor.local_endpoint().port();
 }
 
@@ -60,9 +68,10 @@ void Doors::accept(Door& door) {
     if (!error) welcome_(std::move(socket));
     if (call != door.calls) return;  // a later one waits
     if (!error) return accept(door);
-    // Most likely there are no descriptors left, which the system says even if nobody has come.
+    // That there are no descriptors left the system says even if nobody has come.
+    const bool needs_room = is_shortage(error);
     door.acceptor.wait(tcp::acceptor::wait_read, error);
-    if (!error) make_room_();
+    if (needs_room && !error) make_room_();
     door.resting.expires_after(breath);
     door.resting.async_wait([this, &door](asio::error_code interrupted) {
       if (!interrupted) accept(door);

@@ -3,14 +3,17 @@
 
 #include <array>
 #include <asio/io_context.hpp>
-#include <asio/thread_pool.hpp>
+#include <asio/post.hpp>
 #include <atomic>
 #include <memory>
+#include <new>
 #include <optional>
 #include <set>
+#include <thread>
 
 #include "server/http/http_server.h"
 #include "server/http/patience.h"
+#include "server/http/worker_threads.h"
 
 namespace tia::server {
 
@@ -24,7 +27,7 @@ struct House {
   HttpOptions options;
   Application application;
   asio::io_context io{1};
-  asio::thread_pool workers{static_cast<std::size_t>(options.workers)};
+  WorkerThreads workers{options.workers};
   int free_workers = options.workers;
   std::optional<Clock::time_point> last_work;  ///< none since the application was told of its end
   std::set<std::shared_ptr<Connection>> connections;
@@ -33,6 +36,16 @@ struct House {
   std::size_t held_bytes = 0;          ///< of requests and answers, by all connections
   std::array<char, 64 << 10> scratch;  ///< where bytes are read to before they are taken
 
+  /// Hands on to the connections' thread, as soon as there is memory to do so: nobody else could.
+  /// Any thread may call.
+  template <class Then>
+  void tell(const Then& then) {
+    for (;;) try {
+        return asio::post(io, then);
+      } catch (const std::bad_alloc&) {
+        std::this_thread::sleep_for(patience::memory);
+      }
+  }
   bool holds_too_much() const { return held_bytes > options.most_held_bytes; }
 };
 

@@ -5,7 +5,6 @@
 #include <time.h>
 
 #include <algorithm>
-#include <asio/post.hpp>
 #include <asio/steady_timer.hpp>
 #include <new>
 #include <optional>
@@ -61,7 +60,7 @@ class HttpServer::Listener {
   }
 
   void stop(milliseconds delay, milliseconds limit) {
-    asio::post(house_.io, [this, delay, limit] {
+    house_.tell([this, delay, limit] {
       if (stopping_) return;
       stopping_ = Stopping{Clock::now() + delay, limit};
       wait_to_close();
