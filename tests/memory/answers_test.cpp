@@ -34,11 +34,20 @@ class Desk {
   Pool pool_{threads};
   Admission admission_{config_.renders, config_.queue};
   Metrics metrics_;
-  Service service_{
-      config_, {gallery(), kept_, geometries_, pool_, config_.limits()}, admission_, metrics_};
+  PictureStore pictures_{config_.cache_bytes};
+  Service service_{config_,
+                   {gallery(), kept_, geometries_, pool_, config_.limits()},
+                   admission_,
+                   metrics_,
+                   pictures_};
 };
 
 // ---- what is asked --------------------------------------------------------------------------
+
+std::string small_picture() {
+  Desk desk;
+  return answer({"GET", "/render?width=8&height=6", {}, "", "id"}, desk.service()).body;
+}
 
 struct Asked {
   const char* law;
@@ -88,6 +97,8 @@ std::vector<Asked> requests() {
       {"AllKinds", 200, post("/render", of_all_kinds + "}")},
       {"ByKey", 200, get("/render?scene=prism&key=s&width=6&height=4&samples=1&threshold=0")},
       {"Strips", 200, post("/render", R"({"width":700,"height":560,"scene":{}})")},
+      {"PictureSentBack", 200, {"POST", "/render", {}, small_picture(), "id"}},
+      {"Verified", 200, {"POST", "/verify", {}, small_picture(), "id"}},
       {"Explanation", 200, get("/explain?scene=snell&width=64&height=48&x=32&y=20")},
       {"KeptScene", 201, post("/scenes", all_kinds)},
       {"Scene", 200, get("/scenes/klein")},

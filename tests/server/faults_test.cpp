@@ -51,7 +51,7 @@ const Row rows[] = {
 };
 
 // A picture of more bytes than a socket takes at once.
-const std::string request =
+const std::string small_request =
     "GET /render?format=pfm&width=320&height=240&key=a HTTP/1.1\r\n"
     "Host: x\r\nConnection: close\r\n\r\n";
 
@@ -62,7 +62,7 @@ const char* const slow = "takes a minute, and breaks what the test before it bre
 
 class BrokenCalls : public testing::TestWithParam<Row> {
  protected:
-  BrokenCalls() { due_ = exchange(tia_.port(), request).body; }
+  BrokenCalls() { due_ = exchange(tia_.port(), small_request).body; }
   std::size_t descriptors() const { return entries(tia_, "fd"); }
 
   Least answer(Connection& connection) {
@@ -85,7 +85,7 @@ class BrokenCalls : public testing::TestWithParam<Row> {
     const auto start = Clock::now();
     ASSERT_TRUE(tia_.running()) << tia_.wait().status << tia_.err();
     Connection connection(tia_.port());
-    connection.send(request);
+    connection.send(small_request);
     EXPECT_EQ(answer(connection), Least::right);
     EXPECT_LT(Clock::now() - start, seconds(1));
   }
@@ -112,7 +112,7 @@ TEST_P(BrokenCalls, CostNoMoreThanTheirOwnAnswer) {
     {
       const Connection silent(tia_.port());  // which must keep nobody waiting
       Connection connection(tia_.port());
-      connection.send(request);
+      connection.send(small_request);
       EXPECT_LE(answer(connection), least);
     }
     // It may come after the answer: the first time it does.
@@ -133,8 +133,8 @@ TEST_P(BrokenCalls, ThatLastKeepNobodyWaitingOnceTheyAreOver) {
     SCOPED_TRACE(first);
     faults_.begin(how, first);
     Connection one(tia_.port()), other(tia_.port());
-    one.send(request);
-    other.send(request);
+    one.send(small_request);
+    other.send(small_request);
     eventually([&] { return one.readable() && other.readable(); }, moment);
     faults_.end();
     const auto start = Clock::now();
@@ -154,7 +154,7 @@ TEST_P(BrokenCalls, NowAndThenGiveNobodyAnothersOrHalfAnAnswer) {
       clients.emplace_back([&] {
         for (int i = 0; i < 5; ++i) {
           Connection connection(tia_.port());
-          connection.send(request);
+          connection.send(small_request);
           answer(connection);
         }
       });
@@ -191,7 +191,7 @@ class BrokenStart : public testing::TestWithParam<BrokenCall> {
     faults_.end();
     if (has_spoken() && tia.running()) {
       const std::string line = tia.out();
-      EXPECT_EQ(exchange(std::stoi(line.substr(line.rfind(':') + 1)), request).status, 200);
+      EXPECT_EQ(exchange(std::stoi(line.substr(line.rfind(':') + 1)), small_request).status, 200);
       tia.signal(SIGTERM);
     }
     const Finished end = tia.wait(seconds(10));
