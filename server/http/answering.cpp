@@ -1,5 +1,5 @@
 // The half of a connection that has to do with answers: who makes them, and what becomes of them.
-#include <new>
+#include <string_view>
 
 #include "server/http/answer_writer.h"
 #include "server/http/connection.h"
@@ -12,6 +12,16 @@ namespace {
 double ms_since(Clock::time_point start) {
   return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
+
+// What is said where there is no memory for other words.
+constexpr std::string_view last_words =
+    "HTTP/1.1 503 Service Unavailable\r\nContent-Type: application/problem+json\r\n"
+    "Content-Length: 173\r\nCache-Control: no-store\r\nRetry-After: 1\r\nConnection: close\r\n"
+    "X-Request-Id: unknown\r\n\r\n"
+    R"({"type":"/problems/memory","title":"The server is short of memory","status":503,)"
+    R"("detail":"there is no memory for the answer now; ask again or for less",)"
+    R"("instance":"unknown"})";
+static_assert(last_words.size() - last_words.find('{') == 173);
 
 Request without_body(const Request& from) {
   Request to{from.method, from.target, from.headers, "", from.id, from.peer};
@@ -114,6 +124,14 @@ void Connection::refuse(const std::exception_ptr& failure) {
   turn_->request.peer = client_address(peer_, turn_->request.headers, house_.options.trusts_proxy);
   keep_alive_ = false;
   fail_turn(failure);
+}
+
+// There is no memory for an answer: to close gives some back.
+void Connection::run_dry() {
+  const bool has_begun = !outbox_.empty() || (turn_ && turn_->has_parts());
+  asio::error_code error;
+  if (!has_begun) socket_.write_some(asio::buffer(last_words), error);
+  close();
 }
 
 // The client has closed or is gone.

@@ -24,15 +24,6 @@ std::string address_of(const tcp::socket& socket) {
   return asio::ip::make_address_v4(asio::ip::v4_mapped, address.to_v6()).to_string();
 }
 
-// What is said where there is no memory for other words.
-constexpr std::string_view last_words =
-    "HTTP/1.1 503 Service Unavailable\r\nContent-Type: application/problem+json\r\n"
-    "Content-Length: 173\r\nCache-Control: no-store\r\nRetry-After: 1\r\nConnection: close\r\n\r\n"
-    R"({"type":"/problems/memory","title":"The server is short of memory","status":503,)"
-    R"("detail":"there is no memory for the answer now; ask again or for less",)"
-    R"("instance":"unknown"})";
-static_assert(last_words.size() - last_words.find('{') == 173);
-
 bool would_block(const asio::error_code& error) {
   return error == asio::error::would_block || error == asio::error::try_again ||
          error == asio::error::interrupted;
@@ -277,15 +268,6 @@ void Connection::linger() {
   socket_.shutdown(tcp::socket::shutdown_send, error);
   enter(Phase::lingering, patience::linger);
   wait_readable();
-}
-
-// There is no memory for an answer: to close gives some back.
-void Connection::run_dry() {
-  const bool is_asked = turn_ || (phase_ == Phase::reading && reader_.state() != State::idle);
-  const bool has_begun = !outbox_.empty() || (turn_ && turn_->has_parts());
-  asio::error_code error;
-  if (is_asked && !has_begun) socket_.write_some(asio::buffer(last_words), error);
-  close();
 }
 
 void Connection::close() {

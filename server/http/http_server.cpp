@@ -74,7 +74,7 @@ class HttpServer::Listener {
   };
 
   bool has_run();
-  void resume();
+  bool has_resumed();
   void welcome(tcp::socket socket);
   bool make_room();
   template <class Which>
@@ -105,22 +105,28 @@ class HttpServer::Listener {
 
 // Returns: false where memory ran out before all was done.
 bool HttpServer::Listener::has_run() {
+  const bool resumed = has_resumed();
   try {
-    resume();
-    house_.io.run();
-    return true;
+    if (resumed) house_.io.run();
+    else house_.io.run_for(patience::memory);  // what can be done meanwhile
+    return resumed;
   } catch (const std::bad_alloc&) {
     return false;
   }
 }
 
 // Sets going what all else hangs on, wherever it was interrupted. The connections' patience does
-// the same for them.
-void HttpServer::Listener::resume() {
+// the same for them. Returns: false where there is no memory for it.
+bool HttpServer::Listener::has_resumed() {
   house_.io.restart();
-  doors_.let_in();
-  if (stopping_ && !is_shut_) wait_to_close();
-  keep_time();
+  try {
+    doors_.let_in();
+    if (stopping_ && !is_shut_) wait_to_close();
+    keep_time();
+    return true;
+  } catch (const std::bad_alloc&) {
+    return false;
+  }
 }
 
 void HttpServer::Listener::welcome(tcp::socket socket) {
