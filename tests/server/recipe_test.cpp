@@ -31,12 +31,14 @@ std::string changed(const std::string& png, const std::string& from, const std::
 TEST(Recipe, EveryGalleryPictureIsDrawnAgainFromItself) {
   Config config;
   config.cache_bytes = 0;
-  Host first(config), second(config);
-  for (const std::string_view name : first.gallery().names()) {
+  Host host(config);
+  const std::vector<std::string_view> names = host.gallery().names();
+  for (std::size_t i = 0; i < names.size(); i += sanitized ? 5 : 1) {
+    const std::string_view name = names[i];
     SCOPED_TRACE(name);
-    const Response drawn = first.get("/render?width=16&height=12&scene=" + std::string(name));
+    const Response drawn = host.get("/render?width=16&height=12&scene=" + std::string(name));
     ASSERT_EQ(drawn.status, 200);
-    const Response again = second.post("/render", drawn.body, "image/png");
+    const Response again = host.post("/render", drawn.body, "image/png");
     ASSERT_EQ(again.status, 200) << again.body;
     EXPECT_TRUE(again.body == drawn.body);
     EXPECT_EQ(header(again, "ETag"), header(drawn, "ETag"));
