@@ -1,0 +1,160 @@
+// What an input may hold at most, in the contract's own numbers: each limit is met and passed by
+// one, and nothing here is computed from the constant that it pins. Those that only a huge input
+// would meet are named as they are.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <optional>
+
+#include "core/accel/all_hits.h"
+#include "core/film/decode.h"
+#include "core/formulas/parse.h"
+#include "core/input/errors.h"
+#include "core/input/json.h"
+#include "core/lights/sphere_light.h"
+#include "core/shapes/algebraic_term.h"
+#include "core/shapes/mesh.h"
+#include "core/shapes/occupied.h"
+#include "tests/core/film/files.h"
+
+namespace tia {
+namespace {
+
+std::string times(std::size_t count, const std::string& text) {
+  std::string all;
+  for (std::size_t i = 0; i < count; ++i) all += text;
+  return all;
+}
+
+// ---- texts ----------------------------------------------------------------------------------
+
+// What parsing says against a text, at most the start of it; "" where it is read.
+std::string said_of(const std::string& text) {
+  try {
+    parse_json(text);
+  } catch (const InputError& error) {
+    return error.faults().front().allowed;
+  }
+  return "";
+}
+
+TEST(LimitNumbers, AJsonTextHas32Levels) {
+  EXPECT_EQ(said_of(times(32, "[") + times(32, "]")), "");
+  EXPECT_EQ(said_of(times(33, "[") + times(33, "]")), "at most 32 levels of arrays and objects");
+}
+
+TEST(LimitNumbers, AJsonTextHas100000ValuesBesidesNumbersInArrays) {
+  EXPECT_EQ(said_of("[" + times(99'998, "[],") + "0,1,2,[]]"), "");  // the array itself is one
+  EXPECT_THAT(said_of("[" + times(99'999, "[],") + "0,1,2,[]]"),
+              testing::StartsWith("at most 100000 JSON values"));
+}
+
+// ---- what is wrong --------------------------------------------------------------------------
+
+TEST(LimitNumbers, TwentyFaultsAreKept) {
+  Faults faults;
+  for (int i = 0; i < 19; ++i) faults.add({});
+  EXPECT_FALSE(faults.full());
+  faults.add({});
+  EXPECT_TRUE(faults.full());
+  faults.add({});
+  EXPECT_EQ(faults.list().size(), 20U);
+  EXPECT_EQ(faults.count(), 21U);
+}
+
+TEST(LimitNumbers, AFaultEchoes120Bytes) {
+  EXPECT_EQ(excerpt(std::string(120, 'x')), Value(std::string(120, 'x')));
+  EXPECT_EQ(excerpt(std::string(121, 'x')), Value(std::string(120, 'x') + "…"));
+}
+
+TEST(LimitNumbers, AListOfNamesNames40Of64BytesEach) {
+  EXPECT_EQ(listed(std::vector<std::string_view>(40, "a")), times(39, "a, ") + "a");
+  EXPECT_EQ(listed(std::vector<std::string_view>(41, "a")), times(39, "a, ") + "a and 1 more");
+  const std::string name(65, 'n');
+  EXPECT_EQ(listed({std::string_view(name).substr(1)}), std::string(64, 'n'));
+  EXPECT_EQ(listed({name}), std::string(64, 'n') + "…");
+}
+
+// ---- what comes in bulk ---------------------------------------------------------------------
+
+TEST(LimitNumbers, AnInputHas16777216PixelsAnd33554432Cells) {
+  Faults fit, unfit;
+  EXPECT_TRUE(fit.take(Bulk::pixels, 16'777'216));
+  EXPECT_FALSE(fit.take(Bulk::pixels, 1));
+  EXPECT_FALSE(unfit.take(Bulk::pixels, 16'777'217));
+  EXPECT_TRUE(fit.take(Bulk::cells, 33'554'432));
+  EXPECT_FALSE(fit.take(Bulk::cells, 1));
+  EXPECT_FALSE(unfit.take(Bulk::cells, 33'554'433));
+}
+
+// Whether a picture's header lets it pass.
+bool is_taken(const test::Bytes& file) {
+  return std::holds_alternative<PictureSize>(measure_picture(file));
+}
+
+TEST(LimitNumbers, APictureHas1048576Bytes) {
+  test::Bytes file = test::png({1, 1, 8, test::grey}, "\x40");
+  file.resize(1'048'576);
+  EXPECT_TRUE(is_taken(file));
+  file.push_back(0);
+  EXPECT_FALSE(is_taken(file));
+}
+
+TEST(LimitNumbers, APictureHas4194304Pixels) {
+  EXPECT_TRUE(is_taken(test::png({4'194'304, 1, 8, test::grey}, "x")));
+  EXPECT_FALSE(is_taken(test::png({4'194'305, 1, 8, test::grey}, "x")));
+}
+
+TEST(LimitNumbers, AJpegHas64Scans) {
+  test::Bytes file = test::flat_jpeg({100});  // one scan
+  for (int i = 0; i < 63; ++i) file.insert(file.end(), {0xFF, 0xDA});
+  EXPECT_TRUE(is_taken(file));
+  file.insert(file.end(), {0xFF, 0xDA});
+  EXPECT_FALSE(is_taken(file));
+}
+
+// ---- formulas -------------------------------------------------------------------------------
+
+// The kind of what is wrong with a formula of x and y, or nothing.
+std::optional<FaultKind> fault_in(const std::string& formula) {
+  ProgramBuilder builder;
+  Faults faults;
+  read_formula(formula, {{"x", "y"}, {}}, {}, builder, faults);
+  if (faults.empty()) return std::nullopt;
+  return faults.list().front().kind;
+}
+
+TEST(LimitNumbers, AFormulaHas4096Bytes) {
+  EXPECT_EQ(fault_in("x" + std::string(4095, ' ')), std::nullopt);
+  EXPECT_EQ(fault_in("x" + std::string(4096, ' ')), FaultKind::limit);
+}
+
+TEST(LimitNumbers, AFormulaHas100ThingsOpenAtOnce) {
+  EXPECT_EQ(fault_in(times(100, "(") + "x" + times(100, ")")), std::nullopt);
+  EXPECT_EQ(fault_in(times(101, "(") + "x" + times(101, ")")), FaultKind::limit);
+}
+
+// A variable, a sum and abs cost 1 each, the others 10: 1 + 4 * 990 + 3 of these, and 1 + n more.
+TEST(LimitNumbers, AFormulaCosts4000Additions) {
+  const auto nested = [](const std::string& function, std::size_t n) {
+    return times(n, function + "(") + "x" + times(n, ")");
+  };
+  const std::string costly = nested("exp", 99) + "+" + nested("log", 99) + "+" + nested("sin", 99) +
+                             "+" + nested("cos", 99);
+  EXPECT_EQ(fault_in(costly + "+" + nested("abs", 35)), std::nullopt);
+  EXPECT_EQ(fault_in(costly + "+" + nested("abs", 36)), FaultKind::limit);
+}
+
+// ---- what only a huge input would meet ------------------------------------------------------
+
+TEST(LimitNumbers, OfLargeScenes) {
+  EXPECT_EQ(Mesh::most_triangles, 16'777'216U);
+  EXPECT_EQ(most_cells, 16'777'216);
+  EXPECT_EQ(most_cell_material, 255);
+  EXPECT_EQ(most_algebraic_degree, 64);
+  EXPECT_EQ(most_light_samples, 4096);
+  EXPECT_EQ(most_hits, 10'000U);
+}
+
+}  // namespace
+}  // namespace tia
