@@ -98,15 +98,16 @@ void SceneFile::open(const std::string& path) {
 
 // All that can be wrong with the file comes to light here: it is written to even if nothing is new.
 void SceneFile::prepare(std::int64_t max_bytes) {
+  run("BEGIN");  // else another process may begin the file between one answer and the next
   const std::string of = word("PRAGMA application_id"), is = word("PRAGMA user_version");
   const bool is_new = word("SELECT count(*) FROM sqlite_schema") == "0";
+  run("COMMIT");
   if (!is_new && of != std::to_string(application_id))
     throw Failure(SQLITE_NOTADB, "this is another program's file");
   if (!is_new && is != std::to_string(layout_version))
     throw Failure(SQLITE_NOTADB, "another version of Tia has written this file");
   if (!is_new) look_through();
-  if (word("PRAGMA journal_mode = WAL") != "wal")
-    throw Failure(SQLITE_CANTOPEN, "the folder's file system cannot share memory (SQLite's WAL)");
+  share();
   run("PRAGMA synchronous = FULL");  // a commit is on the disk before it is told
   run("PRAGMA temp_store = MEMORY");
   run("PRAGMA journal_size_limit = 8388608");
@@ -118,6 +119,19 @@ void SceneFile::prepare(std::int64_t max_bytes) {
   run(("PRAGMA user_version = " + std::to_string(layout_version)).c_str());
   run("COMMIT");
   measure();
+}
+
+// Only who is alone with the file can make it one that is shared. Where several try at once SQLite
+// lets them wait for nobody, for they would wait for each other.
+void SceneFile::share() {
+  constexpr int pause_ms = 1;
+  for (int waited_ms = 0;; waited_ms += pause_ms) try {
+      if (word("PRAGMA journal_mode = WAL") == "wal") return;
+      throw Failure(SQLITE_CANTOPEN, "the folder's file system cannot share memory (SQLite's WAL)");
+    } catch (const Failure& failure) {
+      if (failure.code != SQLITE_BUSY || waited_ms >= patience_ms) throw;
+      sqlite3_sleep(pause_ms);
+    }
 }
 
 void SceneFile::keep(const std::string& id, const std::string& text) try {

@@ -38,6 +38,7 @@ class SceneFile {
   std::string word(const std::string& sql);
   void open(const std::string& path);
   void prepare(std::int64_t max_bytes);
+  void share();
   void look_through();
   void measure();
   [[noreturn]] void fail() const;

@@ -2,11 +2,14 @@
 // used.
 #include "server/scene_file.h"
 
+#include <array>
 #include <csignal>
 #include <fstream>
+#include <latch>
 
 #include "server/digest.h"
 #include "server/problem.h"
+#include "tests/core/support.h"
 #include "tests/server/process_support.h"
 
 namespace tia::test {
@@ -19,6 +22,16 @@ std::string keep(SceneFile& file, const std::string& text) {
   const std::string id = sha256_hex(text);
   file.keep(id, text);
   return id;
+}
+// Each on a thread of its own, all at the same moment.
+void at_once(std::ptrdiff_t count, const std::function<void(std::ptrdiff_t)>& each) {
+  std::latch all(count);
+  std::vector<std::jthread> threads;
+  for (std::ptrdiff_t i = 0; i < count; ++i)
+    threads.emplace_back([&, i] {
+      all.arrive_and_wait();
+      each(i);
+    });
 }
 // What opening says against a folder; "" where it opens.
 std::string refusal(const std::string& folder) {
@@ -54,6 +67,27 @@ TEST(SceneFile, HasItStillWhenItIsOpenedAgainOrTwice) {
   EXPECT_EQ(again.find(id), "a");
   const std::string other = keep(again, "b");
   EXPECT_EQ(twice.find(other), "b");
+}
+
+TEST(SceneFile, ThatManyBeginAtOnceIsOneForAllOfThem) {
+  constexpr int many = 8;
+  for (int round = 0; round < (sanitized ? 4 : 40); ++round) {
+    Folder folder;
+    std::array<std::unique_ptr<SceneFile>, many> files;
+    at_once(many, [&](std::ptrdiff_t i) {
+      try {
+        auto& file = files[static_cast<std::size_t>(i)];
+        file = std::make_unique<SceneFile>(folder.file(""), room);
+        keep(*file, scene_text(static_cast<int>(i)));
+      } catch (const std::exception& error) {
+        ADD_FAILURE() << error.what();
+      }
+    });
+    ASSERT_FALSE(testing::Test::HasFailure()) << round;
+    for (const auto& file : files)
+      for (int i = 0; i < many; ++i)
+        EXPECT_EQ(file->find(sha256_hex(scene_text(i))), scene_text(i));
+  }
 }
 
 TEST(SceneFile, ThatIsFullSaysSoAndLosesNothing) {
@@ -174,6 +208,30 @@ TEST(KeptScenes, OutliveAnyCrashOnceTheyAreConfirmed) {
   }
   const std::string& id = confirmed.begin()->first;
   EXPECT_EQ(tia.get("/render?width=8&height=8&scene=" + id).status, 200);
+}
+
+TEST(KeptScenes, AreSharedByServersThatStartAtOnceInANewFolder) {
+  constexpr int many = 8;
+  for (int round = 0; round < (sanitized ? 1 : 8); ++round) {
+    Folder folder;
+    std::array<std::unique_ptr<Tia>, many> servers;
+    std::array<std::string, many> places;
+    at_once(many, [&](std::ptrdiff_t i) {
+      const auto own = static_cast<std::size_t>(i);
+      try {
+        servers[own] = std::make_unique<Tia>(with_data(folder));
+        const Response kept = post(servers[own]->port(), scene_text(static_cast<int>(i)));
+        EXPECT_EQ(kept.status, 201) << kept.body;
+        places[own] = text_at(parse_json(kept.body), "location");
+      } catch (const std::exception& error) {
+        ADD_FAILURE() << error.what();
+      }
+    });
+    ASSERT_FALSE(testing::Test::HasFailure()) << round;
+    for (const auto& server : servers)
+      for (int i = 0; i < many; ++i)
+        EXPECT_EQ(server->get(places[static_cast<std::size_t>(i)]).body, scene_text(i));
+  }
 }
 
 TEST(KeptScenes, AreServedWithoutOpeningAnotherFile) {
