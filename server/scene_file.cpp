@@ -157,7 +157,8 @@ std::optional<std::string> SceneFile::find(const std::string& id) try {
   refuse(failure);
 }
 
-// SQLite sees to its own order, we to the texts. Cost: a second for a gigabyte.
+// SQLite sees to its own order, we to the texts. Cost: for a gigabyte 1.4 s where scenes are
+// large, 5.8 s where they have a kilobyte each, and the disk's time.
 void SceneFile::look_through() {
   if (const std::string found = word("PRAGMA integrity_check(1)"); found != "ok")
     throw Failure(SQLITE_CORRUPT, ("it is damaged: " + found).c_str());
