@@ -39,7 +39,6 @@ struct Answer {
 /// Segment: what the {} of a path stands for.
 struct Segment {
   std::string_view name, about;
-  MakeSchema schema = schema_for<std::string>;
 };
 
 }  // namespace tia::server

@@ -39,7 +39,7 @@ const Value& schema_of_parameter(const Value::Object& parameter) {
 std::string parameters_html(const Route& route, Definitions& named) {
   std::vector<FieldRow> rows;
   if (route.path.ends_with("{}")) {
-    rows.push_back(field_row(route.segment.name, route.segment.schema(named), true));
+    rows.push_back(field_row(route.segment.name, segment_schema(route), true));
     rows.back().about = route.segment.about;
   }
   if (route.query != nullptr)

@@ -42,10 +42,13 @@ Value version_schema(Definitions& named);
 // page_handler.cpp
 Response get_page(const Request& request, const std::string&, Service& service);
 Response get_page_file(const Request& request, const std::string&, Service& service);
-bool is_page_file(std::string_view name);
-Value page_file_schema(Definitions&);
-/// The media types of the files.
-std::vector<Content> page_file_contents();
+bool is_page_file(std::string_view path);
+/// The folders of the page's files, "/" first, each with a slash at its end.
+const std::vector<std::string>& page_folders();
+/// The names of a folder's files.
+std::vector<std::string_view> page_files(std::string_view folder);
+/// Their media types.
+std::vector<Content> page_file_contents(std::string_view folder);
 
 // documents_handler.cpp
 Response get_openapi(const Request& request, const std::string&, Service& service);

@@ -108,7 +108,7 @@ Value::Array parameters_array(const Route& route, Definitions& named) {
                                        {"in", "path"},
                                        {"required", true},
                                        {"description", route.segment.about},
-                                       {"schema", route.segment.schema(named)}});
+                                       {"schema", segment_schema(route)}});
   return parameters;
 }
 

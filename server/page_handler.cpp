@@ -32,8 +32,13 @@ const std::map<std::string_view, Page>& pages() {
   return all;
 }
 
-// The gallery's files do not: they are answered as /scenes/NAME.
-bool stands_at_root(const Asset& asset) { return asset.path.rfind('/') == 0; }
+// Where a file lies, with a slash at its end.
+std::string_view folder_of(const Asset& asset) {
+  return asset.path.substr(0, asset.path.rfind('/') + 1);
+}
+
+// The gallery's files are answered as /scenes/NAME.
+bool of_the_gallery(const Asset& asset) { return folder_of(asset) == "/scenes/"; }
 
 Response file_response(const Request& request, std::string_view path) {
   const auto found = pages().find(path);
@@ -56,21 +61,35 @@ Response get_page_file(const Request& request, const std::string&, Service&) {
   return file_response(request, request.path());
 }
 
-bool is_page_file(std::string_view name) { return find_asset('/' + std::string(name)) != nullptr; }
-
-Value page_file_schema(Definitions&) {
-  Value::Array names;
-  for (const Asset& asset : assets())
-    if (stands_at_root(asset)) names.emplace_back(asset.path.substr(1));
-  return Value::Object{{"enum", names}};
+bool is_page_file(std::string_view path) {
+  const Asset* asset = find_asset(path);
+  return asset != nullptr && !of_the_gallery(*asset);
 }
 
-std::vector<Content> page_file_contents() {
+const std::vector<std::string>& page_folders() {
+  static const std::vector<std::string> folders = [] {
+    std::vector<std::string> found{"/"};
+    for (const Asset& asset : assets())
+      if (!of_the_gallery(asset) && std::ranges::find(found, folder_of(asset)) == found.end())
+        found.emplace_back(folder_of(asset));
+    return found;
+  }();
+  return folders;
+}
+
+std::vector<std::string_view> page_files(std::string_view folder) {
+  std::vector<std::string_view> names;
+  for (const Asset& asset : assets())
+    if (folder_of(asset) == folder) names.push_back(asset.path.substr(folder.size()));
+  return names;
+}
+
+std::vector<Content> page_file_contents(std::string_view folder) {
   std::vector<Content> contents;
   for (const Asset& asset : assets()) {
     const std::string_view type = media_type(asset.path);
     const auto same = [&](const Content& each) { return each.type == type; };
-    if (stands_at_root(asset) && std::none_of(contents.begin(), contents.end(), same))
+    if (folder_of(asset) == folder && std::ranges::none_of(contents, same))
       contents.push_back({type});
   }
   return contents;

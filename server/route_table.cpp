@@ -1,4 +1,7 @@
 // The table of routes: each row with what it takes and what it gives.
+#include <algorithm>
+#include <list>
+
 #include "server/explain_request.h"
 #include "server/handlers.h"
 #include "server/query_parameters.h"
@@ -231,17 +234,25 @@ std::vector<Route> documents() {
           {.method = "GET",
            .path = "/",
            .name = "get_page",
-           .about = "the page: pictures by keys",
+           .about = "the page: hold a lamp, and see why",
            .handler = get_page,
-           .answers = tagged("the page", {{html}})},
-          {.method = "GET",
-           .path = "/{}",
-           .name = "get_page_file",
-           .about = "a file of the page",
-           .handler = get_page_file,
-           .answers = tagged("the file", page_file_contents()),
-           .segment = {"file", "its name", page_file_schema},
-           .has = is_page_file}};
+           .answers = tagged("the page", {{html}})}};
+}
+
+// The files of one folder of the page. Paths and names must outlive the table.
+Route files_of(const std::string& folder) {
+  static std::list<std::string> texts;
+  std::string name = "get_page_file" + folder.substr(0, folder.size() - 1);
+  std::ranges::replace(name, '/', '_');
+  return {.method = "GET",
+          .path = texts.emplace_back(folder + "{}"),
+          .name = texts.emplace_back(name),
+          .about = "a file of the page",
+          .handler = get_page_file,
+          .answers = tagged("the file", page_file_contents(folder)),
+          .segment = {"file", "its name"},
+          .segments = page_files(folder),
+          .has = is_page_file};
 }
 
 }  // namespace
@@ -251,6 +262,7 @@ const std::vector<Route>& routes() {
     std::vector<Route> all;
     for (const auto& group : {pictures(), scenes(), operation(), documents()})
       all.insert(all.end(), group.begin(), group.end());
+    for (const std::string& folder : page_folders()) all.push_back(files_of(folder));
     return all;
   }();
   return table;

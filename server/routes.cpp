@@ -1,5 +1,6 @@
 #include "server/routes.h"
 
+#include "core/input/written.h"
 #include "server/accept.h"
 #include "server/headers.h"
 #include "server/problem.h"
@@ -13,7 +14,7 @@ bool matches(const Route& route, std::string_view path, std::string_view& name) 
   const std::string_view stem = route.path.substr(0, route.path.size() - 2);
   if (!path.starts_with(stem) || path.size() == stem.size()) return false;
   name = path.substr(stem.size());
-  return name.find('/') == name.npos && (route.has == nullptr || route.has(name));
+  return name.find('/') == name.npos && (route.has == nullptr || route.has(path));
 }
 
 // What may be done with a path (RFC 9110, 9.3.7), or with some path of this server.
@@ -70,6 +71,11 @@ Response refusal(const std::exception_ptr& failure, const Request& request,
   } catch (const std::bad_alloc&) {  // perhaps there is memory for fewer words
     return dressed(problem_response(std::current_exception(), request), request, service);
   }
+}
+
+Value segment_schema(const Route& route) {
+  if (route.segments.empty()) return plain_schema<std::string>();
+  return Value::Object{{"enum", Value::Array(route.segments.begin(), route.segments.end())}};
 }
 
 std::string_view route_label(const Request& request) {

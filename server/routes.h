@@ -48,10 +48,14 @@ struct Route {
   Value::Array (*query)(Definitions&) = nullptr;  ///< the parameters of a query
   std::vector<Content> body = {};                 ///< what may be sent, one of them
   Segment segment = {};                           ///< what the path's {} stands for
-  /// Which segments there are, for a path that shares its place with what is not here; null = any.
-  bool (*has)(std::string_view segment) = nullptr;
+  std::vector<std::string_view> segments = {};    ///< all that there are; none = any text
+  /// Which paths there are, where it shares its place with what is not here; null = all that fit.
+  bool (*has)(std::string_view path) = nullptr;
   std::vector<std::string_view> examples = {};  ///< targets, of GET
 };
+
+/// What the {} of its path may be.
+Value segment_schema(const Route& route);
 
 /// All routes. Where two fit a path, the first is meant.
 const std::vector<Route>& routes();
