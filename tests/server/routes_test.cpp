@@ -59,12 +59,14 @@ INSTANTIATE_TEST_SUITE_P(
                     Path{"OpenApi", "/openapi.json", "GET, HEAD, OPTIONS"},
                     Path{"Docs", "/docs", "GET, HEAD, OPTIONS"},
                     Path{"Problem", "/problems/busy", "GET, HEAD, OPTIONS", 308},
-                    Path{"PageFile", "/style.css", "GET, HEAD, OPTIONS"}),
+                    Path{"PageFile", "/style.css", "GET, HEAD, OPTIONS"},
+                    Path{"PageFileInAFolder", "/panels/hand.js", "GET, HEAD, OPTIONS"}),
     law_of);
 
 TEST(Routes, AnUnknownPathIs404ForEveryMethod) {
   for (const char* path : {"/nowhere", "/renderer", "/render/", "/Render", "/docs/index.html",
-                           "/scenes/", "/scenes/a/b", "/schema", "/style.css/", "/web/style.css"})
+                           "/scenes/", "/scenes/a/b", "/schema", "/style.css/", "/web/style.css",
+                           "/panels", "/panels/", "/panels/style.css", "/panels/hand.js/x"})
     for (const char* method : methods) {
       SCOPED_TRACE(std::string(method) + " " + path);
       const Response response = host().ask(method, path, "{}");

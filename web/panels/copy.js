@@ -1,16 +1,20 @@
 // Buttons that copy a text.
 
-const SHOWN_MS = 2000;
+import { t } from '../words/words.js';
 
-/** Makes `button` copy what `text()` gives and `say` whether that worked. */
-export function bindCopy(button, text, say) {
+const SHOWN_MS = 2000;
+const said = document.getElementById('said');
+
+/** Makes `button` copy what `text()` gives, now or by a promise, and says whether that worked. */
+export function bindCopy(button, text) {
   const label = button.textContent;
   let timer;
   button.addEventListener('click', async () => {
-    const words = text();
+    const words = await text();
     const done = words !== '' && (await copy(words));
-    say(done ? `Copied: ${words}` : 'Nothing was copied');
-    button.textContent = done ? 'Copied' : 'Not copied';
+    const short = words.length > 200 ? `${words.slice(0, 200)}\u2026` : words;
+    said.textContent = done ? t('take.copied', { words: short }) : t('take.notCopied');
+    button.textContent = done ? t('take.copiedShort') : t('take.notCopiedShort');
     clearTimeout(timer);
     timer = setTimeout(() => (button.textContent = label), SHOWN_MS);
   });

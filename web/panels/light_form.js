@@ -1,6 +1,7 @@
 // The light's position as three typed numbers. Tells a position only when all three are numbers.
 
-import { numberText, readLight, readNumber } from './request.js';
+import { numberText, readNumber, readNumbers } from '../state/request.js';
+import { t } from '../words/words.js';
 
 const AXES = ['x', 'y', 'z'];
 
@@ -53,8 +54,8 @@ export function bindLightForm(form, message, move) {
   }
 
   function paste(event) {
-    const light = readLight(event.clipboardData.getData('text'));
-    if (!light) return;
+    const light = readNumbers(event.clipboardData.getData('text'));
+    if (light?.length !== 3) return;
     event.preventDefault();
     show(light);
     apply(true);
@@ -72,10 +73,10 @@ function isNumber(text) {
 }
 
 function wrongWords({ name, value }) {
-  return `${name} is \u201c${value.trim()}\u201d, which is not a number: write it like -20 or 2.5.`;
+  return t('light.noNumber', { name, value: value.trim() });
 }
 
 function missingWords(empty) {
-  const names = empty.map(({ name }) => name).join(' and ');
-  return `The light needs three numbers: ${names} ${empty.length > 1 ? 'are' : 'is'} still empty.`;
+  const names = empty.map(({ name }) => name).join(', ');
+  return t(empty.length > 1 ? 'light.missingMany' : 'light.missingOne', { names });
 }

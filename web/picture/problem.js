@@ -1,5 +1,7 @@
 // What went wrong, in words: the server's problem documents (RFC 9457) and everything short of one.
 
+import { t } from '../words/words.js';
+
 /** A request that gave no picture; `status` 0 where no answer came at all. */
 export class Problem extends Error {
   constructor({ status = 0, title, detail, errors, instance = '' }, retryAfter = null) {
@@ -13,7 +15,7 @@ export class Problem extends Error {
 /** The problem that a response with an error status tells. */
 export async function readProblem(response) {
   const { status, statusText, headers } = response;
-  const title = `The server answered ${status} ${statusText}`.trim();
+  const title = t('trouble.answered', { status, statusText }).trim();
   const document = headers.get('Content-Type')?.startsWith('application/problem+json')
     ? await response.json().catch(() => ({}))
     : {};
@@ -23,35 +25,41 @@ export async function readProblem(response) {
 /** The problem that a failed fetch tells. */
 export function unanswered(error) {
   return error.name === 'TimeoutError'
-    ? new Problem({ title: 'The server did not answer in time' })
-    : new Problem({ title: 'The server cannot be reached' });
+    ? new Problem({ title: t('trouble.late') })
+    : new Problem({ title: t('trouble.unreachable') });
 }
 
-/** A problem as { title, lines, next, retry }: what happened, its faults, what to do, by whom. */
+/** A problem as { title, lines, next, retry, wait }: what happened, what to do, by whom, after how many s. */
 export function problemWords(problem) {
-  const { status, title, detail, errors } = problem;
+  const { status, title, detail, errors, retryAfter } = problem;
   const repeats = errors.some(({ pointer }) => pointer && detail.startsWith(`${pointer}:`));
   const lines = [repeats ? '' : detail, ...errors.map(faultWords)].filter(Boolean);
   const retry = status === 0 || status === 408 || status === 429 || status >= 500;
-  return { title, lines, next: nextStep(problem, retry), retry };
+  const wait = retry && /^\d+$/.test(retryAfter ?? '') ? Number(retryAfter) : 0;
+  return { title, lines, next: nextStep(problem, retry, wait), retry, wait };
 }
 
-function nextStep({ status, retryAfter, instance }, retry) {
-  if (status === 0) return 'Check that tia is running, then try again. The last picture stays.';
-  if (!retry) return 'Change the request and send it again. The last picture stays.';
-  const wait = /^\d+$/.test(retryAfter ?? '') ? `Wait ${retryAfter} s, then try again.` : 'Try again.';
-  const log = status === 500 && instance ? ` The server's log tells more under ${instance}.` : '';
-  return `${wait} The last picture stays.${log}`;
+function nextStep({ status, instance }, retry, wait) {
+  const log = status === 500 && instance ? t('trouble.log', { instance }) : '';
+  const step = status === 0 ? t('trouble.check') : !retry ? t('trouble.change')
+    : wait ? t('trouble.wait', { wait }) : t('trouble.again');
+  return [step, t('trouble.stays'), log].filter(Boolean).join(' ');
 }
 
-function faultWords({ pointer = '', got, allowed, nearest }) {
-  const place = String(pointer).split('/').slice(1).map(unescape).join(' \u203a ') || 'the request';
+/** One fault of a problem document in words, by its place. */
+export function faultWords(fault) {
+  const place = String(fault.pointer ?? '').split('/').slice(1).map(unescape).join(' \u203a ');
+  return `${place || t('trouble.theRequest')}: ${faultReason(fault)}`;
+}
+
+/** What is wrong there, what is allowed, what is near. */
+export function faultReason({ got, allowed, nearest }) {
   const parts = [
-    got !== undefined && `got ${valueWords(got)}`,
-    allowed !== undefined && `allowed: ${listWords(allowed)}`,
-    nearest !== undefined && nearest !== null && `nearest: ${valueWords(nearest)}`,
+    got !== undefined && t('trouble.got', { value: valueWords(got) }),
+    allowed !== undefined && t('trouble.allowed', { value: listWords(allowed) }),
+    nearest != null && t('trouble.nearest', { value: valueWords(nearest) }),
   ];
-  return `${place}: ${parts.filter(Boolean).join('; ')}`;
+  return parts.filter(Boolean).join('; ');
 }
 
 function unescape(token) {

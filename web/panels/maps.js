@@ -1,0 +1,221 @@
+// Two plans beside the picture, from above and from the right: the server's own parallel views,
+// and on them what a hand can take: the lamp, the camera, what it looks at, and the objects.
+
+import { fetchPfm, fetchPicture } from '../picture/server.js';
+import { readPfm } from '../picture/pfm.js';
+import { placeIn, placeWithin, planCamera, plansOf, regionOf, wayIn } from '../space/plan.js';
+import { distanceOf } from '../space/lamp.js';
+import { add, length, subtract, tidyVector } from '../space/vec.js';
+import { rayThrough } from '../space/view.js';
+import { t } from '../words/words.js';
+import { element, svg } from './element.js';
+import { bindHandle } from './handle.js';
+import { drawnRay } from './rays.js';
+import { centersIn, movedObject } from './map_objects.js';
+
+const [WIDTH, HEIGHT] = [240, 180];
+const ROOM = 0.3; // around what the camera looks at, of its distance
+const FAR = 2.5; // times as far as the eye: a lamp out there stands at the plan's edge
+const COARSE = { width: WIDTH / 3, height: HEIGHT / 3 };
+const DRAWN = { width: 480, height: 360, samples: 1, threshold: 0, crop: null };
+
+export function mountMaps(studio) {
+  const maps = ['top', 'side'].map((name) => new PlanMap(studio, name));
+  document.getElementById('maps').replaceChildren(...maps.map(({ figure }) => figure));
+  for (const event of ['world', 'show', 'source', 'rays'])
+    studio.model.onFrame(event, () => maps.forEach((map) => map.follow(event)));
+}
+
+class PlanMap {
+  #studio;
+  #name;
+  #backdrop = svg('image', { width: WIDTH, height: HEIGHT, preserveAspectRatio: 'none' });
+  #rays = svg('g', { class: 'rays' });
+  #sight = svg('path', { class: 'sight' });
+  #handles = svg('g');
+  #plan = null;
+  #region = null;
+  #drawn = ''; // what the backdrop shows
+  #drawing = null;
+  #held = new Map(); // handles by name; they live on while the hand holds them
+
+  constructor(studio, name) {
+    [this.#studio, this.#name] = [studio, name];
+    const label = t(`maps.${name}`);
+    this.figure = element('figure', { class: 'map' },
+      svg('svg', { viewBox: `0 0 ${WIDTH} ${HEIGHT}`, role: 'group', 'aria-label': label },
+        this.#backdrop, this.#sight, this.#rays, this.#handles),
+      element('figcaption', { class: 'note' }, label));
+  }
+
+  /** Draws what an event has changed. */
+  follow(event) {
+    const { pivot, light, camera } = this.#studio;
+    if (!pivot) return;
+    const held = [...this.#held.values()].some((handle) => handle.held);
+    if (event === 'world' && !held) this.#settle(pivot, light, camera);
+    if (!this.#plan) return;
+    this.#placeHandles(pivot, light, camera);
+    this.#drawSight(camera);
+    if (event !== 'show') this.#drawRays();
+  }
+
+  #settle(pivot, light, camera) {
+    this.#plan = plansOf(camera).find(({ name }) => name === this.#name);
+    const away = distanceOf(pivot, camera.location);
+    const near = light && distanceOf(pivot, light) < FAR * away;
+    const around = [-away, away].flatMap((by) => [0, 1, 2].map((i) => pivot.with(i, pivot[i] + by * ROOM)));
+    this.#region = regionOf(this.#plan, [...around, camera.location, ...(near ? [light] : [])]);
+    // What is above the eye and what it looks at is left away: ceilings, walls on this side.
+    const start = regionOf(this.#plan, [pivot, camera.location]).center;
+    this.#region.center = this.#plan.into.map((axis, i) => (axis ? start : this.#region.center)[i]);
+    this.#drawBackdrop();
+  }
+
+  async #drawBackdrop() {
+    const { scene, key } = this.#studio.model.request;
+    const request = { scene, key, ...DRAWN, camera: planCamera(this.#plan, this.#region) };
+    const drawn = JSON.stringify(request);
+    if (drawn === this.#drawn) return;
+    this.#drawn = drawn;
+    this.#drawing?.abort();
+    const { signal } = (this.#drawing = new AbortController());
+    try {
+      const { blob } = await fetchPicture({ ...request, integrator: 'albedo' }, signal);
+      const objects = readPfm(await fetchPfm({ ...request, ...COARSE, integrator: 'object' }, signal));
+      if (signal.aborted) return;
+      this.#show(blob);
+      this.#placeObjects(centersIn(objects));
+    } catch (problem) {
+      if (!signal.aborted) [this.#drawn, this.#centers] = ['', []];
+    }
+  }
+
+  #show(blob) {
+    const old = this.#backdrop.getAttribute('href');
+    this.#backdrop.setAttribute('href', URL.createObjectURL(blob));
+    if (old) URL.revokeObjectURL(old);
+  }
+
+  // ---- handles --------------------------------------------------------------------------------
+
+  #centers = [];
+
+  #placeObjects(centers) {
+    this.#centers = centers;
+    for (const [name, handle] of this.#held)
+      if (name.startsWith('object') && !handle.held) this.#drop(name);
+    const objects = this.#studio.model.world?.objects ?? [];
+    for (const { index, x, y } of centers) {
+      if (!objects[index]) continue;
+      const name = objects[index].name ?? `${objects[index].type} ${index + 1}`;
+      this.#handle(`object-${index}`, [x * WIDTH, y * HEIGHT], t('maps.moveObject', { name, map: t(`maps.${this.#name}`) }),
+        this.#objectMover(index));
+    }
+  }
+
+  // Each move is counted from where the object was when it was taken.
+  #objectMover(index) {
+    let taken = null;
+    return {
+      take: () => (taken = this.#studio.model.source?.objects?.[index] ?? null),
+      move: (way) => {
+        if (!taken || !this.#studio.editScene) return false;
+        this.#studio.editScene(movedObject(taken, index, way));
+        return true;
+      },
+    };
+  }
+
+  #placeHandles(pivot, light, camera) {
+    const map = t(`maps.${this.#name}`);
+    this.#handle('camera', this.#within(camera.location), t('maps.moveCamera', { map }), this.#cameraMover());
+    this.#handle('target', this.#within(pivot), t('maps.moveTarget', { map }), this.#targetMover());
+    if (light) this.#handle('lamp', this.#within(light), t('maps.moveLamp', { map }), this.#lampMover());
+    else this.#drop('lamp');
+  }
+
+  #lampMover() {
+    const studio = this.#studio;
+    let taken = null;
+    return {
+      take: () => (taken = studio.light),
+      move: (way) => (studio.moveLight(tidyVector(add(taken, way))), true),
+    };
+  }
+
+  // The eye goes on looking at the same point; a view plane or a basis moves as it is.
+  #cameraMover() {
+    const studio = this.#studio;
+    let taken = null;
+    return {
+      take: () => (taken = { camera: studio.camera, pivot: studio.pivot }),
+      move: (way) => {
+        const { camera, pivot } = taken;
+        const location = tidyVector(add(camera.location, way), 5);
+        if (length(subtract(location, pivot)) < 1e-6) return false;
+        const free = camera.right || camera.basis;
+        studio.model.change({ camera: { ...studio.model.request.camera, location,
+          ...(!free && { look_at: tidyVector(pivot, 6), direction: null }) } });
+        return true;
+      },
+    };
+  }
+
+  #targetMover() {
+    const studio = this.#studio;
+    let taken = null;
+    return {
+      take: () => (taken = { camera: studio.camera, pivot: studio.pivot }),
+      move: (way) => {
+        const { camera, pivot } = taken;
+        if (camera.right || camera.basis) return false;
+        studio.model.change({ camera: { ...studio.model.request.camera,
+          look_at: tidyVector(add(pivot, way), 5), direction: null } });
+        return true;
+      },
+    };
+  }
+
+  #handle(name, at, label, mover) {
+    const known = this.#held.get(name);
+    if (known) return known.place(at, label);
+    const handle = bindHandle(this.#handles, name.split('-')[0], at, label, {
+      take: mover.take,
+      move: (way) => mover.move(wayIn(this.#plan, this.#region, HEIGHT, way)),
+    });
+    this.#held.set(name, handle);
+  }
+
+  #drop(name) {
+    this.#held.get(name)?.remove();
+    this.#held.delete(name);
+  }
+
+  // ---- lines ----------------------------------------------------------------------------------
+
+  #at(point) {
+    return placeIn(this.#plan, this.#region, HEIGHT, point);
+  }
+
+  #within(point) {
+    return placeWithin(this.#plan, this.#region, HEIGHT, point);
+  }
+
+  #drawSight(camera) {
+    const { view } = this.#studio;
+    const reach = this.#region.half;
+    const lines = [[0, view.height / 2], [view.width, view.height / 2], [view.width / 2, 0], [view.width / 2, view.height]]
+      .slice(this.#name === 'top' ? 0 : 2, this.#name === 'top' ? 2 : 4)
+      .map(([x, y]) => rayThrough(view, x, y))
+      .map(({ origin, direction }) => `M${this.#at(origin)}L${this.#at(add(origin, direction.map((it) => it * reach)))}`);
+    this.#sight.setAttribute('d', lines.join(''));
+    this.#sight.dataset.of = camera.projection;
+  }
+
+  #drawRays() {
+    const place = (from, to) => ({ a: this.#at(from), b: this.#at(to), ends: true });
+    const rays = this.#studio.model.rays ?? [];
+    this.#rays.replaceChildren(...rays.map((ray) => drawnRay(ray, place, HEIGHT / 24)));
+  }
+}

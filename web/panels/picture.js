@@ -1,0 +1,68 @@
+// The picture, what it shows in words, and what went wrong.
+
+import { decode } from '../picture/server.js';
+import { lampWords } from '../words/scene_words.js';
+import { t } from '../words/words.js';
+import { showProblem } from './problem_view.js';
+import { lookAround } from './seen.js';
+
+const SLOW_MS = 1000;
+const part = (id) => document.getElementById(id);
+
+export function mountPicture(studio) {
+  const { model } = studio;
+  const [frame, picture, status] = [part('frame'), part('picture'), part('status')];
+  let slow = null;
+  let shown = false;
+
+  studio.display({
+    async show({ blob }) {
+      const image = await decode(blob);
+      for (const side of ['width', 'height']) if (picture[side] !== image[side]) picture[side] = image[side];
+      picture.getContext('2d').drawImage(image, 0, 0);
+      image.close();
+      shown = true;
+    },
+    failed(problem) {
+      showProblem(problem);
+      if (problem) settle();
+    },
+  });
+
+  function settle() {
+    hurry();
+    frame.setAttribute('aria-busy', false);
+    describe();
+  }
+
+  // Waiting shows only when it lasts.
+  function wait() {
+    frame.classList.add('waiting');
+    status.textContent = t('picture.rendering');
+  }
+
+  function hurry() {
+    clearTimeout(slow);
+    slow = null;
+    frame.classList.remove('waiting');
+  }
+
+  function describe() {
+    status.textContent = shown ? lampWords(model.shown.request, studio.light) : t('picture.none');
+    const title = model.source?.title ?? t('picture.rendered');
+    picture.setAttribute('aria-label', shown ? `${title}. ${status.textContent}` : t('picture.none'));
+  }
+
+  model.on('want', () => {
+    if (frame.getAttribute('aria-busy') !== 'true') frame.setAttribute('aria-busy', true);
+    slow ??= setTimeout(wait, SLOW_MS);
+  });
+  model.on('show', hurry);
+  model.on('rest', settle);
+  model.on('world', () => (describe(), lookAround(studio, part('seen'))));
+  model.on('source', describe);
+  part('retry').addEventListener('click', () => {
+    studio.again();
+    part('hand').focus({ preventScroll: true });
+  });
+}

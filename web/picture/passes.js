@@ -1,0 +1,139 @@
+// How a wish becomes pictures: at once one that is quick enough for the hand, then the one that
+// was asked for, then the same with smooth edges. One request at a time; of wishes that come
+// meanwhile only the newest counts, and it does not wait for a finer picture of an older one.
+
+const FRAME_MS = 36; // for 30 pictures a second: while one is decoded the next is under way
+const LEAST_MS = 8; // that the server may draw for, however slow the way to it is
+const FIRST_GUESS = { perPixel: 1 / 5000, way: 0 }; // ms: begin small
+const QUIET_MS = 120; // so long the hand must rest before a finer picture is begun
+const SCALES = [1, 1 / 2, 1 / 4, 1 / 8];
+
+/** The threshold with which edges are smooth. */
+export const SMOOTH = 0.02;
+
+/** What holds of a picture's rays: the request's own word, else its scene's. */
+const said = (name, request, options) => request[name] ?? options?.[name];
+
+/** The request with one ray a pixel, through its centre. */
+export function plain(request, options) {
+  return single(request, options) ? request : { ...request, samples: 1, threshold: 0 };
+}
+
+function single(request, options) {
+  return (said('samples', request, options) ?? 1) === 1 && !said('threshold', request, options);
+}
+
+/** The request with the finest picture that the page draws of it: what it says itself holds. */
+export function finest(request, options, smooth) {
+  const feature = !['thesis', 'whitted', undefined].includes(said('integrator', request, options));
+  const silent = request.samples == null && request.threshold == null;
+  return smooth && silent && !feature && single(request, options) ? { ...request, threshold: SMOOTH } : request;
+}
+
+/**
+ * The passes of a wish, the quickest first. `pace` is what it took by now, in ms: `perPixel` to
+ * draw, `way` for all that does not depend on the pixels.
+ */
+export function passesOf(request, options, { perPixel, way }, smooth) {
+  const coarse = plain(request, options);
+  const [width, height] = [request.width ?? 640, request.height ?? 480];
+  const budget = Math.max(FRAME_MS - way, LEAST_MS);
+  const affordable = (scale) => width * height * scale * scale * perPixel <= budget;
+  const scale = SCALES.find(affordable) ?? SCALES.at(-1);
+  const size = (length) => Math.max(1, Math.round(length * scale));
+  const quick = scale === 1 ? coarse : { ...coarse, width: size(width), height: size(height) };
+  const passes = [quick];
+  if (quick !== request) passes.push(request);
+  const last = finest(request, options, smooth);
+  if (last !== request) passes.push(last);
+  return passes.map((pass, i) => ({ request: pass, last: i === passes.length - 1 }));
+}
+
+/**
+ * Passes: `ask(request)` draws; `draw(request, signal)` fetches and shows, giving { ms, drawn, cached }, the
+ * milliseconds in all and of the server's drawing, or
+ * throwing a Problem; `told(problem or null, last)` hears how it went; `optionsOf(request)` gives a
+ * scene's options as far as known.
+ */
+export class Passes {
+  still = false; // not for now: one ray a pixel is wanted
+  #draw;
+  #told;
+  #optionsOf;
+  #pace = FIRST_GUESS;
+  #took = []; // what the pace is the middle of
+  #waiting = null;
+  #running = false;
+  #refining = null;
+  #wake = () => {};
+
+  constructor({ draw, told, optionsOf }) {
+    [this.#draw, this.#told, this.#optionsOf] = [draw, told, optionsOf];
+  }
+
+  /** Another scene may be another matter: begin small again. */
+  forget() {
+    [this.#pace, this.#took] = [FIRST_GUESS, []];
+  }
+
+  /** Whether something newer is wanted than what is being drawn. */
+  get behind() {
+    return this.#waiting !== null;
+  }
+
+  /** Draws `request`, now or when the picture under way has come. */
+  async ask(request) {
+    this.#waiting = request;
+    this.#refining?.abort();
+    this.#wake();
+    if (this.#running) return;
+    this.#running = true;
+    try {
+      while (this.#waiting) await this.#drawWish();
+    } finally {
+      this.#running = false;
+    }
+  }
+
+  async #drawWish() {
+    const wish = this.#waiting;
+    this.#waiting = null;
+    const passes = passesOf(wish, this.#optionsOf(wish), this.#pace, !this.still);
+    try {
+      for (const [i, pass] of passes.entries()) {
+        if (i > 0) await this.#quiet();
+        if (this.#waiting) return;
+        await this.#drawPass(pass, i > 0);
+      }
+    } catch (problem) {
+      if (problem.name !== 'AbortError') this.#told(problem, true, wish);
+    }
+  }
+
+  async #drawPass({ request, last }, finer) {
+    this.#refining = finer ? new AbortController() : null;
+    try {
+      const took = await this.#draw(request, this.#refining?.signal);
+      if (!finer && !took.cached) this.#learn(request, took);
+      this.#told(null, last, request);
+    } finally {
+      this.#refining = null;
+    }
+  }
+
+  // The middle of the last few: one late picture is no reason for a coarse one.
+  #learn({ width = 640, height = 480 }, { ms, drawn }) {
+    this.#took = [{ perPixel: drawn / (width * height), way: ms - drawn }, ...this.#took].slice(0, 5);
+    const middle = (name) => this.#took.map((each) => each[name]).sort((a, b) => a - b)[this.#took.length >> 1];
+    this.#pace = { perPixel: middle('perPixel'), way: middle('way') };
+  }
+
+  // Resolves when nothing has been asked for QUIET_MS, or at once when something is.
+  #quiet() {
+    return new Promise((resolve) => {
+      if (this.#waiting) return resolve();
+      const timer = setTimeout(resolve, QUIET_MS);
+      this.#wake = () => (clearTimeout(timer), resolve());
+    });
+  }
+}

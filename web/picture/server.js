@@ -1,0 +1,84 @@
+// The page's only way to the server. Every failure comes out as a Problem, but an abort.
+
+import { fetchable } from '../state/request.js';
+import { t } from '../words/words.js';
+import { Problem, readProblem, unanswered } from './problem.js';
+import { readRays, readTiming } from './timing.js';
+
+const PATIENCE_MS = 120_000;
+
+/**
+ * A drawn picture as { blob, timing, rays, cached, copied, ms, path }; `ms` from the request to the
+ * last byte, `cached` whether the server had it already, `copied` whether the browser itself had it
+ * and the server only said that it still holds; `timing` is then that of the copy.
+ */
+export async function fetchPicture(request, signal) {
+  const start = performance.now();
+  const { path, init } = fetchable('render', request);
+  const response = await get(path, init, signal);
+  const blob = await body(() => response.blob());
+  const header = (name) => response.headers.get(name);
+  return {
+    blob, path,
+    timing: readTiming(header('Server-Timing')),
+    rays: readRays(header('Tia-Rays')),
+    cached: /;\s*hit/.test(header('Cache-Status') ?? ''),
+    copied: /detail=not-modified/.test(header('Cache-Status') ?? ''),
+    ms: performance.now() - start,
+  };
+}
+
+/** A feature image or picture in linear light: the bytes of its PFM file. */
+export async function fetchPfm(request, signal) {
+  const { path, init } = fetchable('render', { ...request, format: 'pfm' });
+  const response = await get(path, init, signal);
+  return body(() => response.arrayBuffer());
+}
+
+/** What /explain tells of the pixel `x`, `y` of a request, or of its `ray`. It knows no codes. */
+export async function fetchExplanation({ transfer, ...request }, signal) {
+  const { path, init } = fetchable('explain', request);
+  const response = await get(path, init, signal);
+  return body(() => response.json());
+}
+
+/** A scene's canonical JSON, where fields at their defaults are left out. */
+export function fetchScene(name, signal) {
+  return fetchJson(`scenes/${encodeURIComponent(name)}`, signal);
+}
+
+/** The gallery: [{ name, title, description }]. */
+export async function fetchGallery() {
+  return (await fetchJson('scenes')).scenes;
+}
+
+/** JSON of any path of this server, such as its schema. */
+export async function fetchJson(path, signal) {
+  const response = await get(path, {}, signal);
+  return body(() => response.json());
+}
+
+async function get(path, init, signal) {
+  const patience = AbortSignal.timeout(PATIENCE_MS);
+  const either = signal ? AbortSignal.any([signal, patience]) : patience;
+  const response = await body(() => fetch(path, { ...init, signal: either }));
+  if (!response.ok) throw await readProblem(response);
+  return response;
+}
+
+async function body(read) {
+  try {
+    return await read();
+  } catch (error) {
+    throw error.name === 'AbortError' ? error : unanswered(error);
+  }
+}
+
+/** A decoded picture, its bytes as they are in the file. Whoever is done with it closes it. */
+export async function decode(blob) {
+  try {
+    return await createImageBitmap(blob, { colorSpaceConversion: 'none' });
+  } catch {
+    throw new Problem({ title: t('trouble.unreadable'), status: 502 });
+  }
+}

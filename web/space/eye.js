@@ -1,0 +1,62 @@
+// Moving the camera: every spelling of it moves as one stiff body. What comes out is a request's
+// `camera`: the fields that have changed.
+
+import { add, cross, dot, length, normalize, scale, subtract, turn } from './vec.js';
+import { axisOf, completeCamera } from './view.js';
+
+const STEEPEST = Math.cos((5 * Math.PI) / 180); // the view keeps 5 degrees from up and down
+
+/** The camera turned around `pivot` by angles in radians: `yaw` about its up, `pitch` about right. */
+export function orbit(camera, pivot, yaw, pitch) {
+  const whole = completeCamera(camera);
+  const up = normalize(whole.basis?.v ?? whole.up);
+  const right = normalize(cross(axisOf(whole), up));
+  const free = Boolean(whole.right || whole.basis); // has no horizon to keep
+  const turned = (a) => turn(turn(a, right, pitch), up, yaw);
+  const steep = Math.abs(dot(normalize(turned(axisOf(whole))), up)) > STEEPEST;
+  const steeper = Math.abs(dot(normalize(turned(axisOf(whole))), up)) > Math.abs(dot(normalize(axisOf(whole)), up));
+  if (!free && steep && steeper) return orbit(camera, pivot, yaw, 0);
+  return moved(whole, (a) => add(pivot, turned(subtract(a, pivot))), turned, free);
+}
+
+/** The camera shifted across the picture by parts of its height at the distance of `pivot`. */
+export function pan(camera, pivot, x, y) {
+  const whole = completeCamera(camera);
+  const axis = normalize(axisOf(whole));
+  const right = normalize(cross(axis, whole.basis?.v ?? whole.up));
+  const up = cross(right, axis);
+  const size = heightAt(whole, pivot);
+  const by = add(scale(right, x * size), scale(up, y * size));
+  return moved(whole, (a) => add(a, by), (a) => a, false);
+}
+
+/** The camera nearer to `pivot` by a factor: 0.5 is half as far. Parallel views show a smaller part. */
+export function zoom(camera, pivot, factor) {
+  const whole = completeCamera(camera);
+  if (whole.projection === 'orthographic') return narrowed(whole, factor);
+  const by = scale(subtract(whole.location, pivot), factor - 1);
+  return moved(whole, (a) => add(a, by), (a) => a, false);
+}
+
+function narrowed({ height, right, up, pixel_size: side }, factor) {
+  if (right) return { right: scale(right, factor), up: scale(up, factor) };
+  return side ? { pixel_size: side * factor } : { height: height * factor };
+}
+
+// How high a picture's slice is where the pivot is.
+function heightAt(camera, pivot) {
+  if (camera.height) return camera.height;
+  const distance = length(subtract(pivot, camera.location));
+  return 2 * distance * Math.tan(((camera.fov_degrees ?? 25) * Math.PI) / 360);
+}
+
+function moved(camera, point, vector, withUp) {
+  const { location, look_at: target, direction, up, right, basis } = camera;
+  const fields = { location: point(location) };
+  if (target) fields.look_at = point(target);
+  if (direction) fields.direction = vector(direction);
+  if (right) fields.right = vector(right);
+  if (withUp && !basis) fields.up = vector(up);
+  if (basis) fields.basis = { u: vector(basis.u), v: vector(basis.v), w: vector(basis.w) };
+  return fields;
+}

@@ -1,0 +1,73 @@
+// The lamp on a sphere around what one looks at. In the picture the sphere is unrolled: its side
+// towards the eye in the middle, its rim on a ring, what is behind outside of it (the azimuthal
+// equidistant projection), so that a hand can reach everywhere.
+
+import { add, dot, length, normalize, scale, subtract } from './vec.js';
+
+const RING = 0.36; // of the picture's height: where the lamp stands a quarter round
+const FARTHEST = 170; // degrees: straight behind it has no single place in the picture
+
+/** Where the lamp's mark stands in the picture, [x, y] in pixels. */
+export function markOf(view, pivot, light) {
+  const way = subtract(light, pivot);
+  const [x, y, z] = [dot(way, view.across), dot(way, view.upwards), -dot(way, view.axis)];
+  const around = Math.hypot(x, y);
+  const ring = RING * view.height;
+  const far = (ring * Math.atan2(around, z)) / (Math.PI / 2);
+  const [s, t] = around > 0 ? [x / around, y / around] : [0, 0];
+  return [view.width / 2 + s * far, view.height / 2 - t * far];
+}
+
+/** Where the lamp stands whose mark is at `x`, `y`, at `distance` from the pivot. */
+export function lampAt(view, pivot, distance, [x, y]) {
+  const [s, t] = [x - view.width / 2, view.height / 2 - y];
+  const far = Math.hypot(s, t);
+  const angle = Math.min((far / (RING * view.height)) * 90, FARTHEST) * (Math.PI / 180);
+  const out = far > 0 ? scale(add(scale(view.across, s / far), scale(view.upwards, t / far)), Math.sin(angle)) : [0, 0, 0];
+  return add(pivot, scale(add(out, scale(view.axis, -Math.cos(angle))), distance));
+}
+
+export const ringRadius = (view) => RING * view.height;
+
+/** The light nearer or farther by a factor, not nearer than a thousandth of where it could be. */
+export function atDistance(pivot, light, factor) {
+  return add(pivot, scale(subtract(light, pivot), factor));
+}
+
+/**
+ * The place of the light that a request's `light` moves, told by the scene of its picture; a
+ * directional one stands where it would shine on `pivot` from; null where there is none.
+ */
+export function lightOf(world, pivot) {
+  const light = world?.key_light ?? world?.lights?.find(({ type }) => type !== 'sky');
+  if (!light) return null;
+  if (light.position) return light.position;
+  if (light.direction) return pivot && subtract(pivot, light.direction);
+  if (light.type === 'quad') return add(light.corner, scale(add(light.u, light.v), 1 / 2));
+  return null;
+}
+
+/**
+ * The point that the picture is about: the middle of what its centre shows, told by the hits along
+ * that ray; where the thing is no body that one could walk around, the first hit; else what the
+ * camera looks at.
+ */
+export function pivotOf(view, camera, hits) {
+  const first = hits.find(({ front, t }) => front && t > 0) ?? hits[0];
+  if (!first) return camera.look_at ?? add(view.origin, scale(view.axis, 10));
+  const back = hits.find(({ object, front, t }) => object === first.object && !front && t > first.t);
+  const body = back && back.t - first.t < first.t;
+  return body ? scale(add(first.point, back.point), 1 / 2) : first.point;
+}
+
+/** Above or below, left or right, near or far, as seen by the eye: the words' keys, strongest first. */
+export function sideOf(view, pivot, light) {
+  const way = normalize(subtract(light, pivot));
+  const parts = [['right', dot(way, view.across)], ['above', dot(way, view.upwards)], ['near', -dot(way, view.axis)]];
+  const other = { right: 'left', above: 'below', near: 'far' };
+  return parts.filter(([, part]) => Math.abs(part) > 0.35)
+    .sort(([, a], [, b]) => Math.abs(b) - Math.abs(a))
+    .map(([word, part]) => (part > 0 ? word : other[word]));
+}
+
+export const distanceOf = (pivot, light) => length(subtract(light, pivot));

@@ -1,0 +1,95 @@
+// A request: the parameters of /render as a plain object, and what is sent for it. Paths are
+// relative to the page, which may be served below a prefix.
+
+/** The parameters that the page knows, in the order in which a URL names them. */
+export const PARAMETERS = ['scene', 'key', 'light', 'camera', 'integrator', 'max_depth', 'seed',
+  'width', 'height', 'samples', 'threshold', 'crop', 'transfer'];
+const LISTS = ['light', 'crop', 'pixel'];
+const TEXTS = ['scene', 'key', 'integrator', 'transfer'];
+const LONGEST_TARGET = 4000; // the server refuses 4096 bytes and more
+
+/** The request without what is undefined or null. */
+export function tidy(request) {
+  return Object.fromEntries(Object.entries(request).filter(([, value]) => value != null));
+}
+
+/** A request as a query string without its question mark; what PARAMETERS does not name follows. */
+export function queryOf(request) {
+  const names = [...PARAMETERS, ...Object.keys(request).filter((name) => !PARAMETERS.includes(name))];
+  return names.filter((name) => request[name] != null)
+    .map((name) => `${name}=${encode(valueText(request[name]))}`).join('&');
+}
+
+// What may stand in a query stays readable (RFC 3986, 3.4). Brackets may not; curl reads them as
+// ranges.
+function encode(text) {
+  return encodeURIComponent(text).replace(/%(2C|3A|2F)/gi, decodeURIComponent);
+}
+
+function valueText(value) {
+  if (Array.isArray(value)) return value.map(numberText).join(',');
+  return typeof value === 'object' ? JSON.stringify(value) : numberText(value);
+}
+
+/** The request that a query string writes. Values that are no JSON stay texts: the server judges. */
+export function readQuery(query) {
+  return Object.fromEntries([...new URLSearchParams(query)].map(([name, text]) => [name, readValue(name, text)]));
+}
+
+function readValue(name, text) {
+  if (LISTS.includes(name)) return readNumbers(text) ?? text;
+  if (TEXTS.includes(name) && !text.startsWith('{')) return text;
+  try {
+    return JSON.parse(text);
+  } catch {
+    return text;
+  }
+}
+
+/** What fetch() takes for a request of `route`: a GET while its URL is short, else a POST. */
+export function fetchable(route, request) {
+  const query = queryOf(request);
+  const path = query ? `${route}?${query}` : route;
+  if (path.length < LONGEST_TARGET) return { path, init: {} };
+  const headers = { 'Content-Type': 'application/json' };
+  return { path: route, init: { method: 'POST', headers, body: JSON.stringify(tidy(request)) } };
+}
+
+/** The shell command that fetches the request's picture; `base` is the page's own address. */
+export function curlLine(request, base) {
+  const { path, init } = fetchable('render', request);
+  const url = quoted(new URL(path, base).href);
+  const name = `tia${fileName(request)}.png`;
+  return init.body ? `curl -o ${name} ${url} -d ${quoted(init.body)}` : `curl -o ${name} ${url}`;
+}
+
+/** What tells this picture's file from others: "-thesis-a"; letters, digits and dashes only. */
+export function fileName({ scene, key, light }) {
+  const named = typeof scene === 'string' ? scene.slice(0, 40) : scene && 'scene';
+  const parts = [named, key ?? (light && 'light')].filter(Boolean);
+  return parts.map((part) => `-${part.replace(/[^\w-]+/g, '-')}`).join('');
+}
+
+// In single quotes a POSIX shell takes every byte as it is.
+function quoted(text) {
+  return `'${text.replaceAll("'", "'\\''")}'`;
+}
+
+const NUMBER = /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i;
+
+/** A typed number, a typographic minus included; NaN where the text is none. */
+export function readNumber(text) {
+  const plain = text.trim().replace(/^\u2212/, '-');
+  return NUMBER.test(plain) ? Number(plain) : NaN;
+}
+
+/** Numbers written as "x,y,z", "x y z" or "[x, y, z]"; null where one is none. */
+export function readNumbers(text) {
+  const numbers = text.trim().replace(/^\[|\]$/g, '').trim().split(/\s*,\s*|\s+/).map(readNumber);
+  return numbers.every(Number.isFinite) ? numbers : null;
+}
+
+/** A number as it stands in a URL, where a plus sign would be read as a space. */
+export function numberText(number) {
+  return String(number).replace('e+', 'e');
+}

@@ -1,0 +1,176 @@
+// The studio: what all panels share. It holds the model, draws what is wanted, and knows where
+// camera, lamp and what one looks at are in the picture shown.
+
+import { Passes, SMOOTH, finest, plain } from '../picture/passes.js';
+import { readRecipe } from '../picture/png_text.js';
+import { totalMs } from '../picture/timing.js';
+import { fetchExplanation, fetchPicture, fetchScene } from '../picture/server.js';
+import { lightOf, pivotOf } from '../space/lamp.js';
+import { completeCamera, viewOf } from '../space/view.js';
+import { Model } from './model.js';
+
+/** What a picture's own coordinates are where a request names no size. */
+export const SIZE = [640, 480];
+
+export class Studio {
+  model = new Model();
+  pivot = null; // what the camera looks at, once the server has told
+  #passes;
+  #shower = async () => {};
+  #failed = () => {};
+  #sourceProblem = null; // what kept the scene's text away, until it comes
+  #showing = null; // the picture that is being decoded
+  #matter = ''; // scene and key of the world that is known
+  #middle = ''; // and what the pivot depends on
+
+  constructor() {
+    this.#passes = new Passes({
+      draw: (request, signal) => this.#draw(request, signal),
+      told: (problem, last, request) => this.#told(problem, last, request),
+      optionsOf: () => this.model.source?.options,
+    });
+    this.model.on('want', () => this.#passes.ask(this.#wish()));
+    this.model.on('ask', () => this.#passes.ask(this.#wish()));
+  }
+
+  /** Starts with a request and, where one is asked for, a pixel. */
+  async begin({ request, asked }) {
+    this.model.asked = asked ?? null;
+    await this.open(request);
+  }
+
+  /** Wants another scene or the same anew; what is known of the old one is forgotten. */
+  async open(request, source = null) {
+    this.pivot = null;
+    this.model.world = null;
+    this.#passes.forget();
+    this.model.want(request, source);
+    if (!this.model.source) await this.#learnSource(request.scene ?? 'thesis');
+  }
+
+  /** Draws what is wanted once more, such as after a failure. */
+  again() {
+    if (!this.model.source) this.#learnSource(this.model.request.scene ?? 'thesis');
+    this.#passes.ask(this.#wish());
+  }
+
+  /** Whether edges are smoothed: the request's word, so that a link to the picture holds it. */
+  get smooth() {
+    const { request, source } = this.model;
+    const { threshold } = finest(request, source?.options, true);
+    return (threshold ?? source?.options?.threshold ?? 0) > 0;
+  }
+
+  set smooth(on) {
+    this.model.change({ threshold: on ? this.model.source?.options?.threshold || SMOOTH : 0 });
+  }
+
+  /** The request whose picture the page ends on: what a link, a file or a shell gets. */
+  get final() {
+    const wish = this.#wish();
+    return finest(wish, this.model.source?.options, !this.model.asked);
+  }
+
+  /** The camera that is wanted, every spelling as the scene has it. */
+  get camera() {
+    return completeCamera({ ...(this.model.world ?? this.model.source)?.camera, ...this.model.request.camera });
+  }
+
+  /** The camera of the picture wanted, in its own pixels. */
+  get view() {
+    const { width = SIZE[0], height = SIZE[1] } = this.model.request;
+    return viewOf(this.camera, width, height);
+  }
+
+  /** Where the lamp is that is wanted; null where it is out, or not known yet. */
+  get light() {
+    return this.model.request.light ?? (this.model.world ? lightOf(this.model.world, this.pivot) : null);
+  }
+
+  /** Puts the lamp there. What a key has changed beside the light stays as it is. */
+  moveLight(light) {
+    this.model.change(this.lightPatch(light));
+  }
+
+  /** What changes in a request when the lamp is put there. */
+  lightPatch(light) {
+    const { request, source, world } = this.model;
+    const patched = request.key && world && Object.keys(source?.keys?.[request.key] ?? {}).some((it) => it !== 'light');
+    return { light, key: null, ...(patched && { scene: world, camera: null }) };
+  }
+
+  /** How the picture is shown: `show(picture, request, last)`, and what is told of failures. */
+  display({ show, failed }) {
+    [this.#shower, this.#failed] = [show, failed];
+  }
+
+  // While a pixel is asked about, the picture has one ray a pixel: the ray that is explained.
+  #wish() {
+    const { request, source, asked } = this.model;
+    this.#passes.still = Boolean(asked);
+    if (!asked) return request;
+    return source ? plain(request, source.options) : { ...request, samples: 1, threshold: 0 };
+  }
+
+  async #draw(request, signal) {
+    const start = performance.now();
+    const picture = await fetchPicture(request, signal);
+    await this.#showing;
+    this.#showing = this.#show(picture, request, start);
+    // Where the hand has gone on, the next picture is fetched while this one is decoded.
+    if (!this.#passes.behind) await this.#showing;
+    return { ms: picture.ms, drawn: totalMs(picture.timing), cached: picture.cached };
+  }
+
+  async #show(picture, request, start) {
+    await this.#shower(picture, request);
+    this.model.show({ ...picture, request, ms: performance.now() - start });
+  }
+
+  async #told(problem, last, request) {
+    if (problem) {
+      this.model.tell('fail');
+      return this.#failed(problem);
+    }
+    this.#failed(this.#sourceProblem);
+    if (this.#passes.behind) return; // the hand has gone on
+    if (last) this.model.tell('rest');
+    const { scene, key } = request;
+    const matter = JSON.stringify([scene, key]);
+    if (!last && matter === this.#matter) return; // a hand moves things: one look is enough, at its end
+    if (this.model.shown?.request !== request) return; // the hand was quicker
+    await this.#look(request, this.model.shown.blob, matter)
+      .catch((error) => console.warn('The scene of the picture:', error.message));
+  }
+
+  // What the picture was drawn from, told by itself, and what its middle shows.
+  async #look(request, blob, matter) {
+    const recipe = await readRecipe(blob);
+    if (!recipe || this.model.shown.request !== request) return;
+    this.#matter = matter;
+    this.model.world = { ...recipe.request.scene, options: this.model.source?.options };
+    const middle = JSON.stringify([request.scene, request.key, request.camera]);
+    if (middle !== this.#middle || !this.pivot) await this.#findPivot(request, middle);
+    if (this.model.shown.request === request) this.model.tell('world');
+  }
+
+  async #findPivot(request, middle) {
+    const { width = SIZE[0], height = SIZE[1], ...rest } = request;
+    const at = { x: Math.floor(width / 2), y: Math.floor(height / 2) };
+    const { hits } = await fetchExplanation({ ...rest, width, height, ...at, samples: 1, threshold: 0 });
+    this.#middle = middle;
+    this.pivot = pivotOf(this.view, this.camera, hits);
+  }
+
+  async #learnSource(name) {
+    if (typeof name !== 'string') return;
+    try {
+      const source = await fetchScene(name);
+      if ((this.model.request.scene ?? 'thesis') !== name) return;
+      this.model.know(source);
+      if (this.#sourceProblem) this.#failed((this.#sourceProblem = null));
+    } catch (problem) {
+      this.#failed((this.#sourceProblem = problem));
+    }
+  }
+}
