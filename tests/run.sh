@@ -155,19 +155,32 @@ fuzz() {
   done
 }
 
-# node_tests FOLDER: the tests of a folder that has its own packages.
+# node_tests FOLDER: the tests of a folder that has its own packages, as many shares of its files
+# at once as there are processors.
 node_tests() {
-  local name=$1 folder=tests/$1 good bad cancelled
+  local name=$1 folder=tests/$1 shards shard files good bad cancelled
   title "$name packages"
   if [ ! "$folder/node_modules/.package-lock.json" -nt "$folder/package-lock.json" ]; then
     npm ci --prefix "$folder" --no-audit --no-fund || true
   fi
-  run "$name" env TIA="$ROOT/build/release/tia" \
-    node --test --test-reporter=tap "$folder"/*.test.mjs
-  good=$(last_match '^# pass ([0-9]+)')
-  bad=$(last_match '^# fail ([0-9]+)')
-  cancelled=$(last_match '^# cancelled ([0-9]+)')
-  count "$name" "$good" $((${bad:-0} + ${cancelled:-0}))
+  shards=$(nproc)
+  title "$name"
+  for ((shard = 0; shard < shards; ++shard)); do
+    mapfile -t files < <(ls "$folder"/*.test.mjs | awk -v n="$shards" -v i="$shard" 'NR % n == i')
+    TIA=$ROOT/build/release/tia timeout 600 node --test --test-reporter=tap "${files[@]}" \
+      > "$scratch/shard$shard" 2>&1 &
+    running[shard]=$!
+  done
+  for ((shard = 0; shard < shards; ++shard)); do
+    status=0
+    wait "${running[shard]}" || status=$?
+    mv "$scratch/shard$shard" "$scratch/log"
+    show "$scratch/log"
+    good=$(last_match '^# pass ([0-9]+)')
+    bad=$(last_match '^# fail ([0-9]+)')
+    cancelled=$(last_match '^# cancelled ([0-9]+)')
+    count "$name, share $((shard + 1))" "$good" $((${bad:-0} + ${cancelled:-0}))
+  done
 }
 
 title "set-up"

@@ -17,8 +17,9 @@ export const STATUS = {
   Escape: 'Light off.',
 };
 
-/** Where each key's picture lies. */
-export const pathOf = (key) => (key === 'Escape' ? '/render' : `/render?key=${key}`);
+/** The request whose picture the page ends on for a key: smooth, where the scene says nothing. */
+export const pathOf = (key) =>
+  `/render?scene=thesis${key === 'Escape' ? '' : `&key=${key}`}&threshold=0.02`;
 
 /** Starts the browser. */
 export function startChromium() {
@@ -26,11 +27,12 @@ export function startChromium() {
 }
 
 /**
- * Opens the page, waits for its first picture, runs `body(page, visit)`, and then asserts what holds
- * of every visit: no console error and no request to anyone but the page's own server.
- * `visit.asked` lists the paths of the pictures asked for; `failing` lets failed loads be logged.
+ * Opens the page at `path`, waits until its picture is as fine as it gets, runs `body(page,
+ * visit)`, and then asserts what holds of every visit: no console error and no request to anyone
+ * but the page's own server. `visit.asked` lists the paths of the pictures asked for; `failing`
+ * lets failed loads be logged.
  */
-export async function visit(browser, base, body, { init, failing = false, ...options } = {}) {
+export async function visit(browser, base, body, { init, path = '/', failing = false, ...options } = {}) {
   const context = await browser.newContext(options);
   context.setDefaultTimeout(PATIENCE_MS);
   const seen = { context, asked: [], outside: [], errors: [] };
@@ -38,8 +40,8 @@ export async function visit(browser, base, body, { init, failing = false, ...opt
     if (init) await context.addInitScript(init);
     const page = await context.newPage();
     listen(page, base, seen);
-    await page.goto(base);
-    await told(page, STATUS.Escape);
+    await page.goto(base + path);
+    await rests(page);
     await body(page, seen);
     const errors = seen.errors.filter((text) => !(failing && text.startsWith('Failed to load')));
     assert.deepEqual(errors, [], 'console errors');
@@ -55,20 +57,25 @@ function listen(page, base, { asked, outside, errors }) {
   page.on('request', (request) => {
     const url = new URL(request.url());
     if (!['blob:', 'data:'].includes(url.protocol) && url.origin !== base) outside.push(url.href);
-    if (url.pathname === '/render') asked.push(url.pathname + url.search);
+    if (isPicture(url)) asked.push(url.pathname + url.search);
   });
 }
 
-/** Waits until the status says `words`. */
-export async function told(page, words) {
-  await page.getByText(words, { exact: true }).and(page.locator('#status')).waitFor();
+/** Whether a URL is one of the picture's own: no feature, no plan, no thumbnail. */
+export function isPicture({ pathname, searchParams: query }) {
+  const thumbnail = query.get('width') === '160' && query.get('samples') === '1';
+  return pathname === '/render' && !query.has('integrator') && !query.has('format') && !thumbnail;
 }
 
-/** Runs `action` and gives the picture's response that it led to. */
-export async function answerTo(page, action) {
-  const answer = page.waitForResponse((response) => new URL(response.url()).pathname === '/render');
-  await action();
-  return answer;
+/** Waits until the picture wanted is shown, as fine as it gets. */
+export async function rests(page) {
+  await page.locator('#frame[aria-busy=false]').waitFor();
+}
+
+/** Waits until the status says `words` and the picture rests. */
+export async function told(page, words) {
+  await page.getByText(words, { exact: true }).and(page.locator('#status')).waitFor();
+  await rests(page);
 }
 
 /** Whether the page shows exactly the pixels of `png`, a Buffer. */
@@ -77,13 +84,18 @@ export function shows(page, png) {
     const wanted = new Image();
     wanted.src = `data:image/png;base64,${base64}`;
     await wanted.decode();
-    const pixels = (image) => {
-      const canvas = new OffscreenCanvas(image.naturalWidth, image.naturalHeight);
-      const context = canvas.getContext('2d', { willReadFrequently: true });
-      context.drawImage(image, 0, 0);
-      return context.getImageData(0, 0, canvas.width, canvas.height).data;
-    };
-    const [left, right] = [wanted, document.querySelector('#picture')].map(pixels);
-    return left.length === right.length && left.every((value, i) => value === right[i]);
+    const picture = document.querySelector('#picture');
+    const canvas = new OffscreenCanvas(wanted.naturalWidth, wanted.naturalHeight);
+    const context = canvas.getContext('2d', { willReadFrequently: true });
+    context.drawImage(wanted, 0, 0);
+    const pixels = (of) => of.getImageData(0, 0, canvas.width, canvas.height).data;
+    if (picture.width !== canvas.width || picture.height !== canvas.height) return false;
+    const [left, right] = [pixels(context), pixels(picture.getContext('2d'))];
+    return left.every((value, i) => value === right[i]);
   }, png.toString('base64'));
+}
+
+/** The query of the page's address: the request of the picture that it shows. */
+export function addressOf(page) {
+  return new URL(page.url()).search;
 }

@@ -4,6 +4,7 @@
 
 import { EventEmitter, once } from 'node:events';
 import http from 'node:http';
+import { isPicture } from './page.mjs';
 
 const POLICY = "default-src 'none'; img-src 'self' blob: data:; script-src 'self'; style-src 'self'; "
   + "connect-src 'self'; base-uri 'none'; frame-ancestors 'none'";
@@ -39,7 +40,7 @@ class Between extends EventEmitter {
   constructor(target) {
     super();
     this.server = http.createServer(async (request, response) => {
-      const stead = request.url.startsWith('/render') ? await this.#admit(request, response)
+      const stead = isPicture(new URL(request.url, target)) ? await this.#admit(request, response)
         : request.url.startsWith('/scenes/') && this.scene;
       if (stead?.hangUp) response.destroy();
       else if (stead) response.writeHead(stead.status, stead.headers).end(stead.body);
@@ -57,6 +58,13 @@ class Between extends EventEmitter {
     this.#open();
   }
 
+  holdIf = () => false; // which single pictures are held back for good
+
+  /** Waits until one of them has come. */
+  async held() {
+    while (!this.asked.some(this.holdIf)) await once(this, 'asked');
+  }
+
   /** Waits until `count` pictures have been asked for. */
   async arrived(count) {
     while (this.asked.length < count) await once(this, 'asked');
@@ -67,7 +75,7 @@ class Between extends EventEmitter {
     this.most = Math.max(this.most, ++this.#underWay);
     response.once('close', () => --this.#underWay);
     this.emit('asked');
-    await this.#gate;
+    await (this.holdIf(request.url) ? new Promise(() => {}) : this.#gate);
     return this.next.shift() ?? this.always;
   }
 }
