@@ -201,7 +201,9 @@ TEST_P(BrokenDiskAtStart, IsAStartOrAWordOfWhatIsWrongAndLosesNothing) {
     disk_.faults().once(GetParam(), n);
     failed = starts_or_says_why();
   }
-  EXPECT_GT(n, 2);
+  // The thread sanitizer's own fstat stands before the one that fails.
+  const bool hidden = __tsan_init != nullptr && name_of(GetParam()).starts_with("fstat");
+  EXPECT_GT(n, hidden ? 1 : 2);
   disk_.start();
   disk_.expect_confirmed();
 }
