@@ -66,6 +66,14 @@ build() {
 fixed_addresses=()
 if setarch -R true 2>/dev/null; then fixed_addresses=(setarch -R); fi
 
+# finish SHARE: waits for it, keeps its output in $scratch/log, leaves its exit status in $status.
+finish() {
+  status=0
+  wait "${running[$1]}" || status=$?
+  mv "$scratch/shard$1" "$scratch/log"
+  show "$scratch/log"
+}
+
 # googletest PRESET PROGRAM: as many shares of the tests at once as there are processors.
 googletest() {
   local shards shard total good skipped
@@ -77,10 +85,7 @@ googletest() {
     running[shard]=$!
   done
   for ((shard = 0; shard < shards; ++shard)); do
-    status=0
-    wait "${running[shard]}" || status=$?
-    mv "$scratch/shard$shard" "$scratch/log"
-    show "$scratch/log"
+    finish "$shard"
     total=$(last_match '^\[==========\] ([0-9]+) tests? from .* ran.*')
     good=$(last_match '^\[  PASSED  \] ([0-9]+) tests?.*')
     skipped=$(last_match '^\[  SKIPPED \] ([0-9]+) tests?.*')
@@ -158,24 +163,22 @@ fuzz() {
 # node_tests FOLDER: the tests of a folder that has its own packages, as many shares of its files
 # at once as there are processors.
 node_tests() {
-  local name=$1 folder=tests/$1 shards shard files good bad cancelled
+  local name=$1 folder=tests/$1 all=(tests/"$1"/*.test.mjs) shards shard files good bad cancelled
   title "$name packages"
   if [ ! "$folder/node_modules/.package-lock.json" -nt "$folder/package-lock.json" ]; then
     npm ci --prefix "$folder" --no-audit --no-fund || true
   fi
   shards=$(nproc)
+  if [ "$shards" -gt "${#all[@]}" ]; then shards=${#all[@]}; fi  # without a file node runs them all
   title "$name"
   for ((shard = 0; shard < shards; ++shard)); do
-    mapfile -t files < <(ls "$folder"/*.test.mjs | awk -v n="$shards" -v i="$shard" 'NR % n == i')
+    mapfile -t files < <(printf '%s\n' "${all[@]}" | awk -v n="$shards" -v i="$shard" 'NR % n == i')
     TIA=$ROOT/build/release/tia timeout 600 node --test --test-reporter=tap "${files[@]}" \
       > "$scratch/shard$shard" 2>&1 &
     running[shard]=$!
   done
   for ((shard = 0; shard < shards; ++shard)); do
-    status=0
-    wait "${running[shard]}" || status=$?
-    mv "$scratch/shard$shard" "$scratch/log"
-    show "$scratch/log"
+    finish "$shard"
     good=$(last_match '^# pass ([0-9]+)')
     bad=$(last_match '^# fail ([0-9]+)')
     cancelled=$(last_match '^# cancelled ([0-9]+)')
