@@ -210,6 +210,13 @@ test('a ball dragged on the plan from the right is moved in the scene, and what 
     thesis.objects[0].center = [x, y, z];
     assert.deepEqual(scene, thesis);
     await isItsAddress(page);
+    const moved = addressOf(page);
+    await handle.focus();
+    await page.keyboard.press('ArrowDown');
+    await changed(page, moved);
+    await isItsAddress(page);
+    await page.locator('#seen').filter({ hasText: 'ball' }).waitFor();
+    assert.equal(await page.evaluate(() => document.activeElement.getAttribute('aria-label')), await handle.getAttribute('aria-label'), 'the focus stays');
   }));
 
 test('the plans\u2019 handles go by the arrow keys, too: lamp, camera and what it looks at', () =>

@@ -92,7 +92,7 @@ export function mountHand(studio) {
 
   function look(fields) {
     const tidied = Object.fromEntries(Object.entries(fields).map(([name, value]) =>
-      [name, Array.isArray(value) && name === 'location' || name === 'look_at' ? tidyVector(value, 5) : value]));
+      [name, ['location', 'look_at'].includes(name) ? tidyVector(value, 5) : value]));
     model.change({ camera: { ...model.request.camera, ...tidied } });
   }
 

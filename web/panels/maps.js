@@ -4,8 +4,9 @@
 import { fetchPfm, fetchPicture } from '../picture/server.js';
 import { readPfm } from '../picture/pfm.js';
 import { placeIn, placeWithin, planCamera, plansOf, regionOf, wayIn } from '../space/plan.js';
+import { aimMoved, eyeMoved } from '../space/eye.js';
 import { distanceOf } from '../space/lamp.js';
-import { add, length, subtract, tidyVector } from '../space/vec.js';
+import { add, tidyVector } from '../space/vec.js';
 import { rayThrough } from '../space/view.js';
 import { t } from '../words/words.js';
 import { element, svg } from './element.js';
@@ -87,7 +88,7 @@ class PlanMap {
       this.#show(blob);
       this.#placeObjects(centersIn(objects));
     } catch (problem) {
-      if (!signal.aborted) [this.#drawn, this.#centers] = ['', []];
+      if (!signal.aborted) this.#drawn = '';
     }
   }
 
@@ -99,12 +100,10 @@ class PlanMap {
 
   // ---- handles --------------------------------------------------------------------------------
 
-  #centers = [];
-
   #placeObjects(centers) {
-    this.#centers = centers;
-    for (const [name, handle] of this.#held)
-      if (name.startsWith('object') && !handle.held) this.#drop(name);
+    const there = new Set(centers.map(({ index }) => `object-${index}`));
+    for (const [name, handle] of this.#held) // the others stay: one of them may have the focus
+      if (name.startsWith('object') && !handle.held && !there.has(name)) this.#drop(name);
     const objects = this.#studio.model.world?.objects ?? [];
     for (const { index, x, y } of centers) {
       if (!objects[index]) continue;
@@ -129,8 +128,8 @@ class PlanMap {
 
   #placeHandles(pivot, light, camera) {
     const map = t(`maps.${this.#name}`);
-    this.#handle('camera', this.#within(camera.location), t('maps.moveCamera', { map }), this.#cameraMover());
-    this.#handle('target', this.#within(pivot), t('maps.moveTarget', { map }), this.#targetMover());
+    this.#handle('camera', this.#within(camera.location), t('maps.moveCamera', { map }), this.#cameraMover(eyeMoved));
+    this.#handle('target', this.#within(pivot), t('maps.moveTarget', { map }), this.#cameraMover(aimMoved));
     if (light) this.#handle('lamp', this.#within(light), t('maps.moveLamp', { map }), this.#lampMover());
     else this.#drop('lamp');
   }
@@ -144,35 +143,16 @@ class PlanMap {
     };
   }
 
-  // The eye goes on looking at the same point; a view plane or a basis moves as it is.
-  #cameraMover() {
+  // `moved(taken, way)` gives the camera's fields that change, null where it cannot go there.
+  #cameraMover(moved) {
     const studio = this.#studio;
     let taken = null;
     return {
       take: () => (taken = { camera: studio.camera, pivot: studio.pivot }),
       move: (way) => {
-        const { camera, pivot } = taken;
-        const location = tidyVector(add(camera.location, way), 5);
-        if (length(subtract(location, pivot)) < 1e-6) return false;
-        const free = camera.right || camera.basis;
-        studio.model.change({ camera: { ...studio.model.request.camera, location,
-          ...(!free && { look_at: tidyVector(pivot, 6), direction: null }) } });
-        return true;
-      },
-    };
-  }
-
-  #targetMover() {
-    const studio = this.#studio;
-    let taken = null;
-    return {
-      take: () => (taken = { camera: studio.camera, pivot: studio.pivot }),
-      move: (way) => {
-        const { camera, pivot } = taken;
-        if (camera.right || camera.basis) return false;
-        studio.model.change({ camera: { ...studio.model.request.camera,
-          look_at: tidyVector(add(pivot, way), 5), direction: null } });
-        return true;
+        const fields = moved(taken, way);
+        if (fields) studio.model.change({ camera: { ...studio.model.request.camera, ...fields } });
+        return Boolean(fields);
       },
     };
   }

@@ -1,7 +1,7 @@
 // Moving the camera: every spelling of it moves as one stiff body. What comes out is a request's
 // `camera`: the fields that have changed.
 
-import { add, cross, dot, length, normalize, scale, subtract, turn } from './vec.js';
+import { add, cross, dot, length, normalize, scale, subtract, tidyVector, turn } from './vec.js';
 import { axisOf, completeCamera } from './view.js';
 
 const STEEPEST = Math.cos((5 * Math.PI) / 180); // the view keeps 5 degrees from up and down
@@ -36,6 +36,20 @@ export function zoom(camera, pivot, factor) {
   if (whole.projection === 'orthographic') return narrowed(whole, factor);
   const by = scale(subtract(whole.location, pivot), factor - 1);
   return moved(whole, (a) => add(a, by), (a) => a, false);
+}
+
+/** The eye moved by `way`, looking at `pivot` still; a view plane or a basis moves as it is. */
+export function eyeMoved({ camera, pivot }, way) {
+  const location = tidyVector(add(camera.location, way), 5);
+  if (length(subtract(location, pivot)) < 1e-6) return null;
+  return camera.right || camera.basis ? { location }
+    : { location, look_at: tidyVector(pivot, 6), direction: null };
+}
+
+/** What is looked at moved by `way`; null for a view plane or a basis, which look where they look. */
+export function aimMoved({ camera, pivot }, way) {
+  if (camera.right || camera.basis) return null;
+  return { look_at: tidyVector(add(pivot, way), 5), direction: null };
 }
 
 function narrowed({ height, right, up, pixel_size: side }, factor) {

@@ -149,7 +149,8 @@ export class Studio {
     if (!recipe || this.model.shown.request !== request) return;
     this.#matter = matter;
     this.model.world = { ...recipe.request.scene, options: this.model.source?.options };
-    const middle = JSON.stringify([request.scene, request.key, request.camera]);
+    // An edited scene goes on about the same point: what moves away from there is not run after.
+    const middle = JSON.stringify([request.key, request.camera]);
     if (middle !== this.#middle || !this.pivot) await this.#findPivot(request, middle);
     if (this.model.shown.request === request) this.model.tell('world');
   }
