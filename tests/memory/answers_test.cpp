@@ -181,7 +181,7 @@ class ScarceMemory : public testing::TestWithParam<Asked> {
 
 // Every one of the first thousands, then fewer and fewer; under a sanitizer, which takes ten times
 // as long, a seventh of them.
-const long step = sanitized ? 7 : 1;
+long step() { return sanitized() ? 7 : 1; }
 
 TEST_P(ScarceMemory, IsToldOrOvercomeAndForgotten) {
   const Silence silence;
@@ -190,7 +190,7 @@ TEST_P(ScarceMemory, IsToldOrOvercomeAndForgotten) {
     do {
       SCOPED_TRACE(n);
       expect_nothing_left(n, shortage);
-      n += step + n / 2000;
+      n += step() + n / 2000;
     } while (was_short_ && !HasFailure());
     RecordProperty(shortage == Shortage::once ? "once" : "lasting", static_cast<int>(n));
   }

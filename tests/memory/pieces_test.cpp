@@ -58,7 +58,7 @@ TEST(ScarcePieces, AThreadsOwnIsMadeOnceThereIsMemory) {
 }
 
 TEST(ScarcePieces, APoolIsMadeOrNot) {
-  if (sanitized) GTEST_SKIP() << "the sanitizer gives up where it has no memory for a thread";
+  if (sanitized()) GTEST_SKIP() << "the sanitizer gives up where it has no memory for a thread";
   expect_nothing_left_by([] { Pool(4).for_each(9, 4, {}, [](int) {}); });
 }
 

@@ -47,7 +47,8 @@ class BrokenStart : public testing::TestWithParam<BrokenCall> {
 };
 
 TEST_P(BrokenStart, IsAStartOrAWordOfWhatIsWrong) {
-  if (sanitized && GetParam().call == faults_malloc) GTEST_SKIP() << "has an allocator of its own";
+  if (sanitized() && GetParam().call == faults_malloc)
+    GTEST_SKIP() << "has an allocator of its own";
   const long first = GetParam().call == faults_malloc ? 1 + before_main : 1;
   long n = first;
   for (bool failed = true; failed && !HasFailure(); n += 1 + n / 40) {

@@ -103,7 +103,7 @@ class BrokenCalls : public testing::TestWithParam<Row> {
 };
 
 TEST_P(BrokenCalls, CostNoMoreThanTheirOwnAnswer) {
-  if (sanitized && GetParam().how.call == faults_malloc) GTEST_SKIP() << own_allocator;
+  if (sanitized() && GetParam().how.call == faults_malloc) GTEST_SKIP() << own_allocator;
   const auto& [how, least] = GetParam();
   long n = 1;
   for (bool failed = true; failed && n < 1000 && !HasFailure(); ++n) {
@@ -127,7 +127,7 @@ TEST_P(BrokenCalls, CostNoMoreThanTheirOwnAnswer) {
 
 // It fails from then on, until two clients have asked; both know what became of them soon after.
 TEST_P(BrokenCalls, ThatLastKeepNobodyWaitingOnceTheyAreOver) {
-  if (sanitized) GTEST_SKIP() << slow;
+  if (sanitized()) GTEST_SKIP() << slow;
   const auto& [how, least] = GetParam();
   for (const long first : {1, 3, 30, 300}) {
     SCOPED_TRACE(first);
@@ -146,7 +146,7 @@ TEST_P(BrokenCalls, ThatLastKeepNobodyWaitingOnceTheyAreOver) {
 }
 
 TEST_P(BrokenCalls, NowAndThenGiveNobodyAnothersOrHalfAnAnswer) {
-  if (sanitized) GTEST_SKIP() << slow;
+  if (sanitized()) GTEST_SKIP() << slow;
   faults_.begin(GetParam().how, 1, Faults::ever, 7);
   {
     std::vector<std::jthread> clients;
@@ -165,7 +165,7 @@ TEST_P(BrokenCalls, NowAndThenGiveNobodyAnothersOrHalfAnAnswer) {
 }
 
 TEST(BrokenMemory, IsToldInOneLastAnswer) {
-  if (sanitized) GTEST_SKIP() << own_allocator;
+  if (sanitized()) GTEST_SKIP() << own_allocator;
   Faults faults;
   Tia tia({"--port", "0"}, faults.environment());
   Connection connection(tia.port());

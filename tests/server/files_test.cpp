@@ -32,7 +32,7 @@ TEST(Files, EveryAnswerIsGivenWithoutOpeningOne) {
   connection.send("GET /healthz HTTP/1.1\r\nHost: x\r\n\r\n");
   ASSERT_EQ(connection.receive().status, 200);
   // A sanitizer's check of virtual calls needs some now and then.
-  const rlim_t left = entries(tia, "fd") + (sanitized ? 8 : 0);
+  const rlim_t left = entries(tia, "fd") + (sanitized() ? 8 : 0);
   const rlimit none{left, left};
   ASSERT_EQ(prlimit(tia.pid(), RLIMIT_NOFILE, &none, nullptr), 0);
   for (const char* target : served_targets) {

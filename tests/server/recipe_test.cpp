@@ -33,7 +33,7 @@ TEST(Recipe, EveryGalleryPictureIsDrawnAgainFromItself) {
   config.cache_bytes = 0;
   Host host(config);
   const std::vector<std::string_view> names = host.gallery().names();
-  for (std::size_t i = 0; i < names.size(); i += sanitized ? 5 : 1) {
+  for (std::size_t i = 0; i < names.size(); i += sanitized() ? 5 : 1) {
     const std::string_view name = names[i];
     SCOPED_TRACE(name);
     const Response drawn = host.get("/render?width=16&height=12&scene=" + std::string(name));

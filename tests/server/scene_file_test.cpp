@@ -71,7 +71,7 @@ TEST(SceneFile, HasItStillWhenItIsOpenedAgainOrTwice) {
 
 TEST(SceneFile, ThatManyBeginAtOnceIsOneForAllOfThem) {
   constexpr int many = 8;
-  for (int round = 0; round < (sanitized ? 4 : 40); ++round) {
+  for (int round = 0; round < (sanitized() ? 4 : 40); ++round) {
     Folder folder;
     std::array<std::unique_ptr<SceneFile>, many> files;
     at_once(many, [&](std::ptrdiff_t i) {
@@ -140,7 +140,8 @@ TEST(SceneFile, ThatIsDamagedIsRefusedUnlessAllItsTextsAreWhole) {
   {
     SceneFile file(folder.file(""), room);
     for (int i = 0; i < 40; ++i) {
-      const std::string text = scene_text(i) + std::string(997 * i % 5000, ' ');
+      const std::string text =
+          scene_text(i) + std::string(static_cast<std::size_t>(997 * i % 5000), ' ');
       texts[keep(file, text)] = text;
     }
   }
@@ -212,7 +213,7 @@ TEST(KeptScenes, OutliveAnyCrashOnceTheyAreConfirmed) {
 
 TEST(KeptScenes, AreSharedByServersThatStartAtOnceInANewFolder) {
   constexpr int many = 8;
-  for (int round = 0; round < (sanitized ? 1 : 8); ++round) {
+  for (int round = 0; round < (sanitized() ? 1 : 8); ++round) {
     Folder folder;
     std::array<std::unique_ptr<Tia>, many> servers;
     std::array<std::string, many> places;

@@ -167,7 +167,7 @@ std::size_t in_use() {
 }
 
 TEST(SceneBytes, AreWhatTheAllocatorHasGiven) {
-  if (sanitized) GTEST_SKIP() << "has an allocator of its own";
+  if (sanitized()) GTEST_SKIP() << "has an allocator of its own";
   for (const Heavy& each : heavy_scenes()) {
     SCOPED_TRACE(each.law);
     const std::size_t before = in_use();

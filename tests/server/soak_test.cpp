@@ -69,7 +69,7 @@ TEST(SoakMixture, LeavesMemoryDescriptorsAndThreadsAsTheyWere) {
   ASSERT_TRUE(eventually([&] { return counters(tia)["tia_connections"] <= 1; }));
   RecordProperty("kilobytes", static_cast<int>(kilobytes(tia) - memory));
   RecordProperty("series", static_cast<int>(counters(tia).size()));
-  EXPECT_LE(kilobytes(tia) - memory, 2048 + sanitizers_kilobytes);
+  EXPECT_LE(kilobytes(tia) - memory, 2048 + sanitizers_kilobytes());
   EXPECT_TRUE(eventually([&] { return entries(tia, "fd") <= descriptors + 1; }));
   EXPECT_EQ(entries(tia, "task"), threads);
   EXPECT_LE(counters(tia).size(), 200U);
@@ -156,7 +156,7 @@ TEST(SoakFiles, NoneIsOpenedAfterTheStart) {
   };
   std::map<std::string, std::pair<int, std::size_t>> before;
   for (const std::string& target : targets) before[target] = ask(target);
-  const rlim_t held = entries(tia, "fd") + (sanitized ? 8 : 0);
+  const rlim_t held = entries(tia, "fd") + (sanitized() ? 8 : 0);
   const rlimit none{held, held};
   ASSERT_EQ(::prlimit(tia.pid(), RLIMIT_NOFILE, &none, nullptr), 0);
   for (const std::string& target : targets) {

@@ -24,9 +24,11 @@ namespace tia::test {
 using namespace tia::server;
 
 /// Whether a sanitizer watches, which takes memory, descriptors and time of its own.
-inline const bool sanitized = __asan_init != nullptr || __tsan_init != nullptr;
+/// A function, as is what follows: whose turn a variable of a header is at the start is not
+/// certain.
+inline bool sanitized() { return __asan_init != nullptr || __tsan_init != nullptr; }
 /// KiB that a process may grow by beyond what is its own.
-inline const long sanitizers_kilobytes = sanitized ? 1 << 20 : 0;
+inline long sanitizers_kilobytes() { return sanitized() ? 1 << 20 : 0; }
 
 /// The name of a row of a test: its law.
 inline constexpr auto law_of = [](const auto& info) -> std::string { return info.param.law; };
