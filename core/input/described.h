@@ -177,31 +177,46 @@ class FieldSchema {
 
 }  // namespace detail
 
-template <Described T>
-struct Codec<T> {
-  static void read(const Value& v, const Place& at, const Spec& spec, Faults& faults, T& out) {
-    const auto* object = v.as<Value::Object>();
-    if (object == nullptr) return detail::wrong_type(v, at, allowed(spec), faults);
-    [[maybe_unused]] const std::size_t before = faults.count();
-    detail::MemberReader from{*object, at, faults};
-    T::fields(detail::FieldReader<T>(from, out));
-    from.finish();
-    if constexpr (Checked<T>)
-      if (faults.count() == before) out.check(at, faults);
-    if constexpr (Linked<T>) out.check_links(at, faults);
-  }
-  static Value write(const T& v) {
-    Value::Object object;
-    T::fields(detail::FieldWriter<T>(v, object));
-    return object;
-  }
-  static Value schema(const Spec&, Definitions& named) {
-    detail::ObjectSchema schema;
-    T::fields(detail::FieldSchema<T>(schema, named));
-    return schema.finish();
-  }
+/// FieldsCodec: the codec of a described struct. Not inline: where a header says that a type's is
+/// made elsewhere (extern template), others need not make it again; a scene's is all kinds'
+/// together.
+template <class T>
+struct FieldsCodec {
+  static void read(const Value& v, const Place& at, const Spec& spec, Faults& faults, T& out);
+  static Value write(const T& v);
+  static Value schema(const Spec&, Definitions& named);
   static std::string allowed(const Spec&) { return "an object"; }
 };
+template <Described T>
+struct Codec<T> : FieldsCodec<T> {};
+
+template <class T>
+void FieldsCodec<T>::read(const Value& v, const Place& at, const Spec& spec, Faults& faults,
+                          T& out) {
+  const auto* object = v.as<Value::Object>();
+  if (object == nullptr) return detail::wrong_type(v, at, allowed(spec), faults);
+  [[maybe_unused]] const std::size_t before = faults.count();
+  detail::MemberReader from{*object, at, faults};
+  T::fields(detail::FieldReader<T>(from, out));
+  from.finish();
+  if constexpr (Checked<T>)
+    if (faults.count() == before) out.check(at, faults);
+  if constexpr (Linked<T>) out.check_links(at, faults);
+}
+
+template <class T>
+Value FieldsCodec<T>::write(const T& v) {
+  Value::Object object;
+  T::fields(detail::FieldWriter<T>(v, object));
+  return object;
+}
+
+template <class T>
+Value FieldsCodec<T>::schema(const Spec&, Definitions& named) {
+  detail::ObjectSchema schema;
+  T::fields(detail::FieldSchema<T>(schema, named));
+  return schema.finish();
+}
 
 /// Reads a whole described object. Errors: InputError with all faults (up to 20).
 template <Described T>

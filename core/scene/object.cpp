@@ -109,4 +109,7 @@ Aabb bounds_of(const Object& object) {
   return bounds_of(object.transform.affine(), box);
 }
 
+template struct FieldsCodec<Object>;
+bool Object::operator==(const Object&) const = default;
+
 }  // namespace tia

@@ -39,8 +39,9 @@ struct Object {
   }
   /// Numbers beyond `materials`; materials of a shape that has no numbers.
   void check(const Place& at, Faults& faults) const;
-  bool operator==(const Object&) const = default;
+  bool operator==(const Object&) const;
 };
+extern template struct FieldsCodec<Object>;
 
 /// The children of a group or a solid, or null.
 const std::vector<Object>* children_of(const Object& object);

@@ -200,4 +200,7 @@ void Scene::check_material_name(const MaterialRef& material, const Place& at,
               nearest_name(*name, known)});
 }
 
+template struct FieldsCodec<Scene>;
+bool Scene::operator==(const Scene&) const = default;
+
 }  // namespace tia

@@ -97,13 +97,14 @@ struct Scene {
   }
   /// Names that point nowhere, lights without a place, more copies than can be told apart.
   void check_links(const Place& at, Faults& faults) const;
-  bool operator==(const Scene&) const = default;
+  bool operator==(const Scene&) const;
 
  private:
   void check_material_names(const std::vector<Object>& objects, const Place& at,
                             Faults& faults) const;
   void check_material_name(const MaterialRef& material, const Place& at, Faults& faults) const;
 };
+extern template struct FieldsCodec<Scene>;
 
 template <>
 struct Codec<KeyBinding> {
