@@ -26,10 +26,10 @@ class ShapeContract : public testing::Test {
   static int rounds(int n) {
     int share = 1;
     if constexpr (requires { Specimen<S>::share; }) share = Specimen<S>::share;
-    if (test::watched()) return std::max(1, n / (share > 1 ? 1000 : 100));
+    if (test::sanitized()) return std::max(1, n / (share > 1 ? 1000 : 100));
     return n / share;
   }
-  static int least(int n) { return test::watched() ? -1 : rounds(n); }
+  static int least(int n) { return test::sanitized() ? -1 : rounds(n); }
 
   static std::vector<double> scales(bool is_double) {
     if (fixed_size) return std::vector(is_double ? 5 : 3, 1.0);
@@ -294,7 +294,7 @@ TYPED_TEST(ShapeContract, RaysOfNothingHitNothing) {
   using S = Specimen<TypeParam>;
   Random random(27);
   const double nan = std::nan("");
-  for (int i = 0; i < (test::watched() ? 2 : 50); ++i) {
+  for (int i = 0; i < (test::sanitized() ? 2 : 50); ++i) {
     const TypeParam shape = S::make(random, 1);
     const World world = this->world_of(shape);
     const Ray<double> ray = this->ray_near(random, S::reach(shape));

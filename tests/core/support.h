@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "core/core.h"
+#include "tests/sanitizer.h"
 
 namespace tia {
 
@@ -30,16 +31,7 @@ void PrintTo(const Vec3<Real>& v, std::ostream* out) {
 
 }  // namespace tia
 
-/// AddressSanitizer's, where the program has it.
-extern "C" void __asan_init() __attribute__((weak));
-
 namespace tia::test {
-
-/// Whether the library that is tested has its addresses watched, which takes ten times as long.
-inline bool watched() { return __asan_init != nullptr; }
-
-/// So many rounds of a test, or a share of them where the library's addresses are watched.
-inline int rounds(int n, int share = 20) { return watched() ? std::max(1, n / share) : n; }
 
 /// What tests compute in, to judge doubles by.
 using Long = long double;

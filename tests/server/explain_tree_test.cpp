@@ -54,7 +54,7 @@ Vec3f color(const Pixels<float>& image, int x, int y) {
 }
 
 TEST(ExplainTree, AddsUpToThePixelInEverySceneOfTheGallery) {
-  constexpr int width = 160, height = 120, pixels = 100;
+  const int width = sanitized() ? 40 : 160, height = 3 * width / 4, pixels = rounds(100);
   Random random(440);
   for (const auto& [name, scene] : host().gallery().scenes()) {
     SCOPED_TRACE(name);

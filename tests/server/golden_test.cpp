@@ -79,6 +79,7 @@ TEST_P(GoldenScene, IsDrawnAtItsStatedHashAndAsTheReadmeShowsIt) {
   EXPECT_EQ(sha256_hex(host.get("/render?width=160&height=120&format=pfm&scene=" + name).body),
             hash);
   if (name == "thesis" || name == "shapes") return;  // compared above
+  if (sanitized()) return;                           // one picture shows it the same ways
   const Response now = host.get("/render?crop=280,200,380,280&scene=" + name);
   const auto published = decode_png(golden("gallery/" + name + ".png"));
   ASSERT_EQ(published.width, 640);

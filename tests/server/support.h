@@ -14,19 +14,12 @@
 
 #include "core/input/json.h"
 #include "server/routes.h"
-
-// The sanitizers', where the program has one.
-extern "C" void __asan_init() __attribute__((weak));
-extern "C" void __tsan_init() __attribute__((weak));
+#include "tests/sanitizer.h"
 
 namespace tia::test {
 
 using namespace tia::server;
 
-/// Whether a sanitizer watches, which takes memory, descriptors and time of its own.
-/// A function, as is what follows: whose turn a variable of a header is at the start is not
-/// certain.
-inline bool sanitized() { return __asan_init != nullptr || __tsan_init != nullptr; }
 /// KiB that a process may grow by beyond what is its own.
 inline long sanitizers_kilobytes() { return sanitized() ? 1 << 20 : 0; }
 

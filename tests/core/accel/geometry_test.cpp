@@ -100,7 +100,7 @@ std::vector<Scene> heavy_scenes() {
 }
 
 TEST(Geometry, BytesAreWhatTheAllocatorHasGiven) {
-  if (test::watched()) GTEST_SKIP() << "has an allocator of its own";
+  if (test::sanitized()) GTEST_SKIP() << "has an allocator of its own";
   for (const Scene& scene : heavy_scenes()) {
     const std::size_t before = in_use();
     const auto geometry = std::make_unique<Geometry>(geometry_of(scene));

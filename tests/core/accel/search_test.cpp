@@ -15,7 +15,7 @@ using test::object_of;
 using test::Random;
 using test::ray_in;
 
-const int object_count = test::watched() ? 100 : 1000, packet_count = test::watched() ? 10 : 42;
+const int object_count = test::sanitized() ? 100 : 1000, packet_count = test::sanitized() ? 10 : 42;
 
 std::vector<Ray<float>> some_rays(Random& random, double scale, const World& world) {
   std::vector<Ray<float>> rays;
@@ -231,7 +231,7 @@ TEST(Search, WorkGrowsAsTheLogarithmOfTheBalls) {
   // log 10^4 / log 10^2 = 2 and log 10^5 / log 10^2 = 2.5; a list would grow 100 and 1000 times.
   const double few = tests_a_ray(100), many = tests_a_ray(10'000);
   EXPECT_LT(many, 3 * few);
-  if (!test::watched()) {
+  if (!test::sanitized()) {
     EXPECT_LT(tests_a_ray(100'000), 4 * few);
   }
 }

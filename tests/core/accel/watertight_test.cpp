@@ -9,7 +9,7 @@ namespace {
 
 using namespace test;
 
-const int rays_a_mesh = watched() ? 400 : 4000;
+const int rays_a_mesh = sanitized() ? 400 : 4000;
 
 // Some way along one of the mesh's edges, at one of its ends one time in three.
 Vec3d point_of_edge(const Mesh& mesh, Random& random) {

@@ -161,7 +161,7 @@ TEST(BallShadow, DirectionalLightCastsAnEllipseOfTheRadiusOverTheSineOfItsElevat
 TEST(BallShadow, PicturesOfItHaveTheEllipsesAreaAndMiddle) {
   Random random(443);
   constexpr int side = 400;
-  for (int i = 0; i < 20; ++i) {
+  for (int i = 0; i < rounds(20); ++i) {
     const double height = random.in(2, 3), radius = random.in(0.5, 1);
     const double elevation = random.in(0.5, 1.5);
     Scene scene;

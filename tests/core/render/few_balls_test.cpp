@@ -2,6 +2,8 @@
 // picture is.
 #include <gtest/gtest.h>
 
+#include <numeric>
+
 #include "core/render/trace_block.h"
 #include "tests/core/accel/worlds.h"
 
@@ -27,6 +29,13 @@ RenderOptions as_thesis() {
   return options;
 }
 
+// The first of so many, or a tenth of them under a sanitizer.
+std::vector<std::uint64_t> seeds(std::uint64_t first, int count) {
+  std::vector<std::uint64_t> all(static_cast<std::size_t>(rounds(count, 10)));
+  std::iota(all.begin(), all.end(), first);
+  return all;
+}
+
 void expect_same_bytes(const Scene& scene, const RenderOptions& options) {
   const World world = compile(scene);
   ASSERT_TRUE(world.few_balls);
@@ -40,7 +49,7 @@ void expect_same_bytes(const Scene& scene, const RenderOptions& options) {
 }
 
 TEST(FewBalls, PicturesAreTheSameBytesWithoutTheFastWay) {
-  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+  for (const std::uint64_t seed : seeds(0, 60)) {
     SCOPED_TRACE(seed);
     expect_same_bytes(random_scene(seed), as_thesis());
   }
@@ -49,7 +58,7 @@ TEST(FewBalls, PicturesAreTheSameBytesWithoutTheFastWay) {
 }
 
 TEST(FewBalls, SoAreThoseOfManySamplesAndOfALens) {
-  for (std::uint64_t seed = 100; seed < 110; ++seed) {
+  for (const std::uint64_t seed : seeds(100, 10)) {
     SCOPED_TRACE(seed);
     Scene scene = random_scene(seed);
     RenderOptions options = as_thesis();
@@ -65,7 +74,7 @@ TEST(FewBalls, SoAreThoseOfManySamplesAndOfALens) {
 }
 
 TEST(FewBalls, SoAreThoseOfWhitted) {
-  for (std::uint64_t seed = 500; seed < 520; ++seed) {
+  for (const std::uint64_t seed : seeds(500, 20)) {
     SCOPED_TRACE(seed);
     RenderOptions options = as_thesis();
     options.integrator = IntegratorName::whitted;
@@ -94,7 +103,7 @@ TEST(FewBalls, OfOtherFinishesAreTracedAsTheRest) {
 
 // The thesis is the preset of whitted without depth, with one point a light.
 TEST(FewBalls, TheThesisIsWhittedWithItsSettingsFixed) {
-  for (std::uint64_t seed = 200; seed < 230; ++seed) {
+  for (const std::uint64_t seed : seeds(200, 30)) {
     SCOPED_TRACE(seed);
     Random random(seed);
     Scene scene = random_scene(seed);
@@ -120,7 +129,7 @@ TEST(FewBalls, TheThesisIsWhittedWithItsSettingsFixed) {
 
 // Inside of balls, at their surfaces, and at the lamps.
 TEST(FewBalls, SoAreThoseFromPlacesThatAreHardToTell) {
-  for (std::uint64_t seed = 300; seed < 330; ++seed) {
+  for (const std::uint64_t seed : seeds(300, 30)) {
     SCOPED_TRACE(seed);
     Random random(seed);
     Scene scene = random_scene(seed);
@@ -137,7 +146,7 @@ TEST(FewBalls, SoAreThoseFromPlacesThatAreHardToTell) {
 
 // Transparent shadows are the slides': the thesis' settings are fixed.
 TEST(FewBalls, TheThesisHasNoTransparentShadows) {
-  for (std::uint64_t seed = 400; seed < 420; ++seed) {
+  for (const std::uint64_t seed : seeds(400, 20)) {
     SCOPED_TRACE(seed);
     Random random(seed);
     Scene scene = random_scene(seed);
@@ -151,7 +160,7 @@ TEST(FewBalls, TheThesisHasNoTransparentShadows) {
 
 // A picture of it and what explains its pixels go different ways.
 TEST(FewBalls, ExplainedPixelsHaveThePicturesColour) {
-  for (std::uint64_t seed = 200; seed < 220; ++seed) {
+  for (const std::uint64_t seed : seeds(200, 20)) {
     Random random(seed);
     const Scene scene = random_scene(seed);
     const Image image = traced(compile(scene), scene, true, as_thesis()).image;

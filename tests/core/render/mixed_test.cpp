@@ -11,7 +11,7 @@ using test::bits_of;
 using test::picture;
 using test::Random;
 
-const int mixed_width = test::watched() ? 43 : 67, mixed_height = test::watched() ? 31 : 45;
+const int mixed_width = test::sanitized() ? 43 : 67, mixed_height = test::sanitized() ? 31 : 45;
 
 Scene mixed(std::uint64_t seed) {
   Random random(seed);

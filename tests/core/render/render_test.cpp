@@ -48,7 +48,7 @@ TEST(Render, WideEqualsNarrowBitForBitForEveryKey) {
 }
 
 // No multiple of any tile. A quarter where the sanitizers would take minutes.
-const int odd_width = test::watched() ? 101 : 203, odd_height = test::watched() ? 75 : 151;
+const int odd_width = test::sanitized() ? 101 : 203, odd_height = test::sanitized() ? 75 : 151;
 
 void expect_same_bytes_on_any_tile(const Scene& scene, const std::vector<int>& thread_counts) {
   const auto alone = picture(scene, odd_width, odd_height);

@@ -170,8 +170,8 @@ TEST(ImplicitRandom, SpansAreWhatADenseMarchFinds) {
       known += expect_march_agrees(march, ends, text);
     }
   }
-  EXPECT_GT(known, watched() ? 0 : 60);
-  EXPECT_GT(pairs, watched() ? 0 : 90);
+  EXPECT_GT(known, sanitized() ? 0 : 60);
+  EXPECT_GT(pairs, sanitized() ? 0 : 90);
   EXPECT_LT(given_up, 36) << "of 360";
 }
 
@@ -181,10 +181,12 @@ TEST(ImplicitWork, IsBoundedWhateverTheFormula) {
   Random random(5);
   std::string long_sum = "sin(x)";
   while (long_sum.size() < 3000) long_sum += "+sin(" + std::to_string(long_sum.size()) + "*x*y*z)";
+  int formula = 0;
   for (const std::string& f : std::vector<std::string>{
            "sin(1e6*x*y)", "sin(1/x)", "floor(1000*x)+0.5", "x*sin(1000*z)", "tan(1e5*(x+y+z))",
            "0*x", "x-x", "sin(1e9*x)^2", "floor(x*1e4)", "abs(sin(1e4*x*y*z))", "1/sin(1e5*x*z)",
            "x^256-y^255", "exp(x*700)-y", "sqrt(sin(1e5*x))", "log(sin(1e5*x+y))", long_sum}) {
+    if (sanitized() && formula++ % 4 != 0) continue;
     const FieldForm form = implicit(f, cube_of(1));
     std::int64_t most = 0;
     for (int i = 0; i < rounds(5); ++i) {

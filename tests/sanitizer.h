@@ -1,0 +1,20 @@
+// Whether a sanitizer watches the libraries that are tested. Tests are compiled once for several
+// builds of them, so that they have to ask.
+#pragma once
+
+#include <algorithm>
+
+// The sanitizers', where the program has one.
+extern "C" void __asan_init() __attribute__((weak));
+extern "C" void __tsan_init() __attribute__((weak));
+
+namespace tia::test {
+
+/// Whether a sanitizer watches, which takes ten times as long, and memory and descriptors of its
+/// own. A function: whose turn a variable of a header is at the start is not certain.
+inline bool sanitized() { return __asan_init != nullptr || __tsan_init != nullptr; }
+
+/// So many rounds of a test, or a share of them under a sanitizer.
+inline int rounds(int n, int share = 20) { return sanitized() ? std::max(1, n / share) : n; }
+
+}  // namespace tia::test
