@@ -1,0 +1,59 @@
+// The hand's lamp: where it is dragged to, and its mark on a ring around what one looks at.
+
+import { atDistance, distanceOf, lampAt, markOf, ringRadius } from '../space/lamp.js';
+import { tidyVector } from '../space/vec.js';
+import { element, svg } from './element.js';
+
+/** A tool of the hand (panels/hand.js); `draw(chosen)` shows its mark, or hides it. */
+export function lampTool(studio) {
+  const overlay = document.getElementById('overlay');
+  const ring = overlay.appendChild(svg('circle', { class: 'ring' }));
+  // Moved as a whole layer by the compositor: nothing is painted anew while the hand moves it.
+  const lamp = element('div', { class: 'lamp' }, element('span', { class: 'lamp-mark' }));
+  overlay.after(element('div', { class: 'lamp-room' }, lamp));
+
+  function begin() {
+    const { view, pivot, light, camera } = studio;
+    if (!pivot) return null;
+    const distance = light ? distanceOf(pivot, light) : 1.5 * distanceOf(pivot, camera.location);
+    return { view, pivot, distance, mark: light && markOf(view, pivot, light) };
+  }
+
+  function drag({ view, pivot, distance, mark }, { start, at }) {
+    const to = mark ? [mark[0] + at[0] - start[0], mark[1] + at[1] - start[1]] : at;
+    studio.moveLight(tidyVector(lampAt(view, pivot, distance, to)));
+  }
+
+  function turn([x, y]) {
+    const grip = begin();
+    if (!grip) return;
+    const { width, height } = grip.view;
+    drag(grip, { start: [0, 0], at: grip.mark ? [x, y] : [width / 2 + x, height / 2 + y] });
+  }
+
+  function nearer(factor) {
+    const { pivot, light } = studio;
+    if (pivot && light) studio.moveLight(tidyVector(atDistance(pivot, light, factor)));
+  }
+
+  function draw(chosen) {
+    const { view, pivot, light } = studio;
+    const seen = chosen && pivot && view;
+    setAttributes(overlay, { viewBox: `0 0 ${view.width} ${view.height}` });
+    ring.toggleAttribute('hidden', !seen);
+    lamp.hidden = !seen || !light;
+    setAttributes(ring, { cx: view.width / 2, cy: view.height / 2, r: ringRadius(view) });
+    if (lamp.hidden) return;
+    const percent = (value, size) => `${((100 * value) / size).toFixed(2)}%`;
+    const [x, y] = markOf(view, pivot, light);
+    lamp.style.translate = `${percent(x, view.width)} ${percent(y, view.height)}`;
+  }
+
+  return { begin, drag, turn, nearer, draw };
+}
+
+// What does not change is not set: nothing is painted anew for it.
+function setAttributes(made, values) {
+  for (const [name, value] of Object.entries(values))
+    if (made.getAttribute(name) !== String(value)) made.setAttribute(name, value);
+}
