@@ -2,8 +2,8 @@
 
 import { plain } from '../picture/passes.js';
 import { fetchPicture } from '../picture/server.js';
-import { SIZE } from '../state/studio.js';
 import { finalPicture } from '../state/final.js';
+import { windowOf } from '../state/window.js';
 import { t } from '../words/words.js';
 import { lampWords } from '../words/scene_words.js';
 import { compareForm } from './compare_form.js';
@@ -13,7 +13,10 @@ import { cover, stale, uncover } from './cover.js';
 import { imageOf } from './image_of.js';
 import { showProblem } from './problem_view.js';
 
-const sizeOf = ({ width = SIZE[0], height = SIZE[1] }) => `${width} \u00d7 ${height}`;
+function sizeWords(request) {
+  const { width, height } = windowOf(request);
+  return `${width} \u00d7 ${height}`;
+}
 
 export function mountCompare(studio) {
   const { model } = studio;
@@ -72,8 +75,8 @@ export function mountCompare(studio) {
   }
 
   function tellSizes() {
-    const [a, now] = [kept.request, model.shown.request].map(sizeOf);
-    const same = a === sizeOf(studio.final);
+    const [a, now] = [kept.request, model.shown.request].map(sizeWords);
+    const same = a === sizeWords(studio.final);
     form.tell(same ? '' : t('compare.sizes', { a, now }));
     return same && a === now;
   }

@@ -1,6 +1,6 @@
 // The controls of comparing: what with, how, and where the line is.
 
-import { SIZE } from '../state/studio.js';
+import { windowOf } from '../state/window.js';
 import { t } from '../words/words.js';
 import { element } from './element.js';
 
@@ -61,7 +61,7 @@ export function compareForm({ keep, clear, goBack, change, slide }) {
   function kept(picture) {
     card.hidden = !picture;
     if (!picture) return card.replaceChildren();
-    const { width = SIZE[0], height = SIZE[1] } = picture.request;
+    const { width, height } = windowOf(picture.request);
     card.replaceChildren(
       element('img', { src: picture.image.src, alt: t('compare.a'), width: 96,
         height: Math.round((96 * height) / width) }),

@@ -6,9 +6,9 @@ const WHEEL = 0.0015; // of distance for a pixel of the wheel
 /**
  * Binds gestures to `target`: `begin()` when a drag starts, `drag({ start, at, shift })` while it
  * goes on, `end()`; `nearer(factor)` by wheel or pinch; `pan([dx, dy])` by two fingers; `click([x,
- * y])`. `size()` gives the picture's width and height.
+ * y])`. `seen()` gives what the target shows: { x, y, width, height } of the picture.
  */
-export function bindGestures(target, { size, begin, drag, end, nearer, pan, click }) {
+export function bindGestures(target, { seen, begin, drag, end, nearer, pan, click }) {
   const pointers = new Map();
   let start = null;
   let dragging = false;
@@ -17,8 +17,8 @@ export function bindGestures(target, { size, begin, drag, end, nearer, pan, clic
   let box = null; // of the target, since the first finger came down
 
   const place = (event) => {
-    const [width, height] = size();
-    return [((event.clientX - box.left) / box.width) * width, ((event.clientY - box.top) / box.height) * height];
+    const { x, y, width, height } = seen();
+    return [x + ((event.clientX - box.left) / box.width) * width, y + ((event.clientY - box.top) / box.height) * height];
   };
   const spread = ([a, b]) => ({
     apart: Math.hypot(a[0] - b[0], a[1] - b[1]),

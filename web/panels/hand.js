@@ -8,6 +8,7 @@
 //   nearer(factor)   the distance times the factor
 //   pan([x, y])      two fingers
 
+import { middleOf, windowOf } from '../state/window.js';
 import { t } from '../words/words.js';
 import { bindGestures } from './gestures.js';
 import { cameraTool } from './hand_camera.js';
@@ -39,7 +40,7 @@ export function mountHand(studio) {
 
   let grip = null;
   bindGestures(hand, {
-    size: () => [studio.view.width, studio.view.height],
+    seen: () => windowOf(model.request),
     begin: () => (grip = tools[tool].begin()),
     drag: (move) => grip && tools[tool].drag(grip, move),
     end: () => (grip = null),
@@ -52,10 +53,10 @@ export function mountHand(studio) {
     const [step, factor] = [STEPS[event.key], FACTORS[event.key]];
     if (!step && !factor && event.key !== 'Enter') return;
     event.preventDefault();
-    const px = STEP_PX * (event.shiftKey ? 4 : 1) * (studio.view.width / 640);
+    const px = STEP_PX * (event.shiftKey ? 4 : 1) * (windowOf(model.request).width / 640);
     if (step) tools[tool].turn(step.map((way) => way * px), event.shiftKey);
     else if (factor) tools[tool].nearer(factor);
-    else tools.ask.at(model.asked ?? [studio.view.width / 2, studio.view.height / 2]);
+    else tools.ask.at(model.asked ?? middleOf(model.request));
   });
   part('start-again').addEventListener('click', () => {
     model.asked = null;
@@ -70,15 +71,14 @@ function askTool(studio, nearer) {
   const { model } = studio;
 
   function at([x, y]) {
-    const { view } = studio;
-    const within = (value, size) => Math.min(size - 1, Math.max(0, Math.floor(value)));
-    model.ask([within(x, view.width), within(y, view.height)]);
+    const seen = windowOf(model.request);
+    const within = (value, from, length) => Math.min(from + length - 1, Math.max(from, Math.floor(value)));
+    model.ask([within(x, seen.x, seen.width), within(y, seen.y, seen.height)]);
     studio.openTab('tab-why');
   }
 
   function turn([x, y]) {
-    const { view } = studio;
-    const [column, row] = model.asked ?? [view.width / 2, view.height / 2];
+    const [column, row] = model.asked ?? middleOf(model.request);
     at([column + x / STEP_PX, row + y / STEP_PX]);
   }
 

@@ -1,6 +1,7 @@
 // The hand's lamp: where it is dragged to, and its mark on a ring around what one looks at.
 
-import { atDistance, distanceOf, lampAt, markOf, ringRadius } from '../space/lamp.js';
+import { atDistance, centreOf, distanceOf, lampAt, markOf, ringRadius } from '../space/lamp.js';
+import { windowOf } from '../state/window.js';
 import { tidyVector } from '../space/vec.js';
 import { element, svg } from './element.js';
 
@@ -16,19 +17,20 @@ export function lampTool(studio) {
     const { view, pivot, light, camera } = studio;
     if (!pivot) return null;
     const distance = light ? distanceOf(pivot, light) : 1.5 * distanceOf(pivot, camera.location);
-    return { view, pivot, distance, mark: light && markOf(view, pivot, light) };
+    const window = windowOf(studio.model.request);
+    return { view, window, pivot, distance, mark: light && markOf(view, window, pivot, light) };
   }
 
-  function drag({ view, pivot, distance, mark }, { start, at }) {
+  function drag({ view, window, pivot, distance, mark }, { start, at }) {
     const to = mark ? [mark[0] + at[0] - start[0], mark[1] + at[1] - start[1]] : at;
-    studio.moveLight(tidyVector(lampAt(view, pivot, distance, to)));
+    studio.moveLight(tidyVector(lampAt(view, window, pivot, distance, to)));
   }
 
   function turn([x, y]) {
     const grip = begin();
     if (!grip) return;
-    const { width, height } = grip.view;
-    drag(grip, { start: [0, 0], at: grip.mark ? [x, y] : [width / 2 + x, height / 2 + y] });
+    const [from, down] = grip.mark ? [0, 0] : centreOf(grip.window);
+    drag(grip, { start: [0, 0], at: [from + x, down + y] });
   }
 
   function nearer(factor) {
@@ -39,14 +41,16 @@ export function lampTool(studio) {
   function draw(chosen) {
     const { view, pivot, light } = studio;
     const seen = chosen && pivot && view;
-    setAttributes(overlay, { viewBox: `0 0 ${view.width} ${view.height}` });
+    const window = windowOf(studio.model.request);
+    setAttributes(overlay, { viewBox: `${window.x} ${window.y} ${window.width} ${window.height}` });
     ring.toggleAttribute('hidden', !seen);
     lamp.hidden = !seen || !light;
-    setAttributes(ring, { cx: view.width / 2, cy: view.height / 2, r: ringRadius(view) });
+    const [cx, cy] = centreOf(window);
+    setAttributes(ring, { cx, cy, r: ringRadius(window) });
     if (lamp.hidden) return;
     const percent = (value, size) => `${((100 * value) / size).toFixed(2)}%`;
-    const [x, y] = markOf(view, pivot, light);
-    lamp.style.translate = `${percent(x, view.width)} ${percent(y, view.height)}`;
+    const [x, y] = markOf(view, window, pivot, light);
+    lamp.style.translate = `${percent(x - window.x, window.width)} ${percent(y - window.y, window.height)}`;
   }
 
   return { begin, drag, turn, nearer, draw };

@@ -2,7 +2,7 @@
 
 import { Pace, rateOf } from '../picture/pace.js';
 import { totalMs } from '../picture/timing.js';
-import { SIZE } from '../state/studio.js';
+import { windowOf } from '../state/window.js';
 import { countWords, has, msWords, numberWords, t } from '../words/words.js';
 import { element } from './element.js';
 import { chartOf } from './numbers_chart.js';
@@ -35,7 +35,8 @@ export function mountNumbers(studio) {
 }
 
 function figuresOf(shown) {
-  const { timing, rays, blob, ms, request: { width = SIZE[0], height = SIZE[1] } } = shown;
+  const { timing, rays, blob, ms, request } = shown;
+  const { width, height } = windowOf(request);
   const phases = timing.filter(({ name }) => name !== 'total');
   const all = rays.reduce((sum, { count }) => sum + count, 0);
   return [

@@ -1,6 +1,7 @@
 // The picture, what it shows in words, and what went wrong.
 
 import { decode } from '../picture/server.js';
+import { windowOf } from '../state/window.js';
 import { lampWords } from '../words/scene_words.js';
 import { t } from '../words/words.js';
 import { showProblem } from './problem_view.js';
@@ -20,6 +21,8 @@ export function mountPicture(studio) {
       const image = await decode(blob);
       for (const side of ['width', 'height']) if (picture[side] !== image[side]) picture[side] = image[side];
       picture.getContext('2d').drawImage(image, 0, 0);
+      const { width, height } = windowOf(model.request);
+      frame.style.setProperty('--ratio', width / height);
       image.close();
       shown = true;
     },

@@ -6,15 +6,16 @@ import { svg } from './element.js';
 
 export const DASHES = { primary: null, shadow: '2 5', mirror: '12 5', refracted: '10 4 2 4' };
 
-/** A layer of `overlay`: `draw(view, pixel, rays)`, rays as the model has them, and `clear()`. */
+/** A layer of `overlay`: `draw(view, window, pixel, rays)`, rays as the model has them, and `clear()`. */
 export function raysLayer(overlay) {
   const layer = overlay.appendChild(svg('g', { class: 'rays' }));
   return {
     clear: () => layer.replaceChildren(),
-    draw(view, [x, y], rays) {
+    draw(view, window, [x, y], rays) {
       const place = (from, to) => seen(view, from, to);
       const sorted = [...(rays ?? [])].sort((a, b) => a.current - b.current);
-      layer.replaceChildren(...sorted.map((ray) => drawnRay(ray, place, view.height / 40)), crosshair(view, x + 0.5, y + 0.5));
+      layer.replaceChildren(...sorted.map((ray) => drawnRay(ray, place, window.height / 40)),
+        crosshair(window, x + 0.5, y + 0.5));
     },
   };
 }

@@ -3,9 +3,10 @@
 
 import { readPfm } from '../picture/pfm.js';
 import { fetchPfm } from '../picture/server.js';
+import { pixelsOf, scaled } from '../state/window.js';
 import { t, countWords } from '../words/words.js';
 
-const SMALL = { width: 80, height: 60, samples: 1, threshold: 0 }; // 57 KiB an image
+const PIXELS = 80 * 60; // 57 KiB an image
 const LEAST_SHARE = 0.002; // of the picture: what is smaller is not told
 const MOST_TOLD = 4;
 const LEAST_LEAN = 0.08; // of the object's radius: how far its light must lean to have a side
@@ -15,7 +16,9 @@ let telling = null;
 export async function lookAround(studio, place) {
   telling?.abort();
   const { signal } = (telling = new AbortController());
-  const request = { ...studio.model.request, ...SMALL };
+  const { request: whole } = studio.model;
+  const small = Math.min(1, Math.sqrt(PIXELS / pixelsOf(whole)));
+  const request = { ...scaled(whole, small), samples: 1, threshold: 0 };
   try {
     const [object, shadow, light] = await Promise.all([
       feature({ ...request, integrator: 'object' }, signal),

@@ -1,6 +1,6 @@
 // How the picture is drawn: its size, its edges, and how many rays it takes.
 
-import { SIZE } from '../state/studio.js';
+import { SIZE, resized, sizeOf } from '../state/window.js';
 import { t } from '../words/words.js';
 import { element } from './element.js';
 
@@ -71,13 +71,12 @@ function choices(select, usual, value, words) {
   select.value = value;
 }
 
-const sizeOf = ({ width = SIZE[0], height = SIZE[1] }) => [width, height];
-
 // The point that is asked about stays where it is in the picture.
 function resize({ model }, [width, height]) {
   const before = sizeOf(model.request);
   if (model.asked) model.asked = model.asked.map((at, i) => Math.floor((at * [width, height][i]) / before[i]));
   const usual = width === SIZE[0] && height === SIZE[1];
-  model.change(usual ? { width: null, height: null } : { width, height });
+  const { crop } = resized(model.request, [width, height]);
+  model.change(usual ? { width: null, height: null, crop } : { width, height, crop });
   if (model.asked) model.tell('ask');
 }

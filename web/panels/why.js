@@ -3,7 +3,7 @@
 
 import { explainPixel } from '../picture/explained.js';
 import { plain } from '../picture/passes.js';
-import { SIZE } from '../state/studio.js';
+import { middleOf, sizeOf, windowOf } from '../state/window.js';
 import { viewOf } from '../space/view.js';
 import { t } from '../words/words.js';
 import { raysLayer } from './rays.js';
@@ -13,7 +13,7 @@ export function mountWhy(studio) {
   const { model } = studio;
   const panel = document.getElementById('panel-why');
   const layer = raysLayer(document.getElementById('overlay'));
-  const view = makeView(panel, { stop, middle: () => model.ask(centre()), moved: tellRays });
+  const view = makeView(panel, { stop, middle: () => model.ask(middleOf(model.request)), moved: tellRays });
   let about = null; // the pixel that the panel is about
   let explained = null; // what is told of it
   let newest = null; // the last question: { request, pixel, key }
@@ -86,17 +86,10 @@ export function mountWhy(studio) {
   }
 
   function outside([x, y]) {
-    const [width, height] = size();
+    const [width, height] = sizeOf(model.request);
     const within = (value, length) => Number.isInteger(value) && value >= 0 && value < length;
     return within(x, width) && within(y, height) ? null : { x, y, width, height };
   }
-
-  function size() {
-    const { width = SIZE[0], height = SIZE[1] } = model.request;
-    return [width, height];
-  }
-
-  const centre = () => size().map((length) => Math.floor(length / 2));
 
   // ---- the rays, here and in the side views ---------------------------------------------------
 
@@ -111,7 +104,7 @@ export function mountWhy(studio) {
   function draw() {
     if (!model.asked || outside(model.asked)) return layer.clear();
     const camera = { ...(model.world ?? model.source)?.camera, ...model.shown?.request.camera };
-    layer.draw(viewOf(camera, ...size()), model.asked, model.rays);
+    layer.draw(viewOf(camera, ...sizeOf(model.request)), windowOf(model.request), model.asked, model.rays);
   }
 
   panel.addEventListener('keydown', (event) => {

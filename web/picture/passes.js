@@ -2,6 +2,8 @@
 // was asked for, then the same with smooth edges. One request at a time; of wishes that come
 // meanwhile only the newest counts, and it does not wait for a finer picture of an older one.
 
+import { pixelsOf, scaled } from '../state/window.js';
+
 const FRAME_MS = 36; // for 30 pictures a second: while one is decoded the next is under way
 const LEAST_MS = 8; // that the server may draw for, however slow the way to it is
 const FIRST_GUESS = { perPixel: 1 / 5000, way: 0 }; // ms: begin small
@@ -36,12 +38,10 @@ export function finest(request, options, smooth) {
  */
 export function passesOf(request, options, { perPixel, way }, smooth) {
   const coarse = plain(request, options);
-  const [width, height] = [request.width ?? 640, request.height ?? 480];
   const budget = Math.max(FRAME_MS - way, LEAST_MS);
-  const affordable = (scale) => width * height * scale * scale * perPixel <= budget;
+  const affordable = (scale) => pixelsOf(request) * scale * scale * perPixel <= budget;
   const scale = SCALES.find(affordable) ?? SCALES.at(-1);
-  const size = (length) => Math.max(1, Math.round(length * scale));
-  const quick = scale === 1 ? coarse : { ...coarse, width: size(width), height: size(height) };
+  const quick = scale === 1 ? coarse : scaled(coarse, scale);
   const passes = [quick];
   if (quick !== request) passes.push(request);
   const last = finest(request, options, smooth);
@@ -122,8 +122,8 @@ export class Passes {
   }
 
   // The middle of the last few: one late picture is no reason for a coarse one.
-  #learn({ width = 640, height = 480 }, { ms, drawn }) {
-    this.#took = [{ perPixel: drawn / (width * height), way: ms - drawn }, ...this.#took].slice(0, 5);
+  #learn(request, { ms, drawn }) {
+    this.#took = [{ perPixel: drawn / pixelsOf(request), way: ms - drawn }, ...this.#took].slice(0, 5);
     const middle = (name) => this.#took.map((each) => each[name]).sort((a, b) => a - b)[this.#took.length >> 1];
     this.#pace = { perPixel: middle('perPixel'), way: middle('way') };
   }

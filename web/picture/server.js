@@ -35,8 +35,8 @@ export async function fetchPfm(request, signal) {
   return body(() => response.arrayBuffer());
 }
 
-/** What /explain tells of the pixel `x`, `y` of a request, or of its `ray`. It knows no codes. */
-export async function fetchExplanation({ transfer, ...request }, signal) {
+/** What /explain tells of the pixel `x`, `y` of a request, or of its `ray`: of light, not of files. */
+export async function fetchExplanation({ transfer, crop, ...request }, signal) {
   const { path, init } = fetchable('explain', request);
   const response = await get(path, init, signal);
   return body(() => response.json());

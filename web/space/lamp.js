@@ -4,30 +4,36 @@
 
 import { add, dot, length, normalize, scale, subtract } from './vec.js';
 
-const RING = 0.36; // of the picture's height: where the lamp stands a quarter round
+const RING = 0.36; // of the window's height: where the lamp stands a quarter round
 const FARTHEST = 170; // degrees: straight behind it has no single place in the picture
 
-/** Where the lamp's mark stands in the picture, [x, y] in pixels. */
-export function markOf(view, pivot, light) {
+/** Where the lamp's mark stands in the picture, [x, y] in pixels, of whose `window` one sees. */
+export function markOf(view, window, pivot, light) {
   const way = subtract(light, pivot);
   const [x, y, z] = [dot(way, view.across), dot(way, view.upwards), -dot(way, view.axis)];
   const around = Math.hypot(x, y);
-  const ring = RING * view.height;
+  const ring = ringRadius(window);
   const far = (ring * Math.atan2(around, z)) / (Math.PI / 2);
   const [s, t] = around > 0 ? [x / around, y / around] : [0, 0];
-  return [view.width / 2 + s * far, view.height / 2 - t * far];
+  const [x0, y0] = centreOf(window);
+  return [x0 + s * far, y0 - t * far];
 }
 
 /** Where the lamp stands whose mark is at `x`, `y`, at `distance` from the pivot. */
-export function lampAt(view, pivot, distance, [x, y]) {
-  const [s, t] = [x - view.width / 2, view.height / 2 - y];
+export function lampAt(view, window, pivot, distance, [x, y]) {
+  const [x0, y0] = centreOf(window);
+  const [s, t] = [x - x0, y0 - y];
   const far = Math.hypot(s, t);
-  const angle = Math.min((far / (RING * view.height)) * 90, FARTHEST) * (Math.PI / 180);
+  const angle = Math.min((far / ringRadius(window)) * 90, FARTHEST) * (Math.PI / 180);
   const out = far > 0 ? scale(add(scale(view.across, s / far), scale(view.upwards, t / far)), Math.sin(angle)) : [0, 0, 0];
   return add(pivot, scale(add(out, scale(view.axis, -Math.cos(angle))), distance));
 }
 
-export const ringRadius = (view) => RING * view.height;
+/** As in a window of the usual shape, which fits into this one. */
+export const ringRadius = ({ width, height }) => RING * Math.min(height, 0.75 * width);
+
+/** The middle of a window, [x, y] in pixels. */
+export const centreOf = ({ x, y, width, height }) => [x + width / 2, y + height / 2];
 
 /** The light nearer or farther by a factor, not nearer than a thousandth of where it could be. */
 export function atDistance(pivot, light, factor) {

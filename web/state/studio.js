@@ -8,9 +8,7 @@ import { fetchExplanation, fetchPicture, fetchScene } from '../picture/server.js
 import { lightOf, pivotOf } from '../space/lamp.js';
 import { completeCamera, viewOf } from '../space/view.js';
 import { Model } from './model.js';
-
-/** What a picture's own coordinates are where a request names no size. */
-export const SIZE = [640, 480];
+import { middleOf, sizeOf } from './window.js';
 
 export class Studio {
   model = new Model();
@@ -76,10 +74,9 @@ export class Studio {
     return completeCamera({ ...(this.model.world ?? this.model.source)?.camera, ...this.model.request.camera });
   }
 
-  /** The camera of the picture wanted, in its own pixels. */
+  /** The camera of the picture wanted, in the whole picture's pixels. */
   get view() {
-    const { width = SIZE[0], height = SIZE[1] } = this.model.request;
-    return viewOf(this.camera, width, height);
+    return viewOf(this.camera, ...sizeOf(this.model.request));
   }
 
   /** Where the lamp is that is wanted; null where it is out, or not known yet. */
@@ -150,15 +147,14 @@ export class Studio {
     this.#matter = matter;
     this.model.world = { ...recipe.request.scene, options: this.model.source?.options };
     // An edited scene goes on about the same point: what moves away from there is not run after.
-    const middle = JSON.stringify([request.key, request.camera]);
+    const middle = JSON.stringify([request.key, request.camera, request.crop]);
     if (middle !== this.#middle || !this.pivot) await this.#findPivot(request, middle);
     if (this.model.shown.request === request) this.model.tell('world');
   }
 
   async #findPivot(request, middle) {
-    const { width = SIZE[0], height = SIZE[1], ...rest } = request;
-    const at = { x: Math.floor(width / 2), y: Math.floor(height / 2) };
-    const { hits } = await fetchExplanation({ ...rest, width, height, ...at, samples: 1, threshold: 0 });
+    const [x, y] = middleOf(request);
+    const { hits } = await fetchExplanation({ ...request, x, y, samples: 1, threshold: 0 });
     this.#middle = middle;
     this.pivot = pivotOf(this.view, this.camera, hits);
   }
