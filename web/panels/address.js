@@ -1,35 +1,59 @@
 // The page's address follows what it shows, once the hand rests; another scene is a step of the
 // browser's history.
 
+import { Problem } from '../picture/problem.js';
 import { readAddress, writeAddress } from '../state/address.js';
+import { FIRST, PARAMETERS } from '../state/request.js';
+import { t } from '../words/words.js';
 
-const FIRST = { scene: 'thesis', key: 'a' }; // the lamp is on: there is a shadow to ask about
 
-/** What the address wants to be shown: { request, asked }. */
+/** What the address wants to be shown: { request, asked }, and the `problem` with it, or null. */
 export async function firstState() {
-  const { pixel, ...request } = await readAddress(location).catch(() => ({}));
-  const asked = Array.isArray(pixel) ? pixel : null;
-  return { request: Object.keys(request).length ? request : FIRST, asked };
+  const state = await readAddress(location).catch(() => null);
+  const { pixel, ...rest } = state ?? {};
+  const asked = Array.isArray(pixel) && pixel.length === 2 ? pixel : null;
+  const others = Object.keys(rest).filter((name) => !PARAMETERS.includes(name));
+  const request = Object.fromEntries(Object.entries(rest).filter(([name]) => PARAMETERS.includes(name)));
+  const title = !state ? t('trouble.damaged') : others.length ? t('trouble.otherParts', { names: others.join(', ') }) : '';
+  const problem = title ? new Problem({ status: 400, title }) : null;
+  return { request: Object.keys(request).length ? request : FIRST, asked, problem };
 }
 
 /** Keeps the address in step. */
 export function mountAddress(studio) {
   let scene = null;
+  let newest = 0;
   studio.model.on('rest', async () => {
+    const mine = ++newest;
+    const now = JSON.stringify(studio.model.request.scene);
     const address = await pageAddress(studio);
-    const { scene: now } = studio.model.request;
-    const move = scene === null || scene === JSON.stringify(now) ? 'replaceState' : 'pushState';
-    scene = JSON.stringify(now);
-    if (address !== location.search + location.hash) history[move](null, '', address || location.pathname);
+    if (mine !== newest) return;
+    const move = scene === null || scene === now ? 'replaceState' : 'pushState';
+    scene = now;
+    // With the path before it: a fragment alone would keep the query that was there.
+    if (address !== location.search + location.hash) history[move](null, '', location.pathname + address);
   });
   addEventListener('popstate', async () => {
-    const { request, asked } = await firstState();
-    scene = JSON.stringify(request.scene);
-    studio.begin({ request, asked });
+    newest += 1;
+    const state = await firstState();
+    scene = JSON.stringify(state.request.scene);
+    studio.begin(state);
   });
+  document.addEventListener('click', goWithin);
+}
+
+// Links to a part of this page lead there and leave the address alone, which says what is shown.
+function goWithin(event) {
+  const link = event.target.closest?.('a[href^="#"]');
+  const part = link && document.getElementById(link.hash.slice(1));
+  if (!part || event.ctrlKey || event.metaKey || event.shiftKey) return;
+  event.preventDefault();
+  part.scrollIntoView();
+  if (!part.matches('a, button, input, [tabindex]')) part.tabIndex = -1;
+  part.focus({ preventScroll: true });
 }
 
 /** The page's address for what is shown, relative to the page. */
-export function pageAddress({ final, model }) {
-  return writeAddress({ ...final, scene: final.scene ?? 'thesis', pixel: model.asked ?? undefined });
+export function pageAddress({ unasked, model }) {
+  return writeAddress({ ...unasked, scene: unasked.scene ?? 'thesis', pixel: model.asked ?? undefined });
 }

@@ -32,9 +32,10 @@ export function mountCompare(studio) {
     const { source } = model;
     const words = lampWords(model.request, studio.light);
     const picture = await wanted(() => finalPicture(studio));
-    if (!picture) return;
+    const image = picture && await wanted(() => imageOf(picture.blob));
+    if (!image) return;
     forget(kept);
-    kept = { blob: picture.blob, request: picture.request, source, words, image: await imageOf(picture.blob) };
+    kept = { blob: picture.blob, request: picture.request, source, words, image };
     kept.image.alt = t('compare.a');
     form.kept(kept);
     form.choose('kept');

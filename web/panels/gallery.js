@@ -1,19 +1,19 @@
 // The gallery: every scene that comes with the server, drawn by it, and any scene by its id.
 
 import { fetchGallery } from '../picture/server.js';
-import { queryOf } from '../state/request.js';
+import { opened, queryOf } from '../state/request.js';
 import { t } from '../words/words.js';
 import { element } from './element.js';
 import { showProblem } from './problem_view.js';
 
 const THUMB = { width: 160, height: 120, samples: 1, threshold: 0 };
 
-export async function mountGallery(studio) {
+export function mountGallery(studio) {
   const place = document.getElementById('scenes');
   const choose = (name) => {
     studio.model.asked = null;
     const { width, height } = studio.model.request;
-    studio.open({ scene: name, key: name === 'thesis' ? 'a' : undefined, width, height });
+    studio.open({ ...opened(name), width, height });
     document.getElementById('hand').focus();
     document.getElementById('frame').scrollIntoView({ block: 'nearest' });
   };
@@ -24,19 +24,28 @@ export async function mountGallery(studio) {
       if (typed.value.trim()) choose(typed.value.trim());
     } }, element('label', {}, t('gallery.id'), typed), element('button', { type: 'submit' }, t('gallery.open'))),
     element('p', { class: 'note' }, t('gallery.drop')));
-  await new Promise((rested) => studio.model.on('rest', rested)); // the picture comes first
-  try {
-    const scenes = await fetchGallery();
-    place.replaceChildren(element('ul', { class: 'thumbs' }, ...scenes.map((scene) => card(scene, choose))));
-    const mark = () => {
-      for (const one of place.querySelectorAll('button'))
-        one.setAttribute('aria-current', one.dataset.scene === (studio.model.request.scene ?? 'thesis'));
-    };
-    studio.model.on('want', mark);
-    mark();
-  } catch (problem) {
-    showProblem(problem);
-  }
+  const mark = () => {
+    for (const one of place.querySelectorAll('button'))
+      one.setAttribute('aria-current', one.dataset.scene === (studio.model.request.scene ?? 'thesis'));
+  };
+  studio.model.on('want', mark);
+
+  // The picture comes first. Where there is none, the gallery is the way on.
+  let asked = false;
+  const fill = async (trouble) => {
+    if (asked) return;
+    asked = true;
+    try {
+      const scenes = await fetchGallery();
+      place.replaceChildren(element('ul', { class: 'thumbs' }, ...scenes.map((scene) => card(scene, choose))));
+      mark();
+    } catch (problem) {
+      asked = false; // until the next picture
+      trouble(problem);
+    }
+  };
+  studio.model.on('rest', () => fill(showProblem));
+  studio.model.on('fail', () => fill(() => {})); // that is told already
 }
 
 // Pictures are drawn for who looks at them: browsers' own laziness begins screens ahead.
@@ -51,12 +60,12 @@ const nearing = new IntersectionObserver((entries) => {
 function card({ name, title, description }, choose) {
   const about = `about-${name}`;
   const picture = element('img', {
-    dataset: { src: `render?${queryOf({ scene: name, key: name === 'thesis' ? 'a' : null, ...THUMB })}` },
+    dataset: { src: `render?${queryOf({ ...opened(name), ...THUMB })}` },
     alt: '', width: 160, height: 120, decoding: 'async',
   });
   nearing.observe(picture);
   return element('li', {},
     element('button', { type: 'button', dataset: { scene: name }, 'aria-describedby': about, onclick: () => choose(name) },
-      picture, element('strong', {}, title)),
-    element('p', { id: about, class: 'note' }, description));
+      picture, element('strong', { lang: 'en' }, title)),
+    element('p', { id: about, class: 'note', lang: 'en' }, description));
 }

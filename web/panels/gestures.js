@@ -68,6 +68,7 @@ export function bindGestures(target, { seen, begin, drag, end, nearer, pan, clic
 
   target.addEventListener('pointerup', lift);
   target.addEventListener('pointercancel', lift);
+  target.addEventListener('lostpointercapture', lift);
   target.addEventListener('contextmenu', (event) => event.preventDefault());
   target.addEventListener('wheel', (event) => {
     event.preventDefault();

@@ -8,6 +8,7 @@
 //   nearer(factor)   the distance times the factor
 //   pan([x, y])      two fingers
 
+import { opened } from '../state/request.js';
 import { middleOf, windowOf } from '../state/window.js';
 import { t } from '../words/words.js';
 import { bindGestures } from './gestures.js';
@@ -42,7 +43,10 @@ export function mountHand(studio) {
   bindGestures(hand, {
     seen: () => windowOf(model.request),
     begin: () => (grip = tools[tool].begin()),
-    drag: (move) => grip && tools[tool].drag(grip, move),
+    drag(move) {
+      if (!studio.pivot) grip = null; // another scene has come under the hand
+      if (grip) tools[tool].drag(grip, move);
+    },
     end: () => (grip = null),
     nearer: (factor) => tools[tool].nearer(factor),
     pan: (by) => tools[tool].pan(by),
@@ -61,7 +65,7 @@ export function mountHand(studio) {
   part('start-again').addEventListener('click', () => {
     model.asked = null;
     const { scene, width, height } = model.request;
-    studio.open({ scene, width, height });
+    studio.open({ ...opened(model.source ? scene : undefined), width, height }); // one that is not there is left
   });
   for (const event of ['show', 'world', 'source']) model.onFrame(event, drawMark);
 }
@@ -79,7 +83,8 @@ function askTool(studio, nearer) {
 
   function turn([x, y]) {
     const [column, row] = model.asked ?? middleOf(model.request);
-    at([column + x / STEP_PX, row + y / STEP_PX]);
+    const steps = (px) => Math.sign(px) * Math.max(1, Math.round(Math.abs(px) / STEP_PX)); // never on the spot
+    at([column + steps(x), row + steps(y)]);
   }
 
   return { begin: () => null, drag: still, turn, nearer, pan: still, at };
@@ -97,7 +102,7 @@ function mountChoice(chosen) {
   };
   part('tools').addEventListener('keydown', (event) => {
     const by = { ArrowRight: 1, ArrowDown: 1, ArrowLeft: -1, ArrowUp: -1 }[event.key];
-    if (!by) return;
+    if (!by || event.ctrlKey || event.altKey || event.metaKey) return;
     event.preventDefault();
     const now = radios.findIndex((radio) => radio.getAttribute('aria-checked') === 'true');
     const next = radios.at((now + by) % radios.length);

@@ -14,7 +14,7 @@ export function cameraTool(studio) {
 
   function drag({ view, pivot, camera }, { start, at, shift }) {
     const [x, y] = [(at[0] - start[0]) / view.height, (at[1] - start[1]) / view.height];
-    look(shift ? pan(camera, pivot, -x, y) : orbit(camera, pivot, -x * Math.PI, -y * Math.PI));
+    look(shift ? pan(camera, view, pivot, -x, y) : orbit(camera, pivot, -x * Math.PI, -y * Math.PI));
   }
 
   function turn(at, shift) {

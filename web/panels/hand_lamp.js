@@ -48,7 +48,8 @@ export function lampTool(studio) {
     const [cx, cy] = centreOf(window);
     setAttributes(ring, { cx, cy, r: ringRadius(window) });
     if (lamp.hidden) return;
-    const percent = (value, size) => `${((100 * value) / size).toFixed(2)}%`;
+    // What is beyond the picture is marked at its edge.
+    const percent = (value, size) => `${Math.min(98, Math.max(2, (100 * value) / size)).toFixed(2)}%`;
     const [x, y] = markOf(view, window, pivot, light);
     lamp.style.translate = `${percent(x - window.x, window.width)} ${percent(y - window.y, window.height)}`;
   }

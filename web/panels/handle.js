@@ -31,6 +31,7 @@ export function bindHandle(parent, kind, at, label, { take, move }) {
   };
 
   mark.addEventListener('pointerdown', (event) => {
+    if (event.button) return;
     mark.setPointerCapture(event.pointerId);
     mark.focus({ preventScroll: true });
     start = { pointer: pointOf(event), at };
@@ -43,7 +44,7 @@ export function bindHandle(parent, kind, at, label, { take, move }) {
     const way = [to[0] - start.pointer[0], to[1] - start.pointer[1]];
     if (move(way)) place([start.at[0] + way[0], start.at[1] + way[1]], mark.getAttribute('aria-label'));
   });
-  for (const end of ['pointerup', 'pointercancel'])
+  for (const end of ['pointerup', 'pointercancel', 'lostpointercapture'])
     mark.addEventListener(end, () => ([start, handle.held] = [null, false]));
 
   mark.addEventListener('keydown', (event) => {

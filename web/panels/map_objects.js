@@ -1,16 +1,18 @@
 // The objects of a plan: where they are, told by its object image, and moved, as edits of the scene.
 
+import { ownerAt } from '../picture/object_image.js';
 import { add, tidyVector } from '../space/vec.js';
 
 const MOST = 12;
 const LARGEST = 0.4; // of the plan: what fills more is a floor or a wall
 
 /** Where each object's visible part has its middle, as parts of the image: [{ index, x, y, share }]. */
-export function centersIn({ width, height, at }) {
+export function centersIn(image, owners) {
+  const { width, height } = image;
   const sums = new Map();
   for (let y = 0; y < height; ++y) {
     for (let x = 0; x < width; ++x) {
-      const index = at(x, y)[0] - 1;
+      const index = ownerAt(image, owners, x, y);
       if (index < 0) continue;
       const sum = sums.get(index) ?? { index, count: 0, x: 0, y: 0 };
       sum.count += 1;

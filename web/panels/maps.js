@@ -2,6 +2,7 @@
 // and on them what a hand can take: the lamp, the camera, what it looks at, and the objects.
 
 import { fetchPfm, fetchPicture } from '../picture/server.js';
+import { ownersOf } from '../picture/object_image.js';
 import { readPfm } from '../picture/pfm.js';
 import { placeIn, placeWithin, planCamera, plansOf, regionOf, wayIn } from '../space/plan.js';
 import { aimMoved, eyeMoved } from '../space/eye.js';
@@ -38,6 +39,7 @@ class PlanMap {
   #region = null;
   #drawn = ''; // what the backdrop shows
   #drawing = null;
+  #aimed = null; // the last camera that a handle has moved, and what it looks `at`
   #held = new Map(); // handles by name; they live on while the hand holds them
 
   constructor(studio, name) {
@@ -86,7 +88,7 @@ class PlanMap {
       const objects = readPfm(await fetchPfm({ ...request, ...COARSE, integrator: 'object' }, signal));
       if (signal.aborted) return;
       this.#show(blob);
-      this.#placeObjects(centersIn(objects));
+      this.#placeObjects(centersIn(objects, ownersOf(this.#studio.model.world ?? {})));
     } catch (problem) {
       if (!signal.aborted) this.#drawn = '';
     }
@@ -129,7 +131,7 @@ class PlanMap {
   #placeHandles(pivot, light, camera) {
     const map = t(`maps.${this.#name}`);
     this.#handle('camera', this.#within(camera.location), t('maps.moveCamera', { map }), this.#cameraMover(eyeMoved));
-    this.#handle('target', this.#within(pivot), t('maps.moveTarget', { map }), this.#cameraMover(aimMoved));
+    this.#handle('target', this.#within(this.#target), t('maps.moveTarget', { map }), this.#cameraMover(aimMoved));
     if (light) this.#handle('lamp', this.#within(light), t('maps.moveLamp', { map }), this.#lampMover());
     else this.#drop('lamp');
   }
@@ -148,18 +150,26 @@ class PlanMap {
     const studio = this.#studio;
     let taken = null;
     return {
-      take: () => (taken = { camera: studio.camera, pivot: studio.pivot }),
+      take: () => (taken = { camera: studio.camera, pivot: this.#target }),
       move: (way) => {
         const fields = moved(taken, way);
-        if (fields) studio.model.change({ camera: { ...studio.model.request.camera, ...fields } });
-        return Boolean(fields);
+        if (!fields) return false;
+        studio.model.change({ camera: { ...studio.model.request.camera, ...fields } });
+        this.#aimed = { camera: studio.model.request.camera, at: fields.look_at ?? taken.pivot };
+        return true;
       },
     };
   }
 
+  // What the camera looks at: where a hand has just put it, else what the server has found there.
+  get #target() {
+    const { model, pivot } = this.#studio;
+    return this.#aimed && this.#aimed.camera === model.request.camera ? this.#aimed.at : pivot;
+  }
+
   #handle(name, at, label, mover) {
     const known = this.#held.get(name);
-    if (known) return known.place(at, label);
+    if (known) return known.held || known.place(at, label);
     const handle = bindHandle(this.#handles, name.split('-')[0], at, label, {
       take: mover.take,
       move: (way) => mover.move(wayIn(this.#plan, this.#region, HEIGHT, way)),

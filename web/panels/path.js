@@ -1,6 +1,7 @@
 // The lamp on its way: a film of still pictures, played here and saved as one animated picture.
 
 import { apngOf } from '../picture/apng.js';
+import { Problem } from '../picture/problem.js';
 import { circlePath, curvePath } from '../space/light_path.js';
 import { fileName, queryOf } from '../state/request.js';
 import { lampWords } from '../words/scene_words.js';
@@ -17,7 +18,7 @@ export function mountPath(studio) {
   const place = () => studio.light;
   const form = pathForm({ place, changed: leave, play, pause, seek, keep, use, close: leave });
   const caption = element('span', { class: 'side left' });
-  let film = null; // with `key`, what it was made of, and `lights`
+  let film = null; // with `key`, what it was made of, `lights`, and the frame `seen`
   document.getElementById('panel-path').append(...form.nodes);
 
   const frameMs = () => (form.state.seconds * 1000) / form.state.frames;
@@ -51,7 +52,7 @@ export function mountPath(studio) {
   function show(image, index) {
     image.alt = t('path.frame', { at: index + 1, count: film.requests.length });
     caption.textContent = lampWords({}, film.lights[index]);
-    film.showing = true;
+    [film.showing, film.seen] = [true, index];
     cover(leave, image, caption);
     form.at(index);
     draw();
@@ -89,7 +90,7 @@ export function mountPath(studio) {
   }
 
   function use() {
-    studio.moveLight(film.lights[film.at]);
+    studio.moveLight(film.lights[film.seen]);
   }
 
   async function keep() {
@@ -97,9 +98,13 @@ export function mountPath(studio) {
     if (!now) return;
     const all = await now.load();
     if (!all || film !== now) return;
-    const pngs = await Promise.all(now.frames.map(({ blob }) => bytesOf(blob)));
-    save(apngOf(pngs, frameMs()), `tia${fileName(model.request)}-path.png`);
-    form.tell(t('path.saved', { count: pngs.length }));
+    try {
+      const pngs = await Promise.all(now.frames.map(({ blob }) => bytesOf(blob)));
+      save(apngOf(pngs, frameMs()), `tia${fileName(model.request)}-path.png`);
+      form.tell(t('path.saved', { count: pngs.length }));
+    } catch (error) {
+      showProblem(new Problem({ title: t('trouble.unreadable'), status: 502, detail: error.message }));
+    }
   }
 
   function draw() {

@@ -4,7 +4,7 @@ import { decode } from '../picture/server.js';
 import { windowOf } from '../state/window.js';
 import { lampWords } from '../words/scene_words.js';
 import { t } from '../words/words.js';
-import { showProblem } from './problem_view.js';
+import { onRetry, showProblem } from './problem_view.js';
 import { lookAround } from './seen.js';
 
 const SLOW_MS = 1000;
@@ -25,6 +25,7 @@ export function mountPicture(studio) {
       frame.style.setProperty('--ratio', width / height);
       image.close();
       shown = true;
+      frame.classList.remove('empty');
     },
     failed(problem) {
       showProblem(problem);
@@ -51,9 +52,12 @@ export function mountPicture(studio) {
   }
 
   function describe() {
-    status.textContent = shown ? lampWords(model.shown.request, studio.light) : t('picture.none');
+    const light = studio.lightShown;
+    const known = !shown || light !== undefined; // else the words of before stay until it is
+    const words = shown ? lampWords(model.shown.request, light) : t('picture.none');
+    if (known && status.textContent !== words) status.textContent = words;
     const title = model.source?.title ?? t('picture.rendered');
-    picture.setAttribute('aria-label', shown ? `${title}. ${status.textContent}` : t('picture.none'));
+    picture.setAttribute('aria-label', shown ? `${title}. ${known ? words : ''}`.trim() : words);
   }
 
   model.on('want', () => {
@@ -64,8 +68,8 @@ export function mountPicture(studio) {
   model.on('rest', settle);
   model.on('world', () => (describe(), lookAround(studio, part('seen'))));
   model.on('source', describe);
-  part('retry').addEventListener('click', () => {
+  onRetry((by) => {
     studio.again();
-    part('hand').focus({ preventScroll: true });
+    if (by === 'hand') part('hand').focus({ preventScroll: true });
   });
 }

@@ -3,6 +3,7 @@
 // picture stays.
 
 import { fetchExplanation } from '../picture/server.js';
+import { movedLight } from '../space/lamp.js';
 import { serverFaults, syntaxFaults } from '../state/scene_faults.js';
 import { formatScene, parseScene, withValue } from '../state/scene_text.js';
 import { t } from '../words/words.js';
@@ -21,6 +22,12 @@ export function mountScene(studio) {
   const desk = new Desk(studio);
   studio.editScene = (pointer, value) => desk.edit(Array.isArray(pointer) ? pointer : [[pointer, value]]);
   mountDrop(studio, desk);
+}
+
+// Where the light stands that the hand moves, as words of the scene.
+function placeOf(scene) {
+  const { position, direction, corner, u, v } = movedLight(scene) ?? {};
+  return JSON.stringify([position, direction, corner, u, v]);
 }
 
 class Desk {
@@ -167,7 +174,8 @@ class Desk {
   async #faultsOf(text, signal) {
     const scene = parseScene(text).value;
     try {
-      await fetchExplanation({ ...this.#wish(scene), scene, x: 0, y: 0, samples: 1, threshold: 0 }, signal);
+      const ray = { x: 0, y: 0, integrator: 'whitted', samples: 1, threshold: 0 };
+      await fetchExplanation({ ...this.#wish(scene), scene, ...ray }, signal);
     } catch (problem) {
       return serverFaults(text, problem.errors ?? []) ?? []; // of all else the picture tells
     }
@@ -188,8 +196,7 @@ class Desk {
   #wish(scene) {
     const { request } = this.#studio.model;
     const moved = (name) => JSON.stringify(scene?.[name]) !== JSON.stringify(this.#value?.[name]);
-    const place = ({ position, direction } = {}) => JSON.stringify([position, direction]);
-    const lamp = place(scene?.key_light) !== place(this.#value?.key_light);
+    const lamp = placeOf(scene) !== placeOf(this.#value);
     const key = lamp || (request.key && !scene?.keys?.[request.key]);
     return {
       ...request,

@@ -42,17 +42,18 @@ export class Editor {
   load(text) {
     if (this.text) this.replace(text, null);
     else {
-      this.history.begin(text);
-      this.area.value = text;
+      this.history.begin(oneBreak(text));
+      this.area.value = this.text;
       this.#draw();
     }
   }
 
   /** Changes the text to `text`; changes of one `kind` that follow each other are undone together. */
   replace(text, kind) {
-    const change = difference(this.text, text);
+    const plain = oneBreak(text);
+    const change = difference(this.text, plain);
     if (!change) return;
-    this.history.record(text, kind);
+    this.history.record(plain, kind);
     this.#apply(change);
   }
 
@@ -163,6 +164,11 @@ export class Editor {
     if (x < scrollLeft || x > scrollLeft + clientWidth - 2 * row)
       this.#scroll.scrollLeft = Math.max(0, x - clientWidth / 2);
   }
+}
+
+// Lines end as a textarea has them, whatever system the text comes from.
+function oneBreak(text) {
+  return text.replace(/\r\n?/g, '\n');
 }
 
 function countLines(text, end) {

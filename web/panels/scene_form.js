@@ -7,6 +7,7 @@ import { has, t } from '../words/words.js';
 import { element } from './element.js';
 import { fieldElement } from './scene_field.js';
 
+const PAUSE_MS = 3000; // before what did not come is asked for again
 const GROUPS = ['objects', 'materials', 'lights', 'picture'];
 
 /** SceneForm: `box` is its element; `edit(pointer, value)` hears of each change. */
@@ -38,8 +39,12 @@ export class SceneForm {
 
   async #learn() {
     this.#schema = 'asked';
-    this.#schema = await fetchJson('schema/scene.json').catch(() => null);
-    this.#draw();
+    try {
+      this.#schema = await fetchJson('schema/scene.json');
+      this.#draw();
+    } catch {
+      setTimeout(() => ((this.#schema = null), this.#draw()), PAUSE_MS);
+    }
   }
 
   #draw() {

@@ -27,8 +27,18 @@ export function kept() {
   const text = recall(NAME, STORAGE);
   if (!text) return null;
   const reloaded = performance.getEntriesByType('navigation')[0]?.type === 'reload';
-  const { mark, ...written } = JSON.parse(text);
+  const { mark, ...written } = readKept(text);
+  if (typeof written.text !== 'string') return null;
   return (scene) => (reloaded || mark === markOf(scene) ? written : null);
+}
+
+// What another version of the page has kept may be anything.
+function readKept(text) {
+  try {
+    return JSON.parse(text) ?? {};
+  } catch {
+    return {};
+  }
 }
 
 // A short word for a scene: enough to tell it from others. Source: FNV-1a, 32 bits.

@@ -1,8 +1,10 @@
 // What is to be seen, in words for who does not see it: read off the feature images that tell the
 // object and the share of the light at every pixel, and off the picture's own brightness.
 
+import { ownerAt, ownersOf } from '../picture/object_image.js';
 import { readPfm } from '../picture/pfm.js';
 import { fetchPfm } from '../picture/server.js';
+import { dot, subtract } from '../space/vec.js';
 import { pixelsOf, scaled } from '../state/window.js';
 import { t, countWords } from '../words/words.js';
 
@@ -25,9 +27,12 @@ export async function lookAround(studio, place) {
       feature({ ...request, integrator: 'shadow' }, signal),
       feature(request, signal),
     ]);
-    const names = (studio.model.world?.objects ?? []).map(({ name, type }) => name ?? type);
-    const lit = Boolean(studio.light) || (studio.model.world?.lights ?? []).length > 0;
-    if (!signal.aborted) place.textContent = sceneWords(objectsSeen(object, shadow, light), names, lit);
+    const { world } = studio.model;
+    const names = (world?.objects ?? []).map(({ name, type }) => name ?? type);
+    const lamps = Math.max(1, (world?.lights ?? []).length + (world?.key_light ? 1 : 0));
+    const towards = studio.light && studio.pivot ? lampWay(studio) : null;
+    const lit = Boolean(studio.light) || (world?.lights ?? []).length > 0;
+    if (!signal.aborted) place.textContent = sceneWords(objectsSeen(object, shadow, light, ownersOf(world ?? {}), { lamps, towards }), names, lit);
   } catch (problem) {
     if (!signal.aborted) place.textContent = '';
   }
@@ -37,23 +42,29 @@ async function feature(request, signal) {
   return readPfm(await fetchPfm(request, signal));
 }
 
+// Where the lamp is from what one looks at, [right, up].
+function lampWay({ view, pivot, light }) {
+  const way = subtract(light, pivot);
+  return [dot(way, view.across), dot(way, view.upwards)];
+}
+
 /**
  * What each object looks like, the largest first: { index, share (of the picture), shadow (share of
  * its pixels without all light), lean: [right, up] (how far its light's centre is off its own, by
  * its radius), brightness (its mean) }.
  */
-export function objectsSeen(object, shadow, light) {
+export function objectsSeen(object, shadow, light, owners, { lamps, towards }) {
   const sums = new Map();
   for (let y = 0; y < object.height; ++y) {
     for (let x = 0; x < object.width; ++x) {
-      const index = object.at(x, y)[0] - 1;
+      const index = ownerAt(object, owners, x, y);
       if (index < 0) continue;
       const sum = sums.get(index) ?? { index, count: 0, x: 0, y: 0, shadow: 0, glow: 0, glowX: 0, glowY: 0 };
       const glow = light.at(x, y).reduce((all, value) => all + value, 0) / 3;
       sum.count += 1;
       sum.x += x;
       sum.y += y;
-      sum.shadow += shadow.at(x, y)[0] < 0.5 ? 1 : 0;
+      sum.shadow += shadow.at(x, y)[0] < 0.5 / lamps ? 1 : 0;
       sum.glow += glow;
       sum.glowX += glow * x;
       sum.glowY += glow * y;
@@ -68,7 +79,8 @@ export function objectsSeen(object, shadow, light) {
       index: sum.index,
       share: sum.count / all,
       shadow: sum.shadow / sum.count,
-      lean: lean.map((by) => by / radius),
+      // A floor is bright where its lamp is near, in the picture maybe below: that is not its side.
+      lean: lean.map((by, i) => (towards && by * towards[i] < 0 ? 0 : by / radius)),
       brightness: sum.glow / sum.count,
     };
   });
@@ -77,8 +89,8 @@ export function objectsSeen(object, shadow, light) {
 /** The sentence about them. */
 export function sceneWords(seen, names, lit) {
   if (!lit) return '';
-  return seen.filter(({ index, share }) => names[index] && share >= LEAST_SHARE).slice(0, MOST_TOLD)
-    .map((one) => objectWords(one, names[one.index])).join('; ').concat(seen.length ? '.' : '');
+  const told = seen.filter(({ share }) => share >= LEAST_SHARE).slice(0, MOST_TOLD);
+  return told.map((one) => objectWords(one, names[one.index])).join('; ').concat(told.length ? '.' : '');
 }
 
 function objectWords({ lean: [right, up], shadow, brightness }, name) {

@@ -24,7 +24,7 @@ export function mountTabs(studio) {
   list.addEventListener('keydown', (event) => {
     const at = tabs.indexOf(document.activeElement);
     const to = { ArrowRight: at + 1, ArrowLeft: at - 1, Home: 0, End: -1 }[event.key];
-    if (at < 0 || to === undefined) return;
+    if (at < 0 || to === undefined || event.ctrlKey || event.altKey || event.metaKey) return;
     event.preventDefault();
     const tab = tabs.at(to % tabs.length);
     tab.focus();

@@ -33,26 +33,30 @@ export function finest(request, options, smooth) {
 }
 
 /**
- * The passes of a wish, the quickest first. `pace` is what it took by now, in ms: `perPixel` to
- * draw, `way` for all that does not depend on the pixels.
+ * The quickest picture of a wish. `pace` is what it took by now, in ms: `perPixel` to draw, `way`
+ * for all that does not depend on the pixels.
  */
-export function passesOf(request, options, { perPixel, way }, smooth) {
+export function quickOf(request, options, { perPixel, way }) {
   const coarse = plain(request, options);
   const budget = Math.max(FRAME_MS - way, LEAST_MS);
   const affordable = (scale) => pixelsOf(request) * scale * scale * perPixel <= budget;
   const scale = SCALES.find(affordable) ?? SCALES.at(-1);
-  const quick = scale === 1 ? coarse : scaled(coarse, scale);
-  const passes = [quick];
-  if (quick !== request) passes.push(request);
-  const last = finest(request, options, smooth);
-  if (last !== request) passes.push(last);
-  return passes.map((pass, i) => ({ request: pass, last: i === passes.length - 1 }));
+  return scale === 1 ? coarse : scaled(coarse, scale);
 }
+
+/** The next finer picture of a wish after `drawn`; null where that is the finest. */
+export function finerOf(drawn, request, options, smooth) {
+  const last = finest(request, options, smooth);
+  if (same(drawn, last)) return null;
+  return same(drawn, request) ? last : request;
+}
+
+const same = (a, b) => a === b || JSON.stringify(a) === JSON.stringify(b);
 
 /**
  * Passes: `ask(request)` draws; `draw(request, signal)` fetches and shows, giving { ms, drawn, cached }, the
- * milliseconds in all and of the server's drawing, or
- * throwing a Problem; `told(problem or null, last)` hears how it went; `optionsOf(request)` gives a
+ * milliseconds in all and of the server's drawing, or throwing a Problem; `told(problem or null,
+ * last, request)` hears how it went; `optionsOf(request)` gives a
  * scene's options as far as known.
  */
 export class Passes {
@@ -98,24 +102,26 @@ export class Passes {
   async #drawWish() {
     const wish = this.#waiting;
     this.#waiting = null;
-    const passes = passesOf(wish, this.#optionsOf(wish), this.#pace, !this.still);
     try {
-      for (const [i, pass] of passes.entries()) {
-        if (i > 0) await this.#quiet();
-        if (this.#waiting) return;
-        await this.#drawPass(pass, i > 0);
+      let pass = quickOf(wish, this.#optionsOf(wish), this.#pace);
+      for (let finer = false; pass && !this.#waiting; finer = true) {
+        await this.#drawPass(pass, finer);
+        // How a scene that came by its name wants to be drawn may be known only now.
+        const next = finerOf(pass, wish, this.#optionsOf(wish), !this.still);
+        this.#told(null, !next, pass);
+        if (next) await this.#quiet();
+        pass = next;
       }
     } catch (problem) {
       if (problem.name !== 'AbortError') this.#told(problem, true, wish);
     }
   }
 
-  async #drawPass({ request, last }, finer) {
+  async #drawPass(request, finer) {
     this.#refining = finer ? new AbortController() : null;
     try {
       const took = await this.#draw(request, this.#refining?.signal);
       if (!finer && !took.cached) this.#learn(request, took);
-      this.#told(null, last, request);
     } finally {
       this.#refining = null;
     }

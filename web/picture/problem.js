@@ -17,9 +17,15 @@ export async function readProblem(response) {
   const { status, statusText, headers } = response;
   const title = t('trouble.answered', { status, statusText }).trim();
   const document = headers.get('Content-Type')?.startsWith('application/problem+json')
-    ? await response.json().catch(() => ({}))
+    ? await response.json().catch(ignored)
     : {};
   return new Problem({ title, ...document, status }, headers.get('Retry-After'));
+}
+
+// A document that is none; but who gives up a request wants to hear nothing.
+function ignored(error) {
+  if (error.name === 'AbortError') throw error;
+  return {};
 }
 
 /** The problem that a failed fetch tells. */
@@ -29,21 +35,21 @@ export function unanswered(error) {
     : new Problem({ title: t('trouble.unreachable') });
 }
 
-/** A problem as { title, lines, next, retry, wait }: what happened, what to do, by whom, after how many s. */
-export function problemWords(problem) {
+/** A problem as { title, lines, next, retry, wait }: what happened, what to do, by whom, after how many s; `stays`: there is a picture. */
+export function problemWords(problem, stays = true) {
   const { status, title, detail, errors, retryAfter } = problem;
   const repeats = errors.some(({ pointer }) => pointer && detail.startsWith(`${pointer}:`));
   const lines = [repeats ? '' : detail, ...errors.map(faultWords)].filter(Boolean);
   const retry = status === 0 || status === 408 || status === 429 || status >= 500;
   const wait = retry && /^\d+$/.test(retryAfter ?? '') ? Number(retryAfter) : 0;
-  return { title, lines, next: nextStep(problem, retry, wait), retry, wait };
+  return { title, lines, next: nextStep(problem, retry, wait, stays), retry, wait };
 }
 
-function nextStep({ status, instance }, retry, wait) {
+function nextStep({ status, instance }, retry, wait, stays) {
   const log = status === 500 && instance ? t('trouble.log', { instance }) : '';
   const step = status === 0 ? t('trouble.check') : !retry ? t('trouble.change')
     : wait ? t('trouble.wait', { wait }) : t('trouble.again');
-  return [step, t('trouble.stays'), log].filter(Boolean).join(' ');
+  return [step, stays ? t('trouble.stays') : t('trouble.others'), log].filter(Boolean).join(' ');
 }
 
 /** One fault of a problem document in words, by its place. */

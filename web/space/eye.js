@@ -2,9 +2,10 @@
 // `camera`: the fields that have changed.
 
 import { add, cross, dot, length, normalize, scale, subtract, tidyVector, turn } from './vec.js';
-import { axisOf, completeCamera } from './view.js';
+import { axisOf, completeCamera, depthOf } from './view.js';
 
-const STEEPEST = Math.cos((5 * Math.PI) / 180); // the view keeps 5 degrees from up and down
+const STEEPEST = (5 * Math.PI) / 180; // from up and down
+const MOST_AWAY = 1e8; // from what one looks at
 
 /** The camera turned around `pivot` by angles in radians: `yaw` about its up, `pitch` about right. */
 export function orbit(camera, pivot, yaw, pitch) {
@@ -12,20 +13,21 @@ export function orbit(camera, pivot, yaw, pitch) {
   const up = normalize(whole.basis?.v ?? whole.up);
   const right = normalize(cross(axisOf(whole), up));
   const free = Boolean(whole.right || whole.basis); // has no horizon to keep
-  const turned = (a) => turn(turn(a, right, pitch), up, yaw);
-  const steep = Math.abs(dot(normalize(turned(axisOf(whole))), up)) > STEEPEST;
-  const steeper = Math.abs(dot(normalize(turned(axisOf(whole))), up)) > Math.abs(dot(normalize(axisOf(whole)), up));
-  if (!free && steep && steeper) return orbit(camera, pivot, yaw, 0);
+  // The angle between the view and up shrinks by the pitch; it ends before the view is turned over.
+  const angle = Math.acos(Math.min(1, Math.max(-1, dot(normalize(axisOf(whole)), up))));
+  const [most, least] = [Math.max(0, angle - STEEPEST), Math.min(0, angle + STEEPEST - Math.PI)];
+  const tilt = free ? pitch : Math.min(most, Math.max(least, pitch));
+  const turned = (a) => turn(turn(a, right, tilt), up, yaw);
   return moved(whole, (a) => add(pivot, turned(subtract(a, pivot))), turned, free);
 }
 
-/** The camera shifted across the picture by parts of its height at the distance of `pivot`. */
-export function pan(camera, pivot, x, y) {
+/** The camera shifted across its view's picture by parts of the height at the depth of `pivot`. */
+export function pan(camera, view, pivot, x, y) {
   const whole = completeCamera(camera);
   const axis = normalize(axisOf(whole));
   const right = normalize(cross(axis, whole.basis?.v ?? whole.up));
   const up = cross(right, axis);
-  const size = heightAt(whole, pivot);
+  const size = heightAt(view, pivot);
   const by = add(scale(right, x * size), scale(up, y * size));
   return moved(whole, (a) => add(a, by), (a) => a, false);
 }
@@ -34,7 +36,8 @@ export function pan(camera, pivot, x, y) {
 export function zoom(camera, pivot, factor) {
   const whole = completeCamera(camera);
   if (whole.projection === 'orthographic') return narrowed(whole, factor);
-  const by = scale(subtract(whole.location, pivot), factor - 1);
+  const away = subtract(whole.location, pivot);
+  const by = scale(away, length(away) * factor < MOST_AWAY ? factor - 1 : 0);
   return moved(whole, (a) => add(a, by), (a) => a, false);
 }
 
@@ -58,10 +61,9 @@ function narrowed({ height, right, up, pixel_size: side }, factor) {
 }
 
 // How high a picture's slice is where the pivot is.
-function heightAt(camera, pivot) {
-  if (camera.height) return camera.height;
-  const distance = length(subtract(pivot, camera.location));
-  return 2 * distance * Math.tan(((camera.fov_degrees ?? 25) * Math.PI) / 360);
+function heightAt(view, pivot) {
+  const plane = 2 * length(view.up);
+  return view.parallel ? plane : (plane * Math.abs(depthOf(view, pivot))) / length(view.forward);
 }
 
 function moved(camera, point, vector, withUp) {

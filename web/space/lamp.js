@@ -5,6 +5,7 @@
 import { add, dot, length, normalize, scale, subtract } from './vec.js';
 
 const RING = 0.36; // of the window's height: where the lamp stands a quarter round
+const MOST_AWAY = 1e8; // from what one looks at
 const FARTHEST = 170; // degrees: straight behind it has no single place in the picture
 
 /** Where the lamp's mark stands in the picture, [x, y] in pixels, of whose `window` one sees. */
@@ -35,9 +36,15 @@ export const ringRadius = ({ width, height }) => RING * Math.min(height, 0.75 * 
 /** The middle of a window, [x, y] in pixels. */
 export const centreOf = ({ x, y, width, height }) => [x + width / 2, y + height / 2];
 
-/** The light nearer or farther by a factor, not nearer than a thousandth of where it could be. */
+/** The light nearer or farther by a factor, within what the server takes. */
 export function atDistance(pivot, light, factor) {
-  return add(pivot, scale(subtract(light, pivot), factor));
+  const way = scale(subtract(light, pivot), factor);
+  return length(way) < MOST_AWAY ? add(pivot, way) : light;
+}
+
+/** The light that a request's `light` moves; undefined where there is none. */
+export function movedLight(scene) {
+  return scene?.key_light ?? (Array.isArray(scene?.lights) ? scene.lights : []).find((light) => light?.type !== 'sky');
 }
 
 /**
@@ -45,7 +52,7 @@ export function atDistance(pivot, light, factor) {
  * directional one stands where it would shine on `pivot` from; null where there is none.
  */
 export function lightOf(world, pivot) {
-  const light = world?.key_light ?? world?.lights?.find(({ type }) => type !== 'sky');
+  const light = movedLight(world);
   if (!light) return null;
   if (light.position) return light.position;
   if (light.direction) return pivot && subtract(pivot, light.direction);

@@ -4,6 +4,13 @@
 /** The parameters that the page knows, in the order in which a URL names them. */
 export const PARAMETERS = ['scene', 'key', 'light', 'camera', 'integrator', 'max_depth', 'seed',
   'width', 'height', 'samples', 'threshold', 'crop', 'transfer'];
+
+/** What the page opens with: the lamp is on, so that there is a shadow to ask about. */
+export const FIRST = { scene: 'thesis', key: 'a' };
+
+/** A scene of that name as it is opened. */
+export const opened = (scene = FIRST.scene) => (scene === FIRST.scene ? FIRST : { scene });
+
 const LISTS = ['light', 'crop', 'pixel'];
 const TEXTS = ['scene', 'key', 'integrator', 'transfer'];
 const LONGEST_TARGET = 4000; // the server refuses 4096 bytes and more

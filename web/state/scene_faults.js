@@ -5,7 +5,11 @@ import { parseScene, tokens, valueAt, withValue } from './scene_text.js';
 
 /** The faults of a text's syntax as [{ start, end, line, column, reason, got }]. */
 export function syntaxFaults(text) {
-  return parseScene(text).faults.map(({ offset, ...fault }) => ({ ...fault, start: offset }));
+  const { faults, value } = parseScene(text);
+  const object = value !== null && typeof value === 'object' && !Array.isArray(value);
+  if (!faults.length && !object)
+    return [{ start: 0, end: text.length, line: 1, column: 1, reason: 'scene', got: text.trim().slice(0, 20) }];
+  return faults.map(({ offset, ...fault }) => ({ ...fault, start: offset }));
 }
 
 /**

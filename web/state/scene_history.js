@@ -35,7 +35,7 @@ export class History {
     const before = joins ? this.#replayed(this.#done.pop()) : this.text;
     const step = difference(before, text);
     if (step) this.#done.push(step);
-    [this.text, this.#undone, this.#kind, this.#when] = [text, [], kind, now];
+    [this.text, this.#undone, this.#kind, this.#when] = [text, [], step && kind, now];
   }
 
   get canUndo() {

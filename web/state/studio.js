@@ -7,6 +7,7 @@ import { totalMs } from '../picture/timing.js';
 import { fetchExplanation, fetchPicture, fetchScene } from '../picture/server.js';
 import { lightOf, pivotOf } from '../space/lamp.js';
 import { completeCamera, viewOf } from '../space/view.js';
+import { mergePatch } from './merge_patch.js';
 import { Model } from './model.js';
 import { middleOf, sizeOf } from './window.js';
 
@@ -17,6 +18,7 @@ export class Studio {
   #shower = async () => {};
   #failed = () => {};
   #sourceProblem = null; // what kept the scene's text away, until it comes
+  #notice = null; // what is wrong with the link that was opened, until something else is
   #showing = null; // the picture that is being decoded
   #matter = ''; // scene and key of the world that is known
   #middle = ''; // and what the pivot depends on
@@ -31,16 +33,19 @@ export class Studio {
     this.model.on('ask', () => this.#passes.ask(this.#wish()));
   }
 
-  /** Starts with a request and, where one is asked for, a pixel. */
-  async begin({ request, asked }) {
+  /** Starts with a request and, where one is asked for, a pixel; `problem` is told beside the picture. */
+  async begin({ request, asked, problem }) {
     this.model.asked = asked ?? null;
-    await this.open(request);
+    const opened = this.open(request);
+    this.#notice = problem ?? null;
+    await opened;
   }
 
   /** Wants another scene or the same anew; what is known of the old one is forgotten. */
   async open(request, source = null) {
     this.pivot = null;
     this.model.world = null;
+    [this.#sourceProblem, this.#notice] = [null, null];
     this.#passes.forget();
     this.model.want(request, source);
     if (!this.model.source) await this.#learnSource(request.scene ?? 'thesis');
@@ -63,10 +68,15 @@ export class Studio {
     this.model.change({ threshold: on ? this.model.source?.options?.threshold || SMOOTH : 0 });
   }
 
-  /** The request whose picture the page ends on: what a link, a file or a shell gets. */
+  /** The request whose picture the page ends on: what a file or a shell gets. */
   get final() {
     const wish = this.#wish();
     return finest(wish, this.model.source?.options, !this.model.asked);
+  }
+
+  /** The same while nothing is asked: what a link says, beside the pixel that is asked about. */
+  get unasked() {
+    return finest(this.model.request, this.model.source?.options, true);
   }
 
   /** The camera that is wanted, every spelling as the scene has it. */
@@ -84,6 +94,12 @@ export class Studio {
     return this.model.request.light ?? (this.model.world ? lightOf(this.model.world, this.pivot) : null);
   }
 
+  /** Where the lamp is in the picture shown; null where it is out, undefined where not known yet. */
+  get lightShown() {
+    const { shown, world } = this.model;
+    return shown?.request.light ?? (shown && this.#knows(shown.request) ? lightOf(world, this.pivot) : undefined);
+  }
+
   /** Puts the lamp there. What a key has changed beside the light stays as it is. */
   moveLight(light) {
     this.model.change(this.lightPatch(light));
@@ -92,8 +108,9 @@ export class Studio {
   /** What changes in a request when the lamp is put there. */
   lightPatch(light) {
     const { request, source, world } = this.model;
-    const patched = request.key && world && Object.keys(source?.keys?.[request.key] ?? {}).some((it) => it !== 'light');
-    return { light, key: null, ...(patched && { scene: world, camera: null }) };
+    const patches = request.key && Object.keys(source?.keys?.[request.key] ?? {}).some((it) => it !== 'light');
+    if (!patches) return { light, key: null };
+    return this.#knows(request) ? { light, key: null, scene: world, camera: null } : {};
   }
 
   /** How the picture is shown: `show(picture, request, last)`, and what is told of failures. */
@@ -112,10 +129,11 @@ export class Studio {
   async #draw(request, signal) {
     const start = performance.now();
     const picture = await fetchPicture(request, signal);
-    await this.#showing;
+    await this.#showing?.catch(() => {}); // one that cannot be decoded is in nobody's way
     this.#showing = this.#show(picture, request, start);
     // Where the hand has gone on, the next picture is fetched while this one is decoded.
     if (!this.#passes.behind) await this.#showing;
+    else this.#showing.catch(() => {});
     return { ms: picture.ms, drawn: totalMs(picture.timing), cached: picture.cached };
   }
 
@@ -129,32 +147,46 @@ export class Studio {
       this.model.tell('fail');
       return this.#failed(problem);
     }
-    this.#failed(this.#sourceProblem);
+    this.#failed(this.#sourceProblem ?? this.#notice);
     if (this.#passes.behind) return; // the hand has gone on
     if (last) this.model.tell('rest');
-    const { scene, key } = request;
-    const matter = JSON.stringify([scene, key]);
-    if (!last && matter === this.#matter) return; // a hand moves things: one look is enough, at its end
+    if (!last && this.#knows(request)) return; // a hand moves things: one look is enough, at its end
     if (this.model.shown?.request !== request) return; // the hand was quicker
-    await this.#look(request, this.model.shown.blob, matter)
+    await this.#look(request, this.model.shown.blob)
       .catch((error) => console.warn('The scene of the picture:', error.message));
   }
 
+  // Whether the world is the one of this request's scene and key.
+  #knows(request) {
+    return this.model.world !== null && this.#matter === matterOf(request);
+  }
+
   // What the picture was drawn from, told by itself, and what its middle shows.
-  async #look(request, blob, matter) {
+  async #look(request, blob) {
     const recipe = await readRecipe(blob);
     if (!recipe || this.model.shown.request !== request) return;
-    this.#matter = matter;
-    this.model.world = { ...recipe.request.scene, options: this.model.source?.options };
+    this.#matter = matterOf(request);
+    this.model.world = this.#whole(recipe.request.scene, request.key);
     // An edited scene goes on about the same point: what moves away from there is not run after.
     const middle = JSON.stringify([request.key, request.camera, request.crop]);
-    if (middle !== this.#middle || !this.pivot) await this.#findPivot(request, middle);
+    if (middle !== this.#middle || !this.pivot)
+      await this.#findPivot(request, middle).catch((error) => console.warn('The picture\u2019s middle:', error.message));
     if (this.model.shown.request === request) this.model.tell('world');
   }
 
+  // A recipe does not tell very many objects again; they are the source's, as the key leaves them.
+  #whole(scene, key) {
+    const { source } = this.model;
+    const { objects, materials } = mergePatch(source ?? {}, source?.keys?.[key]);
+    return { ...scene, ...(typeof scene.objects === 'string' && { objects, materials }), options: source?.options };
+  }
+
+  // Of light only `whitted` explains; what a ray hits is the same for all.
   async #findPivot(request, middle) {
     const [x, y] = middleOf(request);
-    const { hits } = await fetchExplanation({ ...request, x, y, samples: 1, threshold: 0 });
+    const asked = { ...request, integrator: 'whitted', samples: 1, threshold: 0 };
+    const { hits } = await fetchExplanation({ ...asked, x, y });
+    if (this.model.shown.request !== request) return; // the hand was quicker
     this.#middle = middle;
     this.pivot = pivotOf(this.view, this.camera, hits);
   }
@@ -167,7 +199,10 @@ export class Studio {
       this.model.know(source);
       if (this.#sourceProblem) this.#failed((this.#sourceProblem = null));
     } catch (problem) {
-      this.#failed((this.#sourceProblem = problem));
+      if ((this.model.request.scene ?? 'thesis') === name) this.#failed((this.#sourceProblem = problem));
     }
   }
 }
+
+// What decides which scene a request's picture is of, but for light and camera.
+const matterOf = ({ scene, key }) => JSON.stringify([scene, key]);

@@ -49,7 +49,8 @@ function mainWords(tree) {
   }
   const lamp = mainLamp(tree);
   const cause = lamp ? lampCause(lamp, tree) : t('why.noLamp', { thing });
-  return addsOf(main) > 0 && main.name === 'ambient' ? `${cause} ${t('why.onlyAmbient')}` : cause;
+  const alone = addsOf(main) > 0 && main.name === 'ambient' && !(lamp && addsOf(lamp) > 0);
+  return alone ? `${cause} ${t('why.onlyAmbient')}` : cause;
 }
 
 // What one sees in a mirror or behind glass: the first thing that does not pass most of it on.

@@ -11,7 +11,12 @@ let dictionary = en;
 export async function chooseLanguage(wished) {
   const spoken = (navigator.languages ?? []).map((tag) => tag.split('-')[0]);
   language = [wished, recall('language'), ...spoken].find((one) => LANGUAGES.includes(one)) ?? 'en';
-  if (language !== 'en') dictionary = (await import(`./${language}.js`)).default;
+  try {
+    if (language !== 'en') dictionary = (await import(`./${language}.js`)).default;
+  } catch (error) {
+    console.warn('English instead:', error.message);
+    language = 'en';
+  }
   document.documentElement.lang = language;
 }
 
