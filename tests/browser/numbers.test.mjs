@@ -2,7 +2,7 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { Pace, median, rateOf } from '../../web/picture/pace.js';
+import { Pace, median, rateOf } from '../../web/picture/timing.js';
 import { lab, light, rest } from './lab.mjs';
 
 const on = lab();

@@ -5,7 +5,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { mergePatch } from '../../web/state/merge_patch.js';
 import { History } from '../../web/state/scene_history.js';
-import { ownersOf } from '../../web/picture/object_image.js';
+import { ownersOf } from '../../web/picture/feature_image.js';
 import { finerOf, quickOf } from '../../web/picture/passes.js';
 import { orbit, pan } from '../../web/space/eye.js';
 import { project, viewOf } from '../../web/space/view.js';

@@ -6,7 +6,6 @@ import { readAddress, writeAddress } from '../state/address.js';
 import { FIRST, PARAMETERS } from '../state/request.js';
 import { t } from '../words/words.js';
 
-
 /** What the address wants to be shown: { request, asked }, and the `problem` with it, or null. */
 export async function firstState() {
   const state = await readAddress(location).catch(() => null);

@@ -2,15 +2,13 @@
 
 import { plain } from '../picture/passes.js';
 import { fetchPicture } from '../picture/server.js';
-import { finalPicture } from '../state/final.js';
+import { finalPicture } from '../state/studio.js';
 import { windowOf } from '../state/window.js';
 import { t } from '../words/words.js';
 import { lampWords } from '../words/scene_words.js';
 import { compareForm } from './compare_form.js';
-import { differenceView } from './compare_difference.js';
-import { slidingView } from './compare_view.js';
-import { cover, stale, uncover } from './cover.js';
-import { imageOf } from './image_of.js';
+import { differenceView, slidingView } from './compare_views.js';
+import { cover, imageOf, stale, uncover } from './cover.js';
 import { showProblem } from './problem_view.js';
 
 function sizeWords(request) {

@@ -1,4 +1,20 @@
-// What lies over the picture: one thing at a time, whoever puts it there.
+// Pictures that lie over the page's own.
+
+import { Problem } from '../picture/problem.js';
+import { t } from '../words/words.js';
+
+/** A blob's picture, decoded, its `src` an object URL that whoever is done with it revokes. */
+export async function imageOf(blob) {
+  const image = new Image();
+  image.src = URL.createObjectURL(blob);
+  try {
+    await image.decode();
+    return image;
+  } catch {
+    URL.revokeObjectURL(image.src);
+    throw new Problem({ title: t('trouble.unreadable'), status: 502 });
+  }
+}
 
 const place = document.getElementById('compare');
 let owner = null;

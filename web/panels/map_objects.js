@@ -1,6 +1,6 @@
 // The objects of a plan: where they are, told by its object image, and moved, as edits of the scene.
 
-import { ownerAt } from '../picture/object_image.js';
+import { ownerAt } from '../picture/feature_image.js';
 import { add, tidyVector } from '../space/vec.js';
 
 const MOST = 12;

@@ -2,8 +2,7 @@
 // and on them what a hand can take: the lamp, the camera, what it looks at, and the objects.
 
 import { fetchPfm, fetchPicture } from '../picture/server.js';
-import { ownersOf } from '../picture/object_image.js';
-import { readPfm } from '../picture/pfm.js';
+import { ownersOf, readPfm } from '../picture/feature_image.js';
 import { placeIn, placeWithin, planCamera, plansOf, regionOf, wayIn } from '../space/plan.js';
 import { aimMoved, eyeMoved } from '../space/eye.js';
 import { distanceOf } from '../space/lamp.js';

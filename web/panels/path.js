@@ -11,7 +11,7 @@ import { element } from './element.js';
 import { pathForm } from './path_form.js';
 import { Film } from './path_player.js';
 import { showProblem } from './problem_view.js';
-import { save } from './save.js';
+import { save } from './carry.js';
 
 export function mountPath(studio) {
   const { model } = studio;

@@ -1,7 +1,7 @@
 // Frames of a film that come one after the other and are kept, and the clock that shows them.
 
 import { fetchPicture } from '../picture/server.js';
-import { imageOf } from './image_of.js';
+import { imageOf } from './cover.js';
 
 /**
  * A film: `requests`, one a frame. `show(image, index)` shows one, `came(count)` hears of each that

@@ -12,7 +12,7 @@ import { Editor } from './scene_editor.js';
 import { showFaults } from './scene_faults.js';
 import { mountDrop } from './scene_drop.js';
 import { SceneForm } from './scene_form.js';
-import { forget, keep, kept } from './scene_keep.js';
+import { forget, keep, kept } from '../state/scene_keep.js';
 
 const PAUSE_MS = 200; // so long the typing rests before the server is asked
 const TAB = 'tab-scene';

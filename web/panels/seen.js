@@ -1,8 +1,7 @@
 // What is to be seen, in words for who does not see it: read off the feature images that tell the
 // object and the share of the light at every pixel, and off the picture's own brightness.
 
-import { ownerAt, ownersOf } from '../picture/object_image.js';
-import { readPfm } from '../picture/pfm.js';
+import { ownerAt, ownersOf, readPfm } from '../picture/feature_image.js';
 import { fetchPfm } from '../picture/server.js';
 import { dot, subtract } from '../space/vec.js';
 import { pixelsOf, scaled } from '../state/window.js';

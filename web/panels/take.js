@@ -1,13 +1,12 @@
 // Taking the picture along: as a file, a link, an address, a shell line, a scene.
 
-import { finalPicture } from '../state/final.js';
+import { finalPicture } from '../state/studio.js';
 import { curlLine, fetchable, fileName } from '../state/request.js';
 import { t } from '../words/words.js';
 import { pageAddress } from './address.js';
-import { bindCopy } from './copy.js';
+import { bindCopy, save } from './carry.js';
 import { element } from './element.js';
 import { showProblem } from './problem_view.js';
-import { save } from './save.js';
 import { takeForm } from './take_form.js';
 
 const LONGEST_LINE = 120_000; // a shell takes arguments of up to 128 KiB

@@ -1,7 +1,7 @@
 // The sum that makes a ray's light, written as one adds on paper: a column for each colour.
 
-import { codesOf } from '../picture/codes.js';
-import { degrees, factorsOf, glossAngle, sumOf } from '../picture/ray_tree.js';
+import { codesOf } from '../picture/srgb.js';
+import { degrees, factorsOf, glossAngle, sumOf } from '../picture/explained.js';
 import { termWords } from '../words/why_words.js';
 import { languageNow, t } from '../words/words.js';
 import { element } from './element.js';

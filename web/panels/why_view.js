@@ -1,6 +1,6 @@
 // What the panel shows: an invitation, an explanation, or why there is none.
 
-import { codesOf } from '../picture/codes.js';
+import { codesOf } from '../picture/srgb.js';
 import { problemWords } from '../picture/problem.js';
 import { thingWords, whySentence } from '../words/why_words.js';
 import { countWords, numberWords, t } from '../words/words.js';

@@ -1,8 +1,20 @@
 // An animated PNG of still ones: their packed pixels go over as they are, nothing is packed anew.
 // Source: PNG specification, third edition, 11.3.6 (acTL, fcTL, fdAT) and 5.3 (chunk layout).
 
-import { crc32 } from './crc.js';
-import { SIGNATURE, pngChunks } from './png_text.js';
+import { pngChunks, SIGNATURE } from './png_text.js';
+
+const TABLE = Uint32Array.from({ length: 256 }, (_, n) => {
+  for (let k = 0; k < 8; ++k) n = n & 1 ? 0xedb88320 ^ (n >>> 1) : n >>> 1;
+  return n;
+});
+
+/** The CRC-32 of all bytes of some arrays, one after the other. */
+export function crc32(...arrays) {
+  let crc = 0xffffffff;
+  for (const bytes of arrays)
+    for (let i = 0; i < bytes.length; ++i) crc = TABLE[(crc ^ bytes[i]) & 255] ^ (crc >>> 8);
+  return (crc ^ 0xffffffff) >>> 0;
+}
 
 const THOUSAND = 1000; // delays are in ms
 

@@ -1,10 +1,11 @@
-// Colours in linear light and as people pick them. Source: IEC 61966-2-1 (sRGB).
+// The curve of sRGB and a picture's 8-bit codes: the same arithmetic as the server's
+// core/film/tonemap. Source of the curve: IEC 61966-2-1:1999.
 
 const DIGITS = 5; // of a stored number: enough for each of 256 codes to come back as itself
 
-const coded = (light) => (light <= 0.0031308 ? 12.92 * light : 1.055 * light ** (1 / 2.4) - 0.055);
-const light = (code) => (code <= 0.04045 ? code / 12.92 : ((code + 0.055) / 1.055) ** 2.4);
-const codeOf = (value) => Math.round(255 * coded(Math.min(1, Math.max(0, value))));
+const toSignal = (light) => (light <= 0.0031308 ? 12.92 * light : 1.055 * light ** (1 / 2.4) - 0.055);
+const toLight = (signal) => (signal <= 0.04045 ? signal / 12.92 : ((signal + 0.055) / 1.055) ** 2.4);
+const codeOf = (light) => Math.round(255 * toSignal(clamp(light)));
 
 /** Linear RGB as "#rrggbb". */
 export function hexOf(rgb) {
@@ -16,6 +17,27 @@ export function linearOf(hex, old = []) {
   return [1, 3, 5].map((at, i) => {
     const code = parseInt(hex.slice(at, at + 2), 16);
     const stays = old[i] !== undefined && codeOf(old[i]) === code;
-    return stays ? old[i] : Number(light(code / 255).toPrecision(DIGITS));
+    return stays ? old[i] : Number(toLight(code / 255).toPrecision(DIGITS));
   });
+}
+
+/** The codes that store a colour: `transfer` is `srgb` or `linear`. */
+export function codesOf(color, transfer = 'srgb') {
+  return color.map(transfer === 'linear' ? linearCode : srgbCode);
+}
+
+// In float, as the server rounds it.
+function linearCode(light) {
+  return Math.floor(Math.fround(Math.fround(clamp(light) * 255) + 0.5));
+}
+
+// The server compares with the light at which a code changes; so does this, next to the curve.
+function srgbCode(light) {
+  const code = Math.floor(255 * toSignal(clamp(light)) + 0.5);
+  if (code > 0 && light < toLight((code - 0.5) / 255)) return code - 1;
+  return code < 255 && light >= toLight((code + 0.5) / 255) ? code + 1 : code;
+}
+
+function clamp(light) {
+  return light > 0 ? Math.min(light, 1) : 0;
 }

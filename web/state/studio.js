@@ -1,14 +1,15 @@
 // The studio: what all panels share. It holds the model, draws what is wanted, and knows where
 // camera, lamp and what one looks at are in the picture shown.
 
-import { Passes, SMOOTH, finest, plain } from '../picture/passes.js';
+import { finest, Passes, plain, SMOOTH } from '../picture/passes.js';
 import { readRecipe } from '../picture/png_text.js';
-import { totalMs } from '../picture/timing.js';
 import { fetchExplanation, fetchPicture, fetchScene } from '../picture/server.js';
+import { totalMs } from '../picture/timing.js';
 import { lightOf, pivotOf } from '../space/lamp.js';
 import { completeCamera, viewOf } from '../space/view.js';
 import { mergePatch } from './merge_patch.js';
 import { Model } from './model.js';
+import { queryOf } from './request.js';
 import { middleOf, sizeOf } from './window.js';
 
 export class Studio {
@@ -202,6 +203,13 @@ export class Studio {
       if ((this.model.request.scene ?? 'thesis') === name) this.#failed((this.#sourceProblem = problem));
     }
   }
+}
+
+/** The studio's final picture, as fetchPicture gives it; what is shown already is not asked for. */
+export async function finalPicture({ final, model }, signal) {
+  const { shown } = model;
+  const there = shown && queryOf(shown.request) === queryOf(final);
+  return there ? shown : { ...await fetchPicture(final, signal), request: final };
 }
 
 // What decides which scene a request's picture is of, but for light and camera.

@@ -1,6 +1,6 @@
 // Sentences about why a pixel has its colour, told from /explain's tree.
 
-import { degrees } from '../picture/ray_tree.js';
+import { degrees } from '../picture/explained.js';
 import { countWords, t } from './words.js';
 
 const LEAST_PART = 0.05; // of the brightness that is worth a word

@@ -1,6 +1,17 @@
-// Buttons that copy a text.
+// Carrying things away from the page: a file saved, a text copied.
 
 import { t } from '../words/words.js';
+
+const TAKEN_MS = 10_000; // by then the browser has begun to write the file
+
+/** Saves a blob as a file called `name`. */
+export function save(blob, name) {
+  const link = document.createElement('a');
+  link.href = URL.createObjectURL(blob);
+  link.download = name;
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(link.href), TAKEN_MS);
+}
 
 const SHOWN_MS = 2000;
 const said = document.getElementById('said');

@@ -1,5 +1,7 @@
-// Two pictures in one frame, one on each side of a line that a hand moves.
+// The two ways to see two pictures at once: side by side at a line that slides, and their difference.
 
+import { differenceOf, pixelsOf } from '../picture/difference.js';
+import { countWords, numberWords, t } from '../words/words.js';
 import { element } from './element.js';
 
 const KNOB = '\u25c0\u2009\u25b6';
@@ -29,4 +31,27 @@ export function slidingView(moved) {
       handle.style.left = `${share * 100}%`;
     },
   };
+}
+
+/** The view as { node, draw(a, b, factor), words(difference) }; `a` and `b` are blobs of one size. */
+export function differenceView() {
+  const node = element('canvas', { class: 'difference', role: 'img', 'aria-label': t('compare.difference') });
+
+  async function draw(a, b, factor) {
+    const [left, right] = await Promise.all([pixelsOf(a), pixelsOf(b)]);
+    const difference = differenceOf(left, right, factor);
+    [node.width, node.height] = [left.width, left.height];
+    node.getContext('2d').putImageData(difference.image, 0, 0);
+    return difference;
+  }
+
+  return { node, draw, words };
+}
+
+function words({ differing, count, largest, mean }) {
+  if (differing === 0) return t('compare.same', { count: countWords(count) });
+  const share = numberWords((100 * differing) / count);
+  return t('compare.differ', {
+    differing: countWords(differing), count: countWords(count), share, largest, mean: numberWords(mean),
+  });
 }

@@ -1,6 +1,6 @@
 // The editor's text outlives a reload, also where it is broken.
 
-import { recall, remember } from '../state/memory.js';
+import { recall, remember } from './memory.js';
 
 const NAME = 'scene';
 const STORAGE = 'sessionStorage';
