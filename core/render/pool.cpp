@@ -5,6 +5,9 @@
 #include <chrono>
 #include <condition_variable>
 #include <exception>
+#include <utility>
+
+#include "core/input/task_context.h"
 
 namespace tia {
 namespace {
@@ -28,17 +31,20 @@ struct Pool::Hand {
 };
 
 struct Pool::Job : Turn {
-  Job(int tasks, int most, const std::stop_token& asked, const std::function<void(int)>& what)
-      : Turn(tasks, most), stop(asked), task(what) {}
+  Job(int tasks, int most, const std::stop_token& asked, const std::function<void(int)>& what,
+      Flow& request)
+      : Turn(tasks, most, request), stop(asked), task(what) {}
 
   const std::stop_token& stop;
   const std::function<void(int)>& task;
+  void* const context = task_context;    // the caller's
   std::exception_ptr failure = nullptr;  // guarded by the pool's mutex, as is what a turn counts
   Hand caller{};
 
   // Takes tasks until that time. Returns: what a task threw.
   std::exception_ptr run(const Clock& clock, Nanoseconds end) {
     inside_task = true;
+    void* const outside = std::exchange(task_context, context);
     std::exception_ptr thrown = nullptr;
     try {
       run_tasks(clock, end);
@@ -46,6 +52,7 @@ struct Pool::Job : Turn {
       next = count;
       thrown = std::current_exception();
     }
+    task_context = outside;
     inside_task = false;
     return thrown;
   }
@@ -77,9 +84,11 @@ Pool::~Pool() {
 }
 
 void Pool::for_each(int count, int max_threads, const std::stop_token& stop,
-                    const std::function<void(int)>& task) {
+                    const std::function<void(int)>& task, Flow* flow) {
   if (inside_task) return in_turn(count, stop, task);
-  Job job(count, std::min(std::max(max_threads, 1), count), stop, task);
+  Flow own;
+  Job job(count, std::min(std::max(max_threads, 1), count), stop, task,
+          flow != nullptr ? *flow : own);
   Hand& hand = job.caller;
   std::unique_lock lock(mutex_);
   turns_.enter(job, clock_());
@@ -93,15 +102,15 @@ void Pool::for_each(int count, int max_threads, const std::stop_token& stop,
   dismiss_idle(job);
   call_hands();
   hand.called.wait(lock, [&] { return job.hands == 0; });
-  turns_.leave(job);
+  turns_.leave(job, clock_());
   lock.unlock();
   if (job.failure) std::rethrow_exception(job.failure);
   end_if_asked(stop);
 }
 
-Workers Pool::workers(int max_threads, const std::stop_token& stop) {
-  const auto share = [this, max_threads, stop](int count, const Workers::Task& task) {
-    for_each(count, max_threads, stop, task);
+Workers Pool::workers(int max_threads, const std::stop_token& stop, Flow* flow) {
+  const auto share = [this, max_threads, stop, flow](int count, const Workers::Task& task) {
+    for_each(count, max_threads, stop, task, flow);
   };
   return Workers(share, stop);
 }
@@ -133,7 +142,7 @@ void Pool::work(Hand& hand, std::unique_lock<std::mutex>& lock) {
     lock.lock();
     if (thrown && !job.failure) job.failure = thrown;
     now = clock_();
-    turns_.spend(now - since);
+    turns_.spend(job, now - since);
   } while (turns_.stays(job, now));
   Turns::end(job, now);
   unseat(hand);
@@ -145,7 +154,7 @@ void Pool::work(Hand& hand, std::unique_lock<std::mutex>& lock) {
 Pool::Job* Pool::next_job() const { return static_cast<Job*>(turns_.next(clock_())); }
 
 void Pool::seat(Hand& hand, Job& job) {
-  turns_.call(job);
+  turns_.call(job, clock_());
   hand.job = &job;
 }
 

@@ -28,12 +28,14 @@ class Pool {
   int threads() const { return turns_.threads(); }
 
   /// Calls task(0) … task(count - 1), each once, in no order, on at most `max_threads` threads;
-  /// inside of another task in turn, on the thread of that one.
+  /// inside of another task in turn, on the thread of that one. `flow` is the request that it
+  /// belongs to; null: one of its own. Tasks find the caller's task_context.
   /// Errors: Stopped between tasks once `stop` is requested; whatever a task throws.
   void for_each(int count, int max_threads, const std::stop_token& stop,
-                const std::function<void(int)>& task);
-  /// Those threads as workers, who end once `stop` is requested. Domain: the pool outlives them.
-  Workers workers(int max_threads, const std::stop_token& stop = {});
+                const std::function<void(int)>& task, Flow* flow = nullptr);
+  /// Those threads as workers, who end once `stop` is requested. Domain: pool and flow outlive
+  /// them.
+  Workers workers(int max_threads, const std::stop_token& stop = {}, Flow* flow = nullptr);
 
  private:
   struct Job;

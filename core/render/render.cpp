@@ -14,15 +14,18 @@ RayCounts render(const World& world, const View& view, const Window& window,
   RayMeter meter(options.max_rays, options.max_work, stop, options.spent);
   const Shot shot{world, view, options.integrator, options.max_depth, sampler, meter};
 
-  pool.for_each(columns * rows, options.threads, stop, [&](int i) {
-    Block block;
-    block.x = i % columns * tile;
-    block.y = i / columns * tile;
-    block.width = std::min(tile, window.width() - block.x);
-    block.height = std::min(tile, window.height() - block.y);
-    trace_block(shot, options.scalar, window.x0 + block.x, window.y0 + block.y, block);
-    develop(block);
-  });
+  pool.for_each(
+      columns * rows, options.threads, stop,
+      [&](int i) {
+        Block block;
+        block.x = i % columns * tile;
+        block.y = i / columns * tile;
+        block.width = std::min(tile, window.width() - block.x);
+        block.height = std::min(tile, window.height() - block.y);
+        trace_block(shot, options.scalar, window.x0 + block.x, window.y0 + block.y, block);
+        develop(block);
+      },
+      options.flow);
   return meter.counts();
 }
 

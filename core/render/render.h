@@ -34,6 +34,7 @@ struct RenderOptions {
   std::int64_t max_rays = Limits{}.max_rays;  ///< of all kinds, of the whole window
   std::int64_t max_work = Limits{}.max_work;  ///< of the whole window
   Spent spent = {};
+  Flow* flow = nullptr;  ///< the request that it is drawn for; null: one of its own
 };
 
 /// Traces the window and hands each finished block, in window coordinates, to `develop`, from

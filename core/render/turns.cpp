@@ -1,49 +1,128 @@
 #include "core/render/turns.h"
 
 #include <algorithm>
+#include <ranges>
+#include <utility>
 
 namespace tia {
+namespace {
 
-void Turns::enter(Turn& job, Nanoseconds now) {
-  if (!jobs_.empty()) {
-    const auto less = [&](const Turn* a, const Turn* b) {
-      return a->service(now) < b->service(now);
-    };
-    const Nanoseconds most = (*std::max_element(jobs_.begin(), jobs_.end(), less))->service(now);
-    for (Turn* each : jobs_)
-      each->before += std::max<Nanoseconds>(most - arrears - each->service(now), 0);
-    const Nanoseconds least = (*std::min_element(jobs_.begin(), jobs_.end(), less))->service(now);
-    level_ = std::max(level_, least);
+// Prepares for one more among others: bounds what they are owed. Returns: the least that one of
+// them has had, or `level` without any or where that is more.
+template <class Services>
+Nanoseconds settled_level(Services&& others, Nanoseconds level, Nanoseconds now) {
+  if (std::ranges::empty(others)) return level;
+  Nanoseconds most = others.front()->at(now);
+  for (ServiceTime* each : others) most = std::max(most, each->at(now));
+  Nanoseconds least = most;
+  for (ServiceTime* each : others) {
+    each->raise_to(most - Turns::arrears, now);
+    least = std::min(least, each->at(now));
   }
-  job.before = level_ - credit;
-  job.young = level_;
-  jobs_.push_back(&job);
+  return std::max(level, least);
 }
 
-void Turns::leave(const Turn& job) { jobs_.erase(std::find(jobs_.begin(), jobs_.end(), &job)); }
+// The oldest of a client's long jobs that can use a hand; null without one.
+const Turn* oldest_long(const ClientJobs& client) {
+  const Turn* oldest = nullptr;
+  for (const Turn* job : client.jobs)
+    if (job->flow.is_long && job->wants_hand() &&
+        (oldest == nullptr || job->flow.order < oldest->flow.order))
+      oldest = job;
+  return oldest;
+}
+
+// Whether it must let an older long job of its client go on first.
+bool is_parked(const Turn& job) {
+  if (!job.flow.is_long) return false;
+  const Turn* oldest = oldest_long(*job.client);
+  return oldest != nullptr && oldest->flow.order < job.flow.order;
+}
+
+// By how much more service one has had than the other, where it counts: among clients first.
+Nanoseconds ahead(const Turn& one, const Turn& other, Nanoseconds now) {
+  if (one.client != other.client)
+    return one.client->service.at(now) - other.client->service.at(now);
+  return one.service.at(now) - other.service.at(now);
+}
+
+}  // namespace
+
+// Calls action(job) for every job that can use one more hand and is not parked.
+template <class Action>
+void Turns::for_each_candidate(const Action& action) const {
+  for (const ClientJobs& client : clients_) {
+    const Turn* oldest = oldest_long(client);
+    for (Turn* job : client.jobs)
+      if (job->wants_hand() && (!job->flow.is_long || job == oldest)) action(*job);
+  }
+}
+
+ClientJobs& Turns::client_of(const Turn& job, Nanoseconds now) {
+  const auto same = [&](const ClientJobs& each) { return each.number == job.flow.client; };
+  if (const auto known = std::ranges::find_if(clients_, same); known != clients_.end())
+    return *known;
+  std::vector<ServiceTime*> others;
+  for (ClientJobs& each : clients_) others.push_back(&each.service);
+  level_ = settled_level(others, level_, now);
+  ClientJobs& made = clients_.emplace_back(ClientJobs{job.flow.client});
+  made.service.before = level_ - credit;
+  return made;
+}
+
+void Turns::enter(Turn& job, Nanoseconds now) {
+  ClientJobs& client = client_of(job, now);
+  std::vector<ServiceTime*> others;
+  for (Turn* each : client.jobs)
+    if (!is_parked(*each)) others.push_back(&each->service);
+  client.level = settled_level(others, client.level, now);
+  Flow& flow = job.flow;
+  if (flow.order == 0) {
+    flow.order = ++entered_;
+    flow.place = client.level - credit;
+    flow.credit_end = client.level;
+  }
+  job.service.before = std::max(flow.place, client.level - credit);
+  client.jobs.push_back(&job);
+  job.client = &client;
+}
+
+void Turns::leave(Turn& job, Nanoseconds now) {
+  ClientJobs& client = *job.client;
+  job.flow.place = job.service.at(now);
+  client.jobs.erase(std::ranges::find(client.jobs, &job));
+  job.client = nullptr;
+  if (client.jobs.empty())
+    clients_.remove_if([&](const ClientJobs& each) { return &each == &client; });
+}
 
 Turn* Turns::next(Nanoseconds now) const {
-  const bool old_at_work = std::any_of(jobs_.begin(), jobs_.end(), [&](const Turn* job) {
-    return job->awake > 0 && !job->is_young(now);
-  });
+  bool old_at_work = false;
+  for (const ClientJobs& client : clients_)
+    for (const Turn* job : client.jobs)
+      old_at_work = old_at_work || (job->service.awake > 0 && !job->is_young(now));
   Turn* next = nullptr;
-  for (Turn* job : jobs_) {
-    const bool extra = old_at_work && job->hands == 0 && job->is_young(now);
-    if (!job->wants_hand() || hands_ >= threads_ + (extra ? 1 : 0)) continue;
-    if (next == nullptr || job->service(now) < next->service(now)) next = job;
-  }
+  for_each_candidate([&](Turn& job) {
+    const bool extra = old_at_work && job.hands == 0 && job.is_young(now);
+    if (hands_ >= threads_ + (extra ? 1 : 0)) return;
+    if (next == nullptr || ahead(job, *next, now) < 0) next = &job;
+  });
   return next;
 }
 
 bool Turns::stays(const Turn& job, Nanoseconds now) const {
-  if (!job.has_tasks()) return false;
+  if (!job.has_tasks() || is_parked(job)) return false;
   if (hands_ > threads_ && !job.is_young(now)) return false;
-  return std::none_of(jobs_.begin(), jobs_.end(), [&](const Turn* other) {
-    return other->wants_hand() && other->service(now) + slice < job.service(now);
+  bool stays = true;
+  for_each_candidate([&](const Turn& other) {
+    if (&other != &job && ahead(job, other, now) > slice) stays = false;
   });
+  return stays;
 }
 
-void Turns::call(Turn& job) {
+// One that was parked has waited, but not been owed anything meanwhile.
+void Turns::call(Turn& job, Nanoseconds now) {
+  if (std::exchange(job.rested, false)) job.service.raise_to(job.client->level, now);
   ++hands_;
   ++job.hands;
 }
@@ -54,17 +133,24 @@ void Turns::dismiss(Turn& job) {
 }
 
 void Turns::begin(Turn& job, Nanoseconds now) {
-  ++job.awake;
-  job.before -= now;
+  job.service.begin(now);
+  job.client->service.begin(now);
 }
 
 void Turns::end(Turn& job, Nanoseconds now) {
-  --job.awake;
-  job.before += now;
+  job.service.end(now);
+  job.client->service.end(now);
 }
 
-void Turns::spend(Nanoseconds time) {
-  level_ += time / (2 * static_cast<Nanoseconds>(jobs_.size()));
+void Turns::spend(Turn& job, Nanoseconds time) {
+  ClientJobs& client = *job.client;
+  const auto parked =
+      std::ranges::count_if(client.jobs, [](Turn* each) { return is_parked(*each); });
+  const auto present = static_cast<Nanoseconds>(client.jobs.size()) - parked;
+  client.level += time / (2 * std::max<Nanoseconds>(present, 1));
+  level_ += time / (4 * static_cast<Nanoseconds>(clients_.size()));
+  job.flow.attained += time;
+  job.flow.is_long = job.flow.is_long || job.flow.attained >= long_service;
 }
 
 }  // namespace tia

@@ -1,73 +1,125 @@
-// Turns: which job a free thread goes to, so that jobs share threads fairly. Plain bookkeeping: it
-// starts no thread, locks nothing and is told the time.
+// Turns: which job a free thread goes to, so that clients, and then requests, share threads fairly.
+// Plain bookkeeping: it starts no thread, locks nothing and is told the time.
 #pragma once
 
 #include <atomic>
 #include <cstdint>
+#include <list>
 #include <vector>
 
 namespace tia {
 
 using Nanoseconds = std::int64_t;
 
+/// ServiceTime: the time that threads spend on something, which goes on while they do.
+struct ServiceTime {
+  Nanoseconds before = 0;  ///< what those at work found, less the times at which they came
+  int awake = 0;           ///< threads at work
+  Nanoseconds at(Nanoseconds now) const { return before + awake * now; }
+  void begin(Nanoseconds now) { ++awake, before -= now; }
+  void end(Nanoseconds now) { --awake, before += now; }
+  void raise_to(Nanoseconds least, Nanoseconds now) {
+    if (at(now) < least) before += least - at(now);
+  }
+};
+
+/// Flow: one request's jobs, one after the other; its service adds up over all of them.
+struct Flow {
+  std::uint64_t client = 0;  ///< whom it is for, by any number that tells clients apart
+  bool is_long = false;      ///< it takes long: so foreseen, or it has had Turns::long_service
+  Nanoseconds attained = 0;  ///< the service that it has had
+
+  // Turns' own, from job to job.
+  std::int64_t order = 0;                 ///< of its first coming; 0: it has not come yet
+  Nanoseconds place = 0, credit_end = 0;  ///< its service among its client's, and up to where it
+                                          ///< is within its credit
+};
+
+struct ClientJobs;
+
 /// Turn: a job as seen from outside. Hands are the threads at it.
 struct Turn {
-  Turn(int tasks, int most) : count(tasks), most_hands(most) {}
+  Turn(int tasks, int most, Flow& request) : count(tasks), most_hands(most), flow(request) {}
 
   const int count, most_hands;
+  Flow& flow;
   std::atomic<int> next = 0;  ///< the task to be taken next
   int hands = 0;              ///< called to it
-  int awake = 0;              ///< of those, at work
-  Nanoseconds before = 0;     ///< the service that those found, less the times at which they came
-  Nanoseconds young = 0;      ///< the service up to which it is within its credit
+  ServiceTime service{};
+  ClientJobs* client = nullptr;  ///< while it is among the turns
+  bool rested = false;           ///< it has been parked, without a hand, since it had its last one
 
   bool has_tasks() const { return next.load(std::memory_order_relaxed) < count; }
   bool wants_hand() const { return has_tasks() && hands < most_hands; }
   bool is_over() const { return hands == 0 && !has_tasks(); }
-  Nanoseconds service(Nanoseconds now) const { return before + awake * now; }
-  bool is_young(Nanoseconds now) const { return service(now) < young; }
+  bool is_young(Nanoseconds now) const {
+    return !flow.is_long && service.at(now) < flow.credit_end;
+  }
 };
 
-/// Turns. "Least attained service first": a thread that is free goes to the job that has had the
-/// least service, the time that threads spent on it. So a small job overtakes a big one.
+/// ClientJobs: those of one client's jobs that are present.
+struct ClientJobs {
+  std::uint64_t number = 0;
+  ServiceTime service{};
+  Nanoseconds level = 0;  ///< the service that makes a job even with the others
+  std::vector<Turn*> jobs{};
+};
+
+/// Turns. "Least attained service first", twice: a thread that is free goes to the client that has
+/// had the least service, and there to the job that has had the least. So a small job overtakes a
+/// big one, and many requests of one client take no more than the one of another.
+///
+/// Of a client's long jobs only the oldest takes part; the others are parked. What is done of them
+/// stays, and they end one after the other, not all together at last.
+///
 /// Bounds: a thread leaves its job for one that has had less by more than `slice`; it looks for
 /// such a one between tasks, every `look`.
-/// A new job begins `credit` below the least of the others: so much it may have before them. An
-/// endless stream of new jobs starves nobody: with n jobs present, the level that they begin below
-/// rises by at least 1/2n of all service, so each job gets half of an even share or more.
-/// No job is owed more than `arrears` when another begins: few threads save up no claim to all.
+/// A new job, or client, begins `credit` below the least of the others: so much it may have before
+/// them. An endless stream of new ones starves nobody: with n present, the level that they begin
+/// below rises by at least 1/2n of all service among a client's jobs, 1/4n among clients, so that
+/// each job gets half of an even share or more, and each client a quarter. Among clients less is
+/// kept for the old ones, for who asks for one thing after the other is new each time: somebody
+/// who drags a lamp beside a flood.
+/// No job, or client, is owed more than `arrears` when another begins: few threads save up no claim
+/// to all.
 /// At most `threads` hands at once, and one more at times: a young job, still within its credit,
 /// that has no hand does not wait for the end of an older one's task; the next hand of an old job
 /// to end one leaves.
 /// Source: Kleinrock, "Queueing Systems" vol. 2 (1976), ch. 4 (foreground-background); the start of
-/// new jobs after Goyal, Vin, Cheng, "Start-time fair queueing" (1996).
+/// new jobs after Goyal, Vin, Cheng, "Start-time fair queueing" (1996), which also has the two
+/// levels.
 class Turns {
  public:
   static constexpr Nanoseconds look = 250'000, slice = 2'000'000, credit = 50'000'000,
-                               arrears = 1'000'000'000;
+                               arrears = 1'000'000'000, long_service = 500'000'000;
 
   explicit Turns(int threads) : threads_(threads) {}
   int threads() const { return threads_; }
 
   void enter(Turn& job, Nanoseconds now);
-  void leave(const Turn& job);
+  void leave(Turn& job, Nanoseconds now);
   /// Returns: the job that one more hand should go to, or null.
   Turn* next(Nanoseconds now) const;
   /// Whether a hand goes on with its job.
   bool stays(const Turn& job, Nanoseconds now) const;
 
-  void call(Turn& job);     ///< a hand to it
-  void dismiss(Turn& job);  ///< a hand that is not at work
+  void call(Turn& job, Nanoseconds now);  ///< a hand to it
+  void dismiss(Turn& job);                ///< a hand that is not at work
   static void begin(Turn& job, Nanoseconds now);
   static void end(Turn& job, Nanoseconds now);
   /// That a hand was at work for so long.
-  void spend(Nanoseconds time);
+  void spend(Turn& job, Nanoseconds time);
 
  private:
+  ClientJobs& client_of(const Turn& job, Nanoseconds now);
+  template <class Action>
+  void for_each_candidate(const Action& action) const;
+
   const int threads_;
-  std::vector<Turn*> jobs_;
-  int hands_ = 0;          // of all jobs
-  Nanoseconds level_ = 0;  // the service that makes a job even with the others
+  std::list<ClientJobs> clients_;
+  int hands_ = 0;             // of all jobs
+  Nanoseconds level_ = 0;     // the service that makes a client even with the others
+  std::int64_t entered_ = 0;  // flows, ever
 };
 
 }  // namespace tia

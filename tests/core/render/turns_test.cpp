@@ -21,7 +21,11 @@ using test::ms;
 class Play {
  public:
   struct Job : Turn {
-    Job(int tasks, int most, Nanoseconds each) : Turn(tasks, most), cost(each) {}
+    Job(int tasks, int most, Nanoseconds each, std::uint64_t whose)
+        : Turn(tasks, most, own), cost(each) {
+      own.client = whose;
+    }
+    Flow own{};
     const Nanoseconds cost;
     Nanoseconds came = 0, had = 0;
   };
@@ -30,8 +34,8 @@ class Play {
   Nanoseconds now() const { return now_; }
   std::size_t most_at_once() const { return most_at_once_; }
 
-  Job& come(int tasks, Nanoseconds cost, int most = 64) {
-    Job& job = jobs_.emplace_back(tasks, most, cost);
+  Job& come(int tasks, Nanoseconds cost, int most = 64, std::uint64_t whose = 0) {
+    Job& job = jobs_.emplace_back(tasks, most, cost, whose);
     job.came = now_;
     turns_.enter(job, now_);
     call();
@@ -62,7 +66,7 @@ class Play {
 
   Job* end_task(std::list<Hand>::iterator hand) {
     Job& job = *hand->job;
-    turns_.spend(job.cost);
+    turns_.spend(job, job.cost);
     job.had += job.cost;
     if (turns_.stays(job, now_)) {
       take(*hand);
@@ -71,13 +75,13 @@ class Play {
     Turns::end(job, now_);
     turns_.dismiss(job);
     hands_.erase(hand);
-    if (job.is_over()) turns_.leave(job);
+    if (job.is_over()) turns_.leave(job, now_);
     call();
     return job.is_over() ? &job : nullptr;
   }
   void call() {
     while (Turn* turn = turns_.next(now_)) {
-      turns_.call(*turn);
+      turns_.call(*turn, now_);
       Turns::begin(*turn, now_);
       take(hands_.emplace_back(Hand{static_cast<Job*>(turn), 0}));
     }
@@ -139,11 +143,11 @@ TEST(Turns, ThreadOfAnOldJobLeavesAtTheEndOfItsTaskWhereThereIsOneTooMany) {
   EXPECT_LE(big.had - before, (40 + 2) * ms);
 }
 
-TEST(Turns, EqualJobsShareTheTimeHoweverLongTheirTasks) {
+TEST(Turns, EqualClientsShareTheTimeHoweverLongTheirTasks) {
   for (const int threads : {1, 2, 5}) {
     for (const Nanoseconds cost : {ms / 4, ms, 30 * ms}) {
       Play play(threads);
-      const Play::Job &a = play.come(endless, ms), &b = play.come(endless, cost);
+      const Play::Job &a = play.come(endless, ms, 64, 1), &b = play.come(endless, cost, 64, 2);
       for (int i = 0; i < 100; ++i) {
         play.run(play.now() + 100 * ms);
         EXPECT_LE(std::abs(a.had - b.had), Turns::slice + threads * (cost + ms))
@@ -153,12 +157,12 @@ TEST(Turns, EqualJobsShareTheTimeHoweverLongTheirTasks) {
   }
 }
 
-TEST(Turns, LaterJobIsAheadByItsCreditAndThenEven) {
+TEST(Turns, LaterClientIsAheadByItsCreditAndThenEven) {
   Play play(2);
-  const Play::Job& first = play.come(endless, ms);
+  const Play::Job& first = play.come(endless, ms, 64, 1);
   play.run(play.now() + 5000 * ms);
   const Nanoseconds before = first.had;
-  const Play::Job& second = play.come(endless, ms);
+  const Play::Job& second = play.come(endless, ms, 64, 2);
   play.run(play.now() + 3000 * ms);
   const Nanoseconds lead = second.had - (first.had - before);
   EXPECT_GE(lead, Turns::credit - Turns::slice - 4 * ms);
@@ -181,15 +185,15 @@ TEST(Turns, StreamOfSmallJobsLeavesEachBigOneHalfOfAnEvenShare) {
 }
 
 TEST(Turns, FewThreadsSaveUpNoClaimToAll) {
-  // One job on a single thread falls behind another on fifteen. A third one comes: it begins near
+  // One client on a single thread falls behind another on fifteen. A third one comes: it begins near
   // the first, but must not keep the second waiting until all that is made up for.
   Play play(16);
-  const Play::Job& narrow = play.come(endless, ms, 1);
-  const Play::Job& wide = play.come(endless, ms);
+  const Play::Job& narrow = play.come(endless, ms, 1, 1);
+  const Play::Job& wide = play.come(endless, ms, 64, 2);
   play.run(play.now() + 60'000 * ms);
   EXPECT_GT(wide.had, 10 * narrow.had);
   const Nanoseconds before = wide.had;
-  const Play::Job& third = play.come(endless, ms);
+  const Play::Job& third = play.come(endless, ms, 64, 3);
   play.run(play.now() + 1000 * ms);
   EXPECT_LE(third.had - (wide.had - before), Turns::arrears + Turns::credit + 40 * ms);
 }
@@ -201,6 +205,91 @@ TEST(Turns, NoJobHasMoreHandsThanItMay) {
   play.run(start + 1000 * ms);
   EXPECT_EQ(a.had, 3 * 1000 * ms);
   EXPECT_EQ(b.had, 1000 * ms);
+}
+
+// ---- long jobs ------------------------------------------------------------------------------
+
+TEST(Turns, LongJobsOfOneClientEndOneAfterTheOther) {
+  Play play(2);
+  std::vector<const Play::Job*> jobs;
+  for (int i = 0; i < 4; ++i) jobs.push_back(&play.come(1500, 2 * ms));
+  const Nanoseconds start = play.now(), alone = 1500 * ms;
+  for (std::size_t i = 0; i < jobs.size(); ++i) {
+    while (!jobs[i]->is_over()) ASSERT_NE(play.run(play.now() + endless * ms), nullptr);
+    // All take turns until they are known to be long, then the oldest has all threads.
+    const auto n = static_cast<Nanoseconds>(i + 1);
+    EXPECT_LE(play.now() - start, n * alone + 3 * Turns::long_service) << i;
+  }
+  EXPECT_LE(play.now() - start, 4 * alone + 50 * ms);  // and no thread has been idle
+}
+
+TEST(Turns, WhatTheOldestLongJobCannotUseTheNextOneHas) {
+  Play play(4);
+  const Play::Job &narrow = play.come(endless, ms, 1), &next = play.come(endless, ms),
+                  &last = play.come(endless, ms);
+  play.run(play.now() + 2000 * ms);
+  const Nanoseconds before[] = {narrow.had, next.had, last.had};
+  play.run(play.now() + 1000 * ms);
+  EXPECT_GE(narrow.had - before[0], 990 * ms);
+  EXPECT_GE(next.had - before[1], 2980 * ms);
+  EXPECT_LE(last.had - before[2], 20 * ms);
+}
+
+TEST(Turns, AStreamOfSmallJobsLeavesTheOldestLongOneItsShareAndTheParkedNone) {
+  Play play(2);
+  const Play::Job &oldest = play.come(endless, ms), &parked = play.come(endless, ms);
+  play.run(play.now() + 2000 * ms);
+  const Nanoseconds had[] = {oldest.had, parked.had}, start = play.now();
+  play.come(10, ms);
+  while (play.now() < start + 10'000 * ms)
+    if (play.run(start + 10'000 * ms) != nullptr) play.come(10, ms);
+  EXPECT_GE(oldest.had - had[0], 20'000 * ms / 4 - 2 * Turns::credit);
+  EXPECT_LE(parked.had - had[1], 10 * ms);
+}
+
+// ---- clients --------------------------------------------------------------------------------
+
+TEST(Turns, ManyJobsOfOneClientTakeNoMoreThanTheOneOfAnother) {
+  Play play(2);
+  const Play::Job& one = play.come(endless, ms, 64, 1);
+  for (int i = 0; i < 16; ++i) play.come(endless, ms, 64, 2);
+  const Nanoseconds start = play.now();
+  play.run(start + 10'000 * ms);
+  const double even = 10'000.0 * ms, ahead = 4.0 * Turns::credit;
+  EXPECT_NEAR(static_cast<double>(one.had), even, ahead);
+}
+
+TEST(Turns, WhoAsksForOneThingAfterTheOtherHardlyNoticesAFlood) {
+  // Sixteen who come again and again, and one whose jobs take 16 ms of each thread, every 20 ms.
+  Play play(2);
+  for (int i = 0; i < 16; ++i) play.come(20, ms, 64, 2);
+  const Nanoseconds start = play.now(), end = start + 10'000 * ms;
+  const Play::Job* dragged = &play.come(32, ms, 64, 1);
+  int drawn = 0;
+  Nanoseconds pause = 0;
+  while (play.now() < end) {
+    const Play::Job* over = play.run(dragged != nullptr ? end : std::min(end, pause));
+    if (over == dragged && dragged != nullptr) {
+      ++drawn;
+      dragged = nullptr;
+      pause = play.now() + 4 * ms;
+    } else if (over != nullptr) {
+      play.come(20, ms, 64, 2);
+    }
+    if (dragged == nullptr && play.now() >= pause) dragged = &play.come(32, ms, 64, 1);
+  }
+  EXPECT_GE(drawn, 500 * 8 / 10);
+}
+
+TEST(Turns, AStreamOfOneClientLeavesTheOthersAQuarterOfAnEvenShare) {
+  Play play(2);
+  const Play::Job& big = play.come(endless, ms, 64, 1);
+  play.run(play.now() + 1000 * ms);
+  const Nanoseconds before = big.had, start = play.now();
+  play.come(10, ms, 64, 2);
+  while (play.now() < start + 10'000 * ms)
+    if (play.run(start + 10'000 * ms) != nullptr) play.come(10, ms, 64, 2);
+  EXPECT_GE(big.had - before, 20'000 * ms / 8 - 2 * Turns::credit);
 }
 
 }  // namespace
