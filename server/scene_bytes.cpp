@@ -37,6 +37,11 @@ std::size_t heap(const std::vector<T>& list) {
     for (const T& each : list) bytes += heap_of(each);
   return bytes;
 }
+// Whoever else has it, too.
+template <class T>
+std::size_t heap(const SharedList<T>& list) {
+  return block + heap_of(list.get());
+}
 template <class T>
 std::size_t heap(const std::map<std::string, T>& map) {
   std::size_t bytes = 0;

@@ -66,6 +66,10 @@ class Digester {
     add(list.size());
     for (const T& each : list) add(each);
   }
+  template <class T>
+  void add(const SharedList<T>& list) {
+    add(list.get());
+  }
   template <class T, std::size_t n>
   void add(const std::array<T, n>& list) {
     for (const T& each : list) add(each);

@@ -12,6 +12,7 @@
 
 #include "core/film/tonemap.h"
 #include "core/input/codec.h"
+#include "core/input/shared_list.h"
 #include "core/lights/light.h"
 #include "core/scene/camera.h"
 #include "core/scene/object.h"
@@ -73,7 +74,7 @@ struct Scene {
   Color background{};
   Color ambient_light{1, 1, 1};
   std::map<std::string, Material> materials;
-  std::vector<Object> objects;
+  SharedList<Object> objects;
   std::vector<Light> lights;
   std::optional<Light> key_light;
   std::map<std::string, KeyBinding> keys;

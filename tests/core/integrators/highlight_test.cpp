@@ -183,7 +183,7 @@ TEST(Superposition, PictureOfManyLampsIsTheSumOfTheirPictures) {
   Random random(455);
   for (int i = 0; i < 5; ++i) {
     Scene scene = random_scene(456 + static_cast<std::uint64_t>(i));
-    for (Object& each : scene.objects) {
+    for (Object& each : scene.objects.edit()) {
       Finish& finish = std::get<Finish>(std::get<Material>(*each.material).kind);
       finish.emission = {};
       finish.specular = random.unit();

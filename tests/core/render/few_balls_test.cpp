@@ -107,7 +107,7 @@ TEST(FewBalls, TheThesisIsWhittedWithItsSettingsFixed) {
     SCOPED_TRACE(seed);
     Random random(seed);
     Scene scene = random_scene(seed);
-    for (Object& each : scene.objects) {
+    for (Object& each : scene.objects.edit()) {
       Finish& finish = finish_of(each);
       finish.ambient = random.unit();
       finish.brilliance = random.in(0, 9);
@@ -150,7 +150,7 @@ TEST(FewBalls, TheThesisHasNoTransparentShadows) {
     SCOPED_TRACE(seed);
     Random random(seed);
     Scene scene = random_scene(seed);
-    for (Object& each : scene.objects) finish_of(each).transmission = random.unit();
+    for (Object& each : scene.objects.edit()) finish_of(each).transmission = random.unit();
     const World opaque = compile(scene);
     scene.options.transparent_shadows = true;
     EXPECT_TRUE(bits_of(traced(compile(scene), scene, false, as_thesis()).image) ==

@@ -48,7 +48,7 @@ int different(const Image& a, const Image& b) {
 // The whole world and its camera carried along by a map that keeps angles.
 Scene carried(Scene scene, const Placement& by) {
   const Affine map = by.affine();
-  for (Object& object : scene.objects)
+  for (Object& object : scene.objects.edit())
     for (const Placement::Step& step : by.steps) object.transform.steps.push_back(step);
   for (Light& light : scene.lights) light.move_to(map.point(*light.place()), {});
   scene.camera.location = map.point(scene.camera.location);
@@ -83,7 +83,8 @@ TEST(Invariance, ThePictureDoesNotDependOnTheOrderOfObjects) {
     const auto before = test::bits_of(picture(scene, picture_width, picture_height, options).image);
     Scene shuffled = scene;
     for (std::size_t turn = 1; turn < scene.objects.size(); ++turn) {
-      std::rotate(shuffled.objects.begin(), shuffled.objects.begin() + 1, shuffled.objects.end());
+      std::vector<Object>& list = shuffled.objects.edit();
+      std::rotate(list.begin(), list.begin() + 1, list.end());
       EXPECT_EQ(test::bits_of(picture(shuffled, picture_width, picture_height, options).image),
                 before)
           << turn;

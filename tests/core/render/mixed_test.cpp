@@ -16,7 +16,7 @@ const int mixed_width = test::sanitized() ? 43 : 67, mixed_height = test::saniti
 Scene mixed(std::uint64_t seed) {
   Random random(seed);
   Scene scene = test::mixed_scene(random, 150, 1);
-  for (Object& object : scene.objects)
+  for (Object& object : scene.objects.edit())
     if (random.chance(0.8)) object.material = test::matte(test::random_color(random));
   scene.background = {0.1, 0.2, 0.3};
   scene.camera.location = {3, 4, 25};

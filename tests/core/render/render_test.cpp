@@ -80,7 +80,7 @@ TEST(Render, TilesNeverChangeAByteHoweverFarOutTheEye) {
       Scene scene = test::random_scene(seed, 30);
       scene.camera.location = scene.camera.location + out;
       if (scene.camera.look_at) *scene.camera.look_at = *scene.camera.look_at + out;
-      for (Object& object : scene.objects) {
+      for (Object& object : scene.objects.edit()) {
         auto& sphere = std::get<Sphere>(object.shape);
         sphere.center = sphere.center + out;
       }
@@ -203,7 +203,7 @@ TEST(Render, PicturesSAndWAreTheirOwnMirrors) {
 Scene scaled(Scene scene, double factor) {
   scene.camera.location = scene.camera.location * factor;
   if (scene.camera.look_at) *scene.camera.look_at = *scene.camera.look_at * factor;
-  for (Object& object : scene.objects) {
+  for (Object& object : scene.objects.edit()) {
     auto& sphere = std::get<Sphere>(object.shape);
     sphere = {sphere.center * factor, sphere.radius * factor};
   }

@@ -31,7 +31,7 @@ Scene dressed_scene(std::uint64_t seed) {
   if (random.chance(0.5)) scene.description = name();
   for (int i = random.below(4); i > 0; --i)
     scene.materials[name()] = Material{random_finish(random)};
-  for (Object& object : scene.objects) {
+  for (Object& object : scene.objects.edit()) {
     if (random.chance(0.5)) object.name = name();
     if (random.chance(0.3)) object.material.reset();
     else if (!scene.materials.empty() && random.chance(0.5))

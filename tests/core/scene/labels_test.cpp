@@ -62,7 +62,7 @@ class Tree {
 
 // The object that a JSON Pointer of /objects/i/children/j leads to.
 const Object& found(const Scene& scene, const std::string& pointer) {
-  const std::vector<Object>* list = &scene.objects;
+  const std::vector<Object>* list = &scene.objects.get();
   const Object* object = nullptr;
   std::istringstream words(pointer.substr(1));
   for (std::string word; std::getline(words, word, '/');) {
