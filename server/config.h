@@ -8,6 +8,7 @@
 
 #include "core/input/codec.h"
 #include "core/scene/limits.h"
+#include "server/operation/memory_account.h"
 #include "server/peers.h"
 
 namespace tia::server {
@@ -23,6 +24,7 @@ struct Config {
   int queue = 64;
   int connections = 1024;
   int deadline_ms = 30'000;
+  std::int64_t memory_bytes = usual_memory_bytes();
   int drain_ms = 9'000;  // docker kills after 10 s
   int drain_delay_ms = 0;
   std::int64_t max_body_bytes = 4 << 20;
@@ -31,6 +33,7 @@ struct Config {
   std::int64_t max_scenes_bytes = 64 << 20;
   std::int64_t max_geometry_bytes = 256 << 20;
   std::int64_t cache_bytes = 256 << 20;
+  std::int64_t scene_keep_s = 0;
   std::string data_dir;
   std::int64_t max_data_bytes = 1 << 30;
   std::int64_t max_pixels = Limits{}.max_pixels;
@@ -38,6 +41,7 @@ struct Config {
   std::int64_t max_work = Limits{}.max_work;
   std::vector<Origin> cors_origins;
   std::vector<Network> trusted_proxies;
+  std::vector<HostName> hosts;
 
   template <class Visitor>
   static void fields(Visitor&& visit) {
@@ -52,6 +56,13 @@ struct Config {
           Spec{.about = "requests that may wait to be drawn", .min = 0, .max = 1024});
     visit("connections", &Config::connections,
           Spec{.about = "connections that may be open", .min = 8, .max = 65536});
+    visit("memory_bytes", &Config::memory_bytes,
+          Spec{.about = "memory that the server may take in all; requests that need more wait or "
+                        "are refused (default: three quarters of the control group's limit, of "
+                        "RLIMIT_AS or of the machine's memory, at least 256 MiB)",
+               .unit = "bytes",
+               .min = 256 << 20,
+               .max = 1LL << 50U});
     visit("deadline_ms", &Config::deadline_ms,
           Spec{.about = "what a request may take, its wait included; beyond it 503",
                .unit = "ms",
@@ -96,6 +107,11 @@ struct Config {
                .unit = "bytes",
                .min = 0,
                .max = 1LL << 40U});
+    visit("scene_keep_s", &Config::scene_keep_s,
+          Spec{.about = "how long a kept scene is kept that nobody uses; 0 = for ever",
+               .unit = "s",
+               .min = 0,
+               .max = 1e9});
     visit("data_dir", &Config::data_dir,
           Spec{.about = "folder for the scenes that POST /scenes keeps, so that they outlive the "
                         "server; none = they are kept in memory only"});
@@ -120,6 +136,9 @@ struct Config {
           Spec{.about = "origins whose pages may read answers (CORS)"});
     visit("trusted_proxies", &Config::trusted_proxies,
           Spec{.about = "proxies whose word for a client's address is taken"});
+    visit("hosts", &Config::hosts,
+          Spec{.about = "names that requests may call the server by (Host), against DNS rebinding; "
+                        "none: the loopback's where it listens there, else any"});
   }
 
   /// An empty host.

@@ -46,11 +46,13 @@ RenderOptions options_of(const ExplainRequest& asked, const Scene& scene, const 
 }
 
 Explanation explanation_of(const ExplainRequest& asked, const Service& service,
-                           const std::stop_token& stop) {
-  const KnownScene scene = scene_of(asked, service.studio);
+                           const Asker& asker) {
+  const KnownScene scene = scene_of(asked, service.studio, asker);
+  const std::stop_token& stop = asker.stop;
+  Flow flow{std::hash<std::string>{}(asker.client)};
   const RenderOptions options = options_of(asked, *scene, service);
   Pool& pool = service.studio.pool;
-  World world = service.studio.geometries.compile(scene, pool.workers(pool.threads(), stop));
+  World world = service.studio.geometries.compile(scene, pool.workers(pool.threads(), stop, &flow));
   if (asked.ray)
     return explain(*scene, std::move(world), {asked.ray->origin, normalize(asked.ray->direction)},
                    options, stop);
@@ -59,16 +61,17 @@ Explanation explanation_of(const ExplainRequest& asked, const Service& service,
 }
 
 ExplainRequest asked_of_body(const Request& request, Service& service) {
-  const auto ticket = service.admission.read(request.body.size(), request.stop);
+  const auto ticket = reading_ticket(request, service);
   const char* const what = "the parameters as a JSON object, such as {\"x\":320,\"y\":240}";
   return read_described<ExplainRequest>(body_json(request, what, service.config.json_limits()));
 }
 
 Response explained(const ExplainRequest& asked, const Request& request, Service& service) {
   check_size(asked.width, asked.height, service.studio.limits);
-  const auto ticket = service.admission.enter(1, request.stop);
+  const Asker asker = asker_of(request);
+  const auto ticket = service.admission.enter({}, asker.client, asker.stop);
   return {.content_type = "application/json",
-          .body = to_json(value_of(explanation_of(asked, service, request.stop))),
+          .body = to_json(value_of(explanation_of(asked, service, asker))),
           .headers = {{"Cache-Control", "no-cache"}}};
 }
 

@@ -36,7 +36,7 @@ class GeometryStore::Meshes {
 };
 
 World GeometryStore::compile(const KnownScene& scene, const Workers& workers) {
-  if (max_bytes_ == 0) return tia::compile(*scene, workers);
+  if (!keeps_) return tia::compile(*scene, workers);
   std::optional<ObjectsDigest> digest;
   if (!scene.objects) digest = digest_of_objects(*scene);
   SharedGeometry geometry = find((digest ? digest->all : *scene.objects).digest);
@@ -85,7 +85,7 @@ void GeometryStore::keep(const Digest& name, Kept made, MeshTable meshes) {
   made.bytes += made.meshes.capacity() * sizeof(Digest);
   std::size_t alone = made.bytes;
   for (const auto& [own, mesh] : meshes) alone += mesh.bytes;
-  if (alone > max_bytes_) return;
+  if (alone > share_.most()) return;
 
   Geometries::Entries surplus;
   const std::lock_guard lock(mutex_);
@@ -103,12 +103,27 @@ void GeometryStore::keep(const Digest& name, Kept made, MeshTable meshes) {
     if (mesh.users++ == 0) counts_.bytes += mesh.bytes;
   }
   counts_.bytes += made.bytes;
-  surplus = take_surplus();
+  surplus = take_surplus(share_.most());
+  share_.book(counts_.bytes);
 }
 
-GeometryStore::Geometries::Entries GeometryStore::take_surplus() {
+std::int64_t GeometryStore::give_way(std::int64_t bytes) {
   Geometries::Entries surplus;
-  while (counts_.bytes > max_bytes_) {
+  const std::lock_guard lock(mutex_);
+  const std::size_t before = counts_.bytes, less = static_cast<std::size_t>(bytes);
+  surplus = take_surplus(before > less ? before - less : 0);
+  share_.book(counts_.bytes);
+  return static_cast<std::int64_t>(before - counts_.bytes);
+}
+
+bool GeometryStore::contains(const Digest& objects) const {
+  const std::lock_guard lock(mutex_);
+  return geometries_.contains(objects);
+}
+
+GeometryStore::Geometries::Entries GeometryStore::take_surplus(std::size_t most) {
+  Geometries::Entries surplus;
+  while (counts_.bytes > most) {
     let_go(geometries_.last());
     geometries_.take_last(surplus);
   }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/accel/world.h"
+#include "server/operation/memory_account.h"
 #include "server/recent.h"
 #include "server/scene_digest.h"
 
@@ -28,15 +29,19 @@ struct StoreCounts {
 class GeometryStore {
  public:
   /// Of 0 bytes it keeps nothing.
-  explicit GeometryStore(std::int64_t max_bytes)
-      : max_bytes_(static_cast<std::size_t>(max_bytes)) {}
+  explicit GeometryStore(std::int64_t max_bytes, MemoryAccount* account = nullptr)
+      : keeps_(max_bytes > 0), share_(max_bytes, account, MemoryAccount::geometries) {}
 
   /// compile(scene, workers), with what is there already of its geometry. Two that want the same at
   /// once both build it: none waits for another's, which may be stopped.
   /// Errors: Stopped, which leaves the store as it was.
   World compile(const KnownScene& scene, const Workers& workers);
 
+  /// Whether it has what compile() would find for a scene of that name.
+  bool contains(const Digest& objects) const;
   StoreCounts counts() const;
+  /// Lets go of those that nobody has asked for longest. Returns: how many bytes.
+  std::int64_t give_way(std::int64_t bytes);
 
  private:
   struct Kept {
@@ -57,10 +62,11 @@ class GeometryStore {
   SharedMesh find_mesh(const Digest& name);
   void keep(const Digest& name, Kept made, MeshTable meshes);
   // Takes out what is too much.
-  Geometries::Entries take_surplus();
+  Geometries::Entries take_surplus(std::size_t most);
   void let_go(const Kept& geometry);
 
-  const std::size_t max_bytes_;
+  const bool keeps_;
+  MemoryShare share_;
   mutable std::mutex mutex_;
   Geometries geometries_;
   MeshTable meshes_;

@@ -9,9 +9,20 @@ namespace tia::server {
 Response get_render(const Request& request, const std::string&, Service& service);
 Response post_render(const Request& request, const std::string&, Service& service);
 
+/// What GET /render would answer, where its target is known and its picture kept, or not to be sent
+/// again. None: somebody has to look into it.
+std::optional<Response> known_picture(const Request& request, Service& service);
+
+/// Whom the request is from.
+Asker asker_of(const Request& request);
+
+/// The right to read the request's body, with the memory that this may take. Errors: Stopped;
+/// HttpError (busy, too-large).
+[[nodiscard]] Admission::Ticket reading_ticket(const Request& request, Service& service);
+
 /// The picture of a plan, from the cache or with a ticket to draw it.
-/// Errors: Stopped; InputError; HttpError (busy).
-PictureStore::Found picture_of(Plan& plan, const std::string& etag, const std::stop_token& stop,
+/// Errors: Stopped; InputError; HttpError (busy, too-large).
+PictureStore::Found picture_of(Plan& plan, const std::string& etag, const Asker& asker,
                                Service& service);
 
 // verify_handler.cpp
@@ -26,6 +37,7 @@ Response post_explain(const Request& request, const std::string&, Service& servi
 Response get_scenes(const Request& request, const std::string&, Service& service);
 Response get_scene(const Request& request, const std::string& name, Service& service);
 Response post_scene(const Request& request, const std::string&, Service& service);
+Response delete_scene(const Request& request, const std::string& id, Service& service);
 Response get_scene_schema(const Request& request, const std::string&, Service& service);
 Value kept_scene_schema(Definitions& named);
 

@@ -12,7 +12,7 @@ constexpr const char* page_policy =
 
 // What the page of another origin may know of an answer besides its body.
 constexpr const char* exposed =
-    "ETag, Server-Timing, Tia-Rays, X-Request-Id, Retry-After, Cache-Status";
+    "ETag, Server-Timing, Tia-Rays, Tia-Delete-Key, X-Request-Id, Retry-After, Cache-Status";
 constexpr const char* preflight_seconds = "7200";  // the longest that Chromium remembers
 
 bool is_document(std::string_view type) {
@@ -59,7 +59,8 @@ void share(Response& response, const Request& request, const std::vector<Origin>
     return;
   const std::string methods = *allow;
   headers.emplace_back("Access-Control-Allow-Methods", methods);
-  headers.emplace_back("Access-Control-Allow-Headers", "Content-Type, If-None-Match, X-Request-Id");
+  headers.emplace_back("Access-Control-Allow-Headers",
+                       "Content-Type, If-None-Match, X-Request-Id, Tia-Delete-Key, traceparent");
   headers.emplace_back("Access-Control-Max-Age", preflight_seconds);
 }
 

@@ -52,7 +52,8 @@ Response get_metrics(const Request&, const std::string&, Service& service) {
                       .kept_scenes_bytes = kept.bytes(),
                       .data_bytes = kept.file_bytes(),
                       .geometry = service.studio.geometries.counts(),
-                      .pictures = service.pictures.counts()};
+                      .pictures = service.pictures.counts(),
+                      .memory = &service.memory};
   return {.content_type = std::string(Metrics::media_type),
           .body = service.metrics.text(gauges),
           .headers = {{"Cache-Control", "no-store"}}};

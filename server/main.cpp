@@ -1,5 +1,6 @@
 // The command line: subcommands `serve` (default) and `render`. Bad use exits with 2.
 #include <CLI/CLI.hpp>
+#include <csignal>
 #include <iostream>
 
 #include "core/version.h"
@@ -110,6 +111,7 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow: the write's error is enough
   try {
     return run(argc, argv);
   } catch (const std::exception& error) {

@@ -68,6 +68,14 @@ struct Metrics::Families {
       family(prometheus::BuildGauge(), "tia_cache_pictures", "Pictures in the cache.", registry);
   prometheus::Family<Gauge>& cached_bytes =
       family(prometheus::BuildGauge(), "tia_cache_bytes", "Memory of the cache.", registry);
+  prometheus::Family<Gauge>& memory =
+      family(prometheus::BuildGauge(), "tia_memory_bytes",
+             "Memory of the account (TIA_MEMORY_BYTES), by what it is booked for.", registry);
+  prometheus::Family<Gauge>& memory_limit = family(
+      prometheus::BuildGauge(), "tia_memory_limit_bytes", "What the account has in all.", registry);
+  prometheus::Family<Counter>& claims =
+      family(prometheus::BuildCounter(), "tia_memory_claims_total",
+             "Claims that had to wait for memory, or were refused.", registry);
   prometheus::Family<Gauge>& build =
       family(prometheus::BuildGauge(), "tia_build_info", "Always 1; what this build is.", registry);
 
@@ -91,6 +99,16 @@ struct Metrics::Families {
     raise(pictures.Add({{"result", "joined"}}), now.pictures.joined);
   }
 
+  void tell(const MemoryAccount& account) {
+    for (std::size_t i = 0; i < account.holders.size(); ++i)
+      memory.Add({{"for", std::string(account.holders[i])}})
+          .Set(static_cast<double>(account.held(static_cast<MemoryAccount::Holder>(i))));
+    memory_limit.Add({}).Set(static_cast<double>(account.limit()));
+    const std::lock_guard lock(raising);
+    raise(claims.Add({{"result", "waited"}}), account.waits());
+    raise(claims.Add({{"result", "refused"}}), account.refusals());
+  }
+
   Histogram& phase(const char* name) {
     return seconds.Add({{"phase", name}},
                        Histogram::BucketBoundaries{0.0001, 0.001, 0.01, 0.1, 1, 10});
@@ -99,6 +117,11 @@ struct Metrics::Families {
 
 Metrics::Metrics() : families_(std::make_unique<Families>()) {
   families_->build.Add({{"version", version()}, {"bytes", full_version()}}).Set(1);
+  families_->requests.Add({{"route", "/render"}, {"status", "200"}});
+  for (const char* kind : {"primary", "shadow", "reflection", "refraction"})
+    families_->rays.Add({{"kind", kind}});
+  for (const char* name : {"queue", "wait", "parse", "build", "trace", "encode"})
+    families_->phase(name);
 }
 Metrics::~Metrics() = default;
 
@@ -121,6 +144,7 @@ void Metrics::count(const Picture& picture) {
   add("refraction", rays.refraction);
   const Timing& ms = picture.timing;
   families_->phase("queue").Observe(ms.queue / 1000);
+  families_->phase("wait").Observe(ms.wait / 1000);
   families_->phase("parse").Observe(ms.parse / 1000);
   families_->phase("build").Observe(ms.build / 1000);
   families_->phase("trace").Observe(ms.trace / 1000);
@@ -140,6 +164,7 @@ std::string Metrics::text(const Gauges& gauges) {
   set(families_->geometry_bytes, gauges.geometry.bytes);
   set(families_->cached, gauges.pictures.pictures);
   set(families_->cached_bytes, gauges.pictures.bytes);
+  if (gauges.memory != nullptr) families_->tell(*gauges.memory);
   families_->raise(gauges);
   return prometheus::TextSerializer().Serialize(families_->registry.Collect());
 }

@@ -16,9 +16,10 @@ struct Exchange;
 struct Gauges {
   int connections = 0, at_work = 0, waiting = 0;  ///< the latter two of requests
   std::size_t kept_scenes = 0, kept_scenes_bytes = 0;
-  std::int64_t data_bytes = 0;  ///< of the file of kept scenes
-  StoreCounts geometry{};       ///< also what was found there since the start
-  PictureCounts pictures{};     ///< the same
+  std::int64_t data_bytes = 0;            ///< of the file of kept scenes
+  StoreCounts geometry{};                 ///< also what was found there since the start
+  PictureCounts pictures{};               ///< the same
+  const MemoryAccount* memory = nullptr;  ///< the account
 };
 
 /// Metrics: counters since the start. Any thread may call.

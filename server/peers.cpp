@@ -66,6 +66,18 @@ std::optional<Origin> Origin::parse(const std::string& text) {
   return is_real_port(port) && !silent ? std::optional(Origin{text}) : std::nullopt;
 }
 
+std::optional<HostName> HostName::parse(const std::string& text) {
+  const auto fit = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+           std::string_view("-._").find(c) != std::string_view::npos;
+  };
+  if (text == "*") return HostName{text};
+  const bool in_brackets = text.starts_with('[') && text.ends_with(']');
+  if (in_brackets && address_of(text.substr(1, text.size() - 2))) return HostName{text};
+  if (text.empty() || !std::all_of(text.begin(), text.end(), fit)) return std::nullopt;
+  return HostName{text};
+}
+
 std::optional<Network> Network::parse(const std::string& text) {
   const std::size_t slash = text.find('/');
   const std::string start = text.substr(0, slash);
@@ -85,6 +97,16 @@ std::optional<Network> Network::parse(const std::string& text) {
 bool Network::contains(const std::string& peer) const {
   const auto is = address_of(peer);
   return is && start_of(*is, prefix) == address;
+}
+
+std::string share_of(const std::string& address) {
+  const auto is = address_of(address);
+  if (!is) return address;
+  const bool mapped = start_of(*is, mapped_bits) == *address_of("::ffff:0.0.0.0");
+  const Address start = mapped ? *is : start_of(*is, 64);
+  char text[INET6_ADDRSTRLEN] = {};
+  inet_ntop(AF_INET6, start.data(), text, sizeof text);
+  return text;
 }
 
 }  // namespace tia::server

@@ -39,6 +39,16 @@ struct Network {
   bool operator==(const Network&) const = default;
 };
 
+/// HostName: a name that clients call the server by.
+struct HostName {
+  static constexpr const char* form =
+      "a host's name or address without scheme and port, such as tia.example or [::1], or * for "
+      "any";
+  std::string text;
+  static std::optional<HostName> parse(const std::string& text);
+  bool operator==(const HostName&) const = default;
+};
+
 /// Spelled: text that must have a form.
 template <class T>
 concept Spelled = requires(const T& t, const std::string& text) {
@@ -46,6 +56,10 @@ concept Spelled = requires(const T& t, const std::string& text) {
   { t.text } -> std::convertible_to<std::string>;
   { T::form } -> std::convertible_to<std::string_view>;
 };
+
+/// By what the shares of clients are counted: an address of IPv4, or the /64 of one of IPv6, which
+/// is what one customer has.
+std::string share_of(const std::string& address);
 
 }  // namespace tia::server
 

@@ -4,6 +4,7 @@
 
 #include "core/film/png_text.h"
 #include "core/integrators/shown.h"
+#include "server/operation/memory_costs.h"
 #include "server/recipe.h"
 #include "server/stopwatch.h"
 
@@ -40,9 +41,9 @@ std::string_view media_type_of(Format format) {
   return format == Format::pfm ? "image/x-portable-floatmap" : "image/png";
 }
 
-Plan plan_of(const PictureRequest& asked, const Studio& studio) {
+Plan plan_of(const PictureRequest& asked, const Studio& studio, const Asker& asker) {
   check_size(asked.width, asked.height, studio.limits);
-  KnownScene scene = scene_of(asked, studio);
+  KnownScene scene = scene_of(asked, studio, asker);
   if (!scene.objects) scene.objects = digest_of_objects(*scene).all;
   RenderOptions options = options_of(asked, *scene, studio);
   options.threads = std::min(asked.threads.value_or(studio.pool.threads()), studio.pool.threads());
@@ -65,19 +66,38 @@ double Plan::rays() const {
          least_samples(options.samples, options.threshold);
 }
 
+namespace {
+
+// What is compiled already is the store's.
+std::int64_t memory_of(const Plan& plan, const Studio& studio) {
+  const auto pixels = static_cast<std::size_t>(plan.window.width()) *
+                      static_cast<std::size_t>(plan.window.height());
+  const bool is_there = studio.geometries.contains(plan.scene.objects->digest);
+  return memory_for(memory_cost::request, 1) +
+         memory_for(plan.format == Format::pfm ? memory_cost::linear : memory_cost::png, pixels) +
+         memory_for(memory_cost::build, is_there ? 0 : plan.scene.objects->bytes);
+}
+
+}  // namespace
+
 Picture draw(const Plan& plan, const Studio& studio, const std::stop_token& stop) {
   Picture picture;
   Stopwatch watch;
-  const Workers workers = studio.pool.workers(plan.options.threads, stop);
+  Flow own;
+  Flow& flow = plan.options.flow != nullptr ? *plan.options.flow : own;
+  const Workers workers = studio.pool.workers(plan.options.threads, stop, &flow);
+  reserve_memory(memory_of(plan, studio), "this picture", stop);
   const World world = studio.geometries.compile(plan.scene, workers);
   picture.degenerate = world.degenerate;
   picture.timing.build = watch.lap_ms();
 
   const int width = plan.window.width(), height = plan.window.height();
+  const Nanoseconds before = flow.attained;
   const auto trace_onto = [&](auto& film) {
     picture.rays = render(world, plan.view, plan.window, plan.options, studio.pool, stop,
                           [&](const Block& block) { film.put(block); });
     picture.timing.trace = watch.lap_ms();
+    picture.trace_seconds = static_cast<double>(flow.attained - before) * 1e-9;
   };
   if (plan.format == Format::pfm) {
     LinearFilm film(width, height);

@@ -60,7 +60,7 @@ struct PictureRequest : TraceRequest {
 
 /// Where a picture's time went, in ms.
 struct Timing {
-  double queue = 0, parse = 0, build = 0, trace = 0, encode = 0;
+  double queue = 0, wait = 0, parse = 0, build = 0, trace = 0, encode = 0;  ///< wait: for memory
 };
 
 /// Picture: the bytes of an image file and what they cost.
@@ -70,6 +70,7 @@ struct Picture {
   RayCounts rays;
   Timing timing;
   std::size_t degenerate = 0;  ///< triangles without area, which were left out
+  double trace_seconds = 0;    ///< of all threads that traced it
 };
 
 /// "image/png" or the like.
@@ -89,10 +90,11 @@ struct Plan {
   double rays() const;
 };
 
-/// Errors: InputError. The plan may refer to the request.
-Plan plan_of(const PictureRequest& asked, const Studio& studio);
+/// Errors: InputError; as scene_of. The plan may refer to the request.
+Plan plan_of(const PictureRequest& asked, const Studio& studio, const Asker& asker);
 
-/// Makes the picture, which carries its recipe if it is a PNG. Errors: InputError; Stopped.
+/// Makes the picture, which carries its recipe if it is a PNG. Before each step it reserves the
+/// memory that it may take. Errors: InputError; Stopped; as MemoryClaim::reserve.
 Picture draw(const Plan& plan, const Studio& studio, const std::stop_token& stop);
 
 }  // namespace tia::server

@@ -25,19 +25,29 @@ struct PictureStore::Flight {
 };
 
 PictureStore::Found PictureStore::get(const std::string& etag, const Draw& draw,
-                                      const std::stop_token& stop) {
+                                      const std::stop_token& stop, const Wait& wait) {
   std::unique_lock lock(mutex_);
   if (const SharedPicture* stored = pictures_.find(etag)) {
     ++counts_.stored;
     return {*stored, Source::stored, true};
   }
-  if (const auto known = flights_.find(etag); known != flights_.end())
+  if (const auto known = flights_.find(etag); known != flights_.end()) {
+    const std::shared_ptr<void> place = wait();
     return join(etag, known->second, std::move(lock), stop);
+  }
   const auto flight = std::make_shared<Flight>();
   flights_.emplace(etag, flight);
   ++counts_.drawn;
   lock.unlock();
   return lead(etag, flight, draw, stop);
+}
+
+std::optional<PictureStore::Found> PictureStore::find(const std::string& etag) {
+  const std::lock_guard lock(mutex_);
+  const SharedPicture* stored = pictures_.find(etag);
+  if (stored == nullptr) return std::nullopt;
+  ++counts_.stored;
+  return Found{*stored, Source::stored, true};
 }
 
 PictureStore::Found PictureStore::lead(const std::string& etag, const SharedFlight& flight,
@@ -104,15 +114,29 @@ bool PictureStore::land(const std::string& etag, Flight& flight, const SharedPic
 
 bool PictureStore::keep(const std::string& etag, const SharedPicture& picture,
                         Pictures::Entries& surplus) {
-  const std::size_t bytes = bytes_of(*picture);
-  if (bytes > max_bytes_) return false;
+  const std::size_t bytes = bytes_of(*picture), most = share_.most();
+  if (bytes > most) return false;
   pictures_.add(etag, picture);
   counts_.bytes += bytes;
-  while (counts_.bytes > max_bytes_) {
+  take_surplus(most, surplus);
+  share_.book(counts_.bytes);
+  return true;
+}
+
+void PictureStore::take_surplus(std::size_t most, Pictures::Entries& surplus) {
+  while (counts_.bytes > most) {
     counts_.bytes -= bytes_of(*pictures_.last());
     pictures_.take_last(surplus);
   }
-  return true;
+}
+
+std::int64_t PictureStore::give_way(std::int64_t bytes) {
+  Pictures::Entries surplus;
+  const std::lock_guard lock(mutex_);
+  const std::size_t before = counts_.bytes, less = static_cast<std::size_t>(bytes);
+  take_surplus(before > less ? before - less : 0, surplus);
+  share_.book(counts_.bytes);
+  return static_cast<std::int64_t>(before - counts_.bytes);
 }
 
 PictureCounts PictureStore::counts() const {

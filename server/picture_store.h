@@ -8,10 +8,12 @@
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <stop_token>
 #include <string>
 #include <unordered_map>
 
+#include "server/operation/memory_account.h"
 #include "server/picture.h"
 #include "server/recent.h"
 
@@ -32,7 +34,8 @@ struct PictureCounts {
 class PictureStore {
  public:
   /// Of 0 bytes it keeps nothing; what is asked for at the same time is drawn once all the same.
-  explicit PictureStore(std::int64_t max_bytes) : max_bytes_(static_cast<std::size_t>(max_bytes)) {}
+  explicit PictureStore(std::int64_t max_bytes, MemoryAccount* account = nullptr)
+      : share_(max_bytes, account, MemoryAccount::pictures) {}
 
   struct Found {
     SharedPicture picture;
@@ -40,13 +43,21 @@ class PictureStore {
     bool kept = false;  ///< whether it stays in the store
   };
   using Draw = std::function<Picture(const std::stop_token&)>;
+  /// What who waits for another's drawing holds meanwhile; may throw in its stead.
+  using Wait = std::function<std::shared_ptr<void>()>;
 
   /// The picture of that tag, which `draw` draws where nobody has. It goes on as long as one of
   /// those who want it waits, whoever came first.
   /// Errors: Stopped once `stop` is requested; what `draw` throws, to all who wait for it.
-  Found get(const std::string& etag, const Draw& draw, const std::stop_token& stop);
+  Found get(
+      const std::string& etag, const Draw& draw, const std::stop_token& stop,
+      const Wait& wait = [] { return nullptr; });
+  /// The picture of that tag if it is there, at once; else none.
+  std::optional<Found> find(const std::string& etag);
 
   PictureCounts counts() const;
+  /// Lets go of those that nobody has asked for longest. Returns: how many bytes.
+  std::int64_t give_way(std::int64_t bytes);
 
  private:
   struct Flight;  // a picture that is being drawn
@@ -64,7 +75,9 @@ class PictureStore {
   // Takes out what is then too much.
   bool keep(const std::string& etag, const SharedPicture& picture, Pictures::Entries& surplus);
 
-  const std::size_t max_bytes_;
+  void take_surplus(std::size_t most, Pictures::Entries& surplus);
+
+  MemoryShare share_;
   mutable std::mutex mutex_;
   Pictures pictures_;  // by tag
   std::unordered_map<std::string, SharedFlight> flights_;

@@ -26,6 +26,8 @@ constexpr std::array table{
     ProblemRow{
         "limit", 422, "The request asks for more than this server gives", Met::by_input,
         "More pixels, rays, tests or JSON values than an option allows; the detail names it."},
+    ProblemRow{"forbidden", 403, "This is not for who asks", Met::by_write,
+               "A page of another origin that writes, or a wrong Tia-Delete-Key."},
     ProblemRow{"not-found", 404, "Nothing is here", Met::by_name,
                "No such path, or no such name in it."},
     ProblemRow{"method", 405, "The method is not allowed here", Met::by_method,
@@ -36,8 +38,10 @@ constexpr std::array table{
                "A head may take 5 s, a body must come at 64 KiB/s."},
     ProblemRow{"length-required", 411, "The body's length is not announced", Met::by_body,
                "A body needs Content-Length, or to be chunked."},
-    ProblemRow{"too-large", 413, "The request's body is too large", Met::by_body,
-               "More bytes than TIA_MAX_BODY_BYTES, or, of type image/png, TIA_MAX_PNG_BYTES."},
+    ProblemRow{
+        "too-large", 413, "The request's body is too large", Met::by_body,
+        "More bytes than TIA_MAX_BODY_BYTES, or, of type image/png, TIA_MAX_PNG_BYTES; or what "
+        "it asks for may take more memory than TIA_MEMORY_BYTES gives one request."},
     ProblemRow{"uri-too-long", 414,
                "The URL is too long; POST /render takes the same as a JSON object", Met::by_any,
                "More than 4096 bytes."},
@@ -45,6 +49,8 @@ constexpr std::array table{
                "Neither JSON nor, where one is taken, a PNG; or compressed.", "Accept-Encoding"},
     ProblemRow{"expectation", 417, "The expectation cannot be met", Met::by_any,
                "Expect with something else than 100-continue."},
+    ProblemRow{"misdirected", 421, "The server is not called that", Met::by_any,
+               "Host is none of TIA_HOSTS."},
     ProblemRow{"busy", 429, "The server has too much to do", Met::by_any,
                "Connections, queue or memory are full. Retry-After says when to ask again.",
                "Retry-After"},

@@ -13,6 +13,7 @@ namespace tia::server {
 enum class Met {
   by_any,     ///< before anybody looks at what it asks for, or when all goes wrong
   by_body,    ///< one with a body
+  by_write,   ///< one that is no GET
   by_input,   ///< one with parameters
   by_name,    ///< one whose path holds a name, or leads nowhere
   by_accept,  ///< one that is asked what media types it accepts

@@ -39,8 +39,25 @@ class Recent {
     table_.emplace(one.front().key, one.begin());
     entries_.splice(entries_.begin(), one);
   }
+  /// Takes that one out, if it contains it. Returns: whether it did.
+  bool take(const Key& key, Entries& into) {
+    const auto known = table_.find(key);
+    if (known == table_.end()) return false;
+    into.splice(into.end(), entries_, known->second);
+    table_.erase(known);
+    return true;
+  }
+  /// The key of the one that nobody has asked for longest among those of which `is` holds; null
+  /// where there is none. Cost: O(size).
+  template <class Is>
+  const Key* last_of(const Is& is) const {
+    for (auto entry = entries_.rbegin(); entry != entries_.rend(); ++entry)
+      if (is(entry->value)) return &entry->key;
+    return nullptr;
+  }
   /// The one that nobody has asked for longest. Domain: there is one.
   const Value& last() const { return entries_.back().value; }
+  const Key& last_key() const { return entries_.back().key; }
   /// Takes it out.
   void take_last(Entries& into) {
     table_.erase(entries_.back().key);

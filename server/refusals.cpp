@@ -9,6 +9,7 @@ bool meets(const Route& route, Met met) {
   switch (met) {
     case Met::by_any: return true;
     case Met::by_body: return !route.body.empty();
+    case Met::by_write: return route.method != "GET";
     case Met::by_input: return route.query != nullptr || !route.body.empty();
     case Met::by_name: return route.path.ends_with("{}") && route.has == nullptr;
     case Met::by_accept: return !route.gives.empty() || route.chooses;

@@ -66,13 +66,16 @@ void render_to_file(const std::string& scene, const std::string& file,
   Pool pool(config.threads);
   SceneStore none_kept(0);
   GeometryStore none_shared(0);  // there is one picture to draw
-  const Studio studio{gallery, none_kept, none_shared, pool, config.limits()};
+  MemoryAccount account(config.memory_bytes);
+  Admission alone({});
+  PressedScenes none_pressed(0, alone, account);
+  const Studio studio{gallery, none_kept, none_shared, none_pressed, pool, config.limits()};
   const auto request = read_described<PictureRequest>(asked);
   const std::string_view other = request.format == Format::pfm ? ".png" : ".pfm";
   if (file.ends_with(other))
     throw std::invalid_argument("--format " + std::string(name_of(request.format)) +
                                 " does not go with the file's name " + file);
-  Plan plan = plan_of(request, studio);
+  Plan plan = plan_of(request, studio, {});
   if (plain) plan.options.scalar = Scalar::narrow;
   const Picture picture = draw(plan, studio, {});
   if (picture.degenerate > 0)

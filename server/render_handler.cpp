@@ -1,10 +1,14 @@
 // /render: parameters in, picture out.
 #include <cstdio>
+#include <functional>
+#include <memory>
+#include <new>
 
 #include "server/accept.h"
 #include "server/etag.h"
 #include "server/handlers.h"
 #include "server/headers.h"
+#include "server/operation/memory_costs.h"
 #include "server/parameters.h"
 #include "server/recipe.h"
 #include "server/stopwatch.h"
@@ -13,10 +17,11 @@ namespace tia::server {
 namespace {
 
 std::string server_timing(const Timing& t) {
-  char text[160];
+  char text[192];
   std::snprintf(text, sizeof text,
-                "queue;dur=%.3f, parse;dur=%.3f, build;dur=%.3f, trace;dur=%.3f, encode;dur=%.3f",
-                t.queue, t.parse, t.build, t.trace, t.encode);
+                "queue;dur=%.3f, wait;desc=memory;dur=%.3f, parse;dur=%.3f, build;dur=%.3f, "
+                "trace;dur=%.3f, encode;dur=%.3f",
+                t.queue, t.wait, t.parse, t.build, t.trace, t.encode);
   return text;
 }
 
@@ -48,13 +53,13 @@ Asked asked_in(Value parameters, const Request& request) {
 
 Value recipe_request(const Request& request, const Config& config) {
   refuse_query(request);
-  Recipe recipe = recipe_in(request.body, config);
+  Recipe recipe = recipe_in(request.body, config, request.stop);
   check_version(recipe);
   return std::move(recipe.request);
 }
 
 Asked asked_in_body(const Request& request, Service& service) {
-  const auto ticket = service.admission.read(request.body.size(), request.stop);
+  const auto ticket = reading_ticket(request, service);
   if (is_png(request.body)) return asked_in(recipe_request(request, service.config), request);
   return asked_in(body_json(request,
                             "the parameters as a JSON object, such as {\"key\":\"a\"}, or a PNG "
@@ -79,10 +84,11 @@ Response picture_response(const PictureStore::Found& found, double parse_ms, dou
   if (found.source == Source::joined) timing.queue = wait_ms;
   timing.parse = parse_ms;
   Response response{.content_type = std::string(picture.media_type),
-                    .body = picture.bytes,
+                    .body = "",
                     .headers = {{"Server-Timing", server_timing(timing)},
                                 {"Tia-Rays", ray_counts(picture.rays)},
-                                {"Cache-Status", cache_status(found)}}};
+                                {"Cache-Status", cache_status(found)}},
+                    .shared = {found.picture, &picture.bytes}};
   for (const auto& [name, value] : response.headers) response.log.emplace_back(name, value);
   // What a client need not know, but whoever runs the server may.
   if (picture.degenerate > 0)
@@ -90,43 +96,128 @@ Response picture_response(const PictureStore::Found& found, double parse_ms, dou
   return response;
 }
 
-// HEAD and If-None-Match need no ray: what the picture is called is known.
-Response rendered(const Asked& asked, Stopwatch watch, const Request& request, Service& service) {
-  Plan plan = plan_of(asked.picture, service.studio);
-  const std::string etag = etag_of(plan.recipe);
-  const double parse_ms = watch.lap_ms();
-  Headers headers = validators(etag, asked);
-  Response response{.content_type = std::string(media_type_of(plan.format)), .body = ""};
-  if (request.method != "POST" && has_already(request, etag)) {
-    response = {.status = 304, .content_type = "", .body = ""};
-    headers.emplace_back("Cache-Status", "Tia; hit; detail=not-modified");
-  } else if (request.is_head()) {
-    response.unsized = true;
-  } else {
-    const auto found = picture_of(plan, etag, request.stop, service);
-    response = picture_response(found, parse_ms, watch.lap_ms());
-  }
+Response not_modified() {
+  return {.status = 304,
+          .content_type = "",
+          .body = "",
+          .headers = {{"Cache-Status", "Tia; hit; detail=not-modified"}}};
+}
+
+Response with(Response response, const Headers& headers) {
   response.headers.insert(response.headers.end(), headers.begin(), headers.end());
   return response;
 }
 
-}  // namespace
+// HEAD and If-None-Match need no ray: what the picture is called is known.
+Response rendered(const Asked& asked, Stopwatch watch, const Request& request, Service& service) {
+  const Asker asker = asker_of(request);
+  Plan plan = plan_of(asked.picture, service.studio, asker);
+  const std::string etag = etag_of(plan.recipe);
+  const double parse_ms = watch.lap_ms();
+  const Headers headers = validators(etag, asked);
+  const std::string type(media_type_of(plan.format));
+  if (request.method != "POST") {
+    const auto* name = std::get_if<std::string>(&asked.picture.scene);
+    if (name != nullptr)
+      service.targets.keep(KnownTargets::name_of(request), {etag, *name, type, headers});
+    if (has_already(request, etag)) return with(not_modified(), headers);
+  }
+  if (request.is_head()) return with({.content_type = type, .body = "", .unsized = true}, headers);
+  const auto found = picture_of(plan, etag, asker, service);
+  return with(picture_response(found, parse_ms, watch.lap_ms()), headers);
+}
 
-PictureStore::Found picture_of(Plan& plan, const std::string& etag, const std::stop_token& stop,
-                               Service& service) {
-  const auto drawn = [&](const std::stop_token& given_up) {
-    Stopwatch watch;
-    auto ticket = service.admission.enter(plan.rays(), given_up);
-    const double queue_ms = watch.lap_ms();
-    plan.options.spent = [&](std::int64_t rays, std::int64_t tests) {
-      ticket.has_done(rays, tests);
-    };
-    Picture picture = draw(plan, service.studio, given_up);
+// Does it, and where the account had no memory for what nobody could foresee, once more when twice
+// as much is free. Errors: what it throws; HttpError (busy, too-large) in std::bad_alloc's place.
+template <class Attempt>
+Picture with_memory_for(const Attempt& attempt, const std::stop_token& stop) {
+  MemoryClaim* const claim = MemoryClaim::current();
+  if (claim == nullptr) return attempt();
+  try {
+    return attempt();
+  } catch (const std::bad_alloc&) {
+    if (!claim->was_refused()) throw;
+    claim->settle();
+    claim->reserve(2 * claim->most_used(), "this picture", stop);
+  }
+  try {
+    return attempt();
+  } catch (const std::bad_alloc&) {
+    throw claim->refusal();
+  }
+}
+
+// What tells how much a ray takes: what it meets, how it is traced, and the lights but for where
+// they are, so that a light that is dragged is known.
+std::string scene_key(const Plan& plan) {
+  std::string key = hex(plan.scene.objects->digest);
+  const auto add = [&](const auto&... parts) { ((key += ' ' + std::to_string(parts)), ...); };
+  add(static_cast<int>(plan.options.integrator), plan.options.max_depth, plan.options.threshold,
+      plan.scene->options.transparent_shadows);
+  for (const Light& light : plan.scene->lights) {
+    const Value written = write_value(light);
+    for (const auto& [name, value] : *written.as<Value::Object>())
+      if (value.as<Value::Array>() == nullptr) key += ' ' + to_json(value);
+  }
+  return key;
+}
+
+Picture drawn(Plan& plan, const Asker& asker, const std::stop_token& stop, Service& service) {
+  const double rays = plan.rays();
+  const std::string scene = scene_key(plan);
+  Flow flow{std::hash<std::string>{}(asker.client)};
+  Stopwatch watch;
+  // It begins with a ticket and ends with it.
+  auto ticket = service.admission.enter(service.costs.of(scene, rays), asker.client, stop);
+  const double queue_ms = watch.lap_ms();
+  plan.options.flow = &flow;
+  plan.options.spent = [&](std::int64_t rays_done, std::int64_t tests) {
+    ticket.has_done(rays_done, tests);
+  };
+  MemoryClaim* const claim = MemoryClaim::current();
+  const auto attempt = [&] {
+    Picture picture = draw(plan, service.studio, stop);
+    service.costs.learn(scene, rays, picture.trace_seconds, true);
     picture.timing.queue = queue_ms;
+    picture.timing.wait = claim != nullptr ? claim->waited_ms() : 0;
     service.metrics.count(picture);
     return picture;
   };
-  return service.pictures.get(etag, drawn, stop);
+  try {
+    return with_memory_for(attempt, stop);
+  } catch (const Stopped&) {
+    service.costs.learn(scene, rays, static_cast<double>(flow.attained) * 1e-9, false);
+    throw;
+  }
+}
+
+}  // namespace
+
+Asker asker_of(const Request& request) { return {share_of(request.peer), request.stop}; }
+
+PictureStore::Found picture_of(Plan& plan, const std::string& etag, const Asker& asker,
+                               Service& service) {
+  const auto draw_it = [&](const std::stop_token& given_up) {
+    return drawn(plan, asker, given_up, service);
+  };
+  const auto wait = [&] {
+    return std::make_shared<Admission::Place>(service.admission.wait_for_others());
+  };
+  return service.pictures.get(etag, draw_it, asker.stop, wait);
+}
+
+std::optional<Response> known_picture(const Request& request, Service& service) {
+  if ((request.method != "GET" && !request.is_head()) || request.path() != "/render")
+    return std::nullopt;
+  const auto known = service.targets.find(KnownTargets::name_of(request));
+  if (!known || !is_known_scene(known->scene, service.studio)) return std::nullopt;
+  if (has_already(request, known->etag)) return with(not_modified(), known->validators);
+  if (request.is_head())
+    return with({.content_type = known->content_type, .body = "", .unsized = true},
+                known->validators);
+  const auto found = service.pictures.find(known->etag);
+  if (!found) return std::nullopt;
+  return with(picture_response(*found, 0, 0), known->validators);
 }
 
 Response get_render(const Request& request, const std::string&, Service& service) {

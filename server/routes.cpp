@@ -1,8 +1,13 @@
 #include "server/routes.h"
 
+#include <new>
+
 #include "core/input/written.h"
 #include "server/accept.h"
+#include "server/access.h"
+#include "server/handlers.h"
 #include "server/headers.h"
+#include "server/operation/memory_costs.h"
 #include "server/problem.h"
 
 namespace tia::server {
@@ -24,8 +29,9 @@ Response options(const std::string& allow) {
 
 Response dispatch(const Request& request, Service& service) {
   if (request.method == "OPTIONS" && request.target == "*")
-    return options("GET, HEAD, POST, OPTIONS");
+    return options("GET, HEAD, POST, DELETE, OPTIONS");
   if (request.target.size() > longest_target) throw uri_too_long();
+  check_access(request, service.config);
   const std::string_view method = request.is_head() ? "GET" : std::string_view(request.method);
   std::string allow;
   for (const Route& route : routes()) {
@@ -52,16 +58,47 @@ Response dressed(Response response, const Request& request, const Service& servi
   return response;
 }
 
+Response finished(Response response, const Request& request, const Service& service) {
+  response.headers.emplace_back("X-Request-Id", request.id);
+  return dressed(std::move(response), request, service);
+}
+
 }  // namespace
 
+Admission::Ticket reading_ticket(const Request& request, Service& service) {
+  auto ticket = service.admission.read(request.body.size(), share_of(request.peer), request.stop);
+  reserve_memory(memory_for(memory_cost::text, request.body.size()), "what the body says",
+                 request.stop);
+  return ticket;
+}
+
 Response answer(const Request& request, Service& service) {
+  MemoryClaim claim(service.memory);
+  const ClaimScope scope(&claim);
   try {
-    Response response = dispatch(request, service);
-    response.headers.emplace_back("X-Request-Id", request.id);
-    return dressed(std::move(response), request, service);
+    Response response = finished(dispatch(request, service), request, service);
+    if (claim.most_used() > 0)
+      response.log.emplace_back("memory_bytes", static_cast<double>(claim.most_used()));
+    return response;
+  } catch (const std::bad_alloc&) {
+    const auto failure =
+        claim.was_refused() ? std::make_exception_ptr(claim.refusal()) : std::current_exception();
+    claim.settle();
+    return refusal(failure, request, service);
   } catch (...) {
     return refusal(std::current_exception(), request, service);
   }
+}
+
+std::optional<Response> answer_from_memory(const Request& request, Service& service) {
+  try {
+    check_access(request, service.config);
+  } catch (const HttpError&) {
+    return std::nullopt;  // it is refused where all are
+  }
+  auto response = known_picture(request, service);
+  if (!response) return std::nullopt;
+  return finished(std::move(*response), request, service);
 }
 
 Response refusal(const std::exception_ptr& failure, const Request& request,

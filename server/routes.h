@@ -4,15 +4,19 @@
 
 #include <atomic>
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "server/admission.h"
 #include "server/config.h"
 #include "server/contract.h"
 #include "server/http/message.h"
+#include "server/known_targets.h"
 #include "server/metrics.h"
+#include "server/operation/admission.h"
+#include "server/operation/cost_memory.h"
+#include "server/operation/memory_account.h"
 #include "server/picture_store.h"
 
 namespace tia::server {
@@ -21,9 +25,12 @@ namespace tia::server {
 struct Service {
   const Config& config;
   Studio studio;
+  MemoryAccount& memory;
   Admission& admission;
+  CostMemory& costs;
   Metrics& metrics;
   PictureStore& pictures;
+  KnownTargets targets{};
   std::function<int()> connections = [] { return 0; };  ///< that are open
   std::atomic<bool> draining = false;                   ///< the server goes down
 };
@@ -63,6 +70,10 @@ const std::vector<Route>& routes();
 /// The whole service as a function: whatever fails becomes a problem document.
 /// Errors: std::bad_alloc where there is no memory even for that one.
 Response answer(const Request& request, Service& service);
+
+/// The same answer where it costs next to nothing, for what it sends is there already; else none.
+/// Errors: std::bad_alloc.
+std::optional<Response> answer_from_memory(const Request& request, Service& service);
 
 /// The answer to a request that failed before it came to answer(). Errors: as answer().
 Response refusal(const std::exception_ptr& failure, const Request& request, const Service& service);

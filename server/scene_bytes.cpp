@@ -37,6 +37,10 @@ std::size_t heap(const std::vector<T>& list) {
     for (const T& each : list) bytes += heap_of(each);
   return bytes;
 }
+template <class T>
+std::size_t heap(const Boxed<T>& boxed) {
+  return block + sizeof(T) + heap_of(*boxed);
+}
 // Whoever else has it, too.
 template <class T>
 std::size_t heap(const SharedList<T>& list) {

@@ -67,6 +67,10 @@ class Digester {
     for (const T& each : list) add(each);
   }
   template <class T>
+  void add(const Boxed<T>& boxed) {
+    add(*boxed);
+  }
+  template <class T>
   void add(const SharedList<T>& list) {
     add(list.get());
   }

@@ -13,8 +13,8 @@ namespace tia::server {
 namespace {
 
 constexpr int application_id = 0x54696100;  // "Tia", in the file's header, as file(1) shows it
-constexpr int layout_version = 1;
-constexpr int patience_ms = 5000;  // with another process that is writing
+constexpr int layout_version = 2;           // 1 knew no owners and no times
+constexpr int patience_ms = 5000;           // with another process that is writing
 
 /// Failure: what SQLite says went wrong.
 struct Failure : std::runtime_error {
@@ -42,6 +42,9 @@ class SceneFile::Statement {
     statement_.reset(made);
     if (code != SQLITE_OK) file.fail();
   }
+  void bind(int place, std::int64_t number) {
+    if (sqlite3_bind_int64(statement_.get(), place, number) != SQLITE_OK) file_.fail();
+  }
   void bind(int place, const std::string& text) {
     if (sqlite3_bind_text64(statement_.get(), place, text.data(), text.size(), SQLITE_STATIC,
                             SQLITE_UTF8) != SQLITE_OK)
@@ -67,9 +70,28 @@ class SceneFile::Statement {
   std::unique_ptr<sqlite3_stmt, Finalize> statement_;
 };
 
+/// Transaction: all of its changes, or none.
+class SceneFile::Transaction {
+ public:
+  explicit Transaction(SceneFile& file) : file_(file) { file_.run("BEGIN IMMEDIATE"); }
+  ~Transaction() {
+    if (is_open_) sqlite3_exec(file_.database_.get(), "ROLLBACK", nullptr, nullptr, nullptr);
+  }
+  Transaction(const Transaction&) = delete;
+  Transaction& operator=(const Transaction&) = delete;
+  void commit() {
+    file_.run("COMMIT");
+    is_open_ = false;
+  }
+
+ private:
+  SceneFile& file_;
+  bool is_open_ = true;
+};
+
 void SceneFile::Close::operator()(sqlite3* database) const { sqlite3_close(database); }
 
-SceneFile::SceneFile(const std::string& folder, std::int64_t max_bytes) {
+SceneFile::SceneFile(const std::string& folder, std::int64_t max_bytes) : max_bytes_(max_bytes) {
   const std::string path = folder + "/" + name;
   std::error_code ignored;
   if (!std::filesystem::is_directory(folder, ignored))
@@ -104,7 +126,7 @@ void SceneFile::prepare(std::int64_t max_bytes) {
   run("COMMIT");
   if (!is_new && of != std::to_string(application_id))
     throw Failure(SQLITE_NOTADB, "this is another program's file");
-  if (!is_new && is != std::to_string(layout_version))
+  if (!is_new && is != std::to_string(layout_version) && is != "1")
     throw Failure(SQLITE_NOTADB, "another version of Tia has written this file");
   if (!is_new) look_through();
   share();
@@ -114,11 +136,24 @@ void SceneFile::prepare(std::int64_t max_bytes) {
   const std::int64_t pages = max_bytes / std::stoll(word("PRAGMA page_size"));
   run(("PRAGMA max_page_count = " + std::to_string(pages)).c_str());
   run("BEGIN IMMEDIATE");
-  run("CREATE TABLE IF NOT EXISTS scenes (id TEXT PRIMARY KEY NOT NULL, text TEXT NOT NULL)");
+  lay_out(word("PRAGMA user_version"));
   run(("PRAGMA application_id = " + std::to_string(application_id)).c_str());
   run(("PRAGMA user_version = " + std::to_string(layout_version)).c_str());
   run("COMMIT");
   measure();
+}
+
+// What version 1 has kept belongs to nobody: it can only fall out of use, from now on.
+void SceneFile::lay_out(const std::string& version) {
+  run("CREATE TABLE IF NOT EXISTS scenes (id TEXT PRIMARY KEY NOT NULL, text TEXT NOT NULL, "
+      "client TEXT NOT NULL DEFAULT '', used INTEGER NOT NULL DEFAULT 0)");
+  if (version == "1") {
+    run("ALTER TABLE scenes ADD COLUMN client TEXT NOT NULL DEFAULT ''");
+    run("ALTER TABLE scenes ADD COLUMN used INTEGER NOT NULL DEFAULT 0");
+    run("UPDATE scenes SET used = CAST(strftime('%s', 'now') AS INTEGER)");
+  }
+  run("CREATE TABLE IF NOT EXISTS owners (id TEXT NOT NULL, key_hash TEXT NOT NULL, "
+      "PRIMARY KEY (id, key_hash)) WITHOUT ROWID");
 }
 
 // Only who is alone with the file can make it one that is shared. Where several try at once SQLite
@@ -134,12 +169,98 @@ void SceneFile::share() {
     }
 }
 
-void SceneFile::keep(const std::string& id, const std::string& text) try {
+void SceneFile::keep(const std::string& id, const std::string& text, const Owner& owner) try {
   const std::lock_guard lock(mutex_);
-  Statement insert(*this, "INSERT OR IGNORE INTO scenes (id, text) VALUES (?, ?)");
+  check_share(id, text, owner);
+  Transaction all(*this);
+  Statement insert(*this,
+                   "INSERT INTO scenes (id, text, client, used) VALUES (?, ?, ?, ?) "
+                   "ON CONFLICT (id) DO UPDATE SET used = max(used, excluded.used)");
   insert.bind(1, id);
   insert.bind(2, text);
+  insert.bind(3, owner.client);
+  insert.bind(4, owner.time_s);
   insert.next();
+  if (!owner.key_hash.empty()) {
+    Statement own(*this,
+                  "INSERT OR IGNORE INTO owners (id, key_hash) SELECT ?1, ?2 "
+                  "WHERE (SELECT count(*) FROM owners WHERE id = ?1) < ?3");
+    own.bind(1, id);
+    own.bind(2, owner.key_hash);
+    own.bind(3, std::int64_t{most_owners});
+    own.next();
+  }
+  all.commit();
+  measure();
+} catch (const Failure& failure) {
+  refuse(failure);
+}
+
+// Half of the file at most is one client's.
+void SceneFile::check_share(const std::string& id, const std::string& text, const Owner& owner) {
+  if (owner.client.empty()) return;
+  Statement held(*this,
+                 "SELECT coalesce(sum(length(text)), 0) FROM scenes WHERE client = ? AND id <> ?");
+  held.bind(1, owner.client);
+  held.bind(2, id);
+  held.next();
+  if (std::stoll(held.text()) + static_cast<std::int64_t>(text.size()) > max_bytes_ / 2)
+    throw HttpError("storage-full",
+                    "half of the file of kept scenes (option TIA_MAX_DATA_BYTES) is yours already: "
+                    "delete some of yours");
+}
+
+void SceneFile::touch(const std::string& id, std::int64_t now_s) try {
+  const std::lock_guard lock(mutex_);
+  Statement update(*this, "UPDATE scenes SET used = ? WHERE id = ?");
+  update.bind(1, now_s);
+  update.bind(2, id);
+  update.next();
+} catch (const Failure& failure) {
+  refuse(failure);
+}
+
+Removal SceneFile::remove(const std::string& id, const std::string& key_hash) try {
+  const std::lock_guard lock(mutex_);
+  Transaction all(*this);
+  const auto run_for = [&](const char* sql, bool with_key) {
+    Statement statement(*this, sql);
+    statement.bind(1, id);
+    if (with_key) statement.bind(2, key_hash);
+    statement.next();
+    return sqlite3_changes(database_.get()) > 0;
+  };
+  Statement known(*this, "SELECT 1 FROM scenes WHERE id = ?");
+  known.bind(1, id);
+  if (!known.next()) return Removal::unknown;
+  if (!run_for("DELETE FROM owners WHERE id = ? AND key_hash = ?", true)) return Removal::forbidden;
+  run_for("DELETE FROM scenes WHERE id = ?1 AND NOT EXISTS (SELECT 1 FROM owners WHERE id = ?1)",
+          false);
+  all.commit();
+  measure();
+  return Removal::done;
+} catch (const Failure& failure) {
+  refuse(failure);
+}
+
+bool SceneFile::knows_owner(const std::string& id, const std::string& key_hash) try {
+  const std::lock_guard lock(mutex_);
+  Statement known(*this, "SELECT 1 FROM owners WHERE id = ? AND key_hash = ?");
+  known.bind(1, id);
+  known.bind(2, key_hash);
+  return known.next();
+} catch (const Failure& failure) {
+  refuse(failure);
+}
+
+void SceneFile::forget_unused_since(std::int64_t time_s) try {
+  const std::lock_guard lock(mutex_);
+  Transaction all(*this);
+  Statement gone(*this, "DELETE FROM scenes WHERE used < ?");
+  gone.bind(1, time_s);
+  gone.next();
+  run("DELETE FROM owners WHERE id NOT IN (SELECT id FROM scenes)");
+  all.commit();
   measure();
 } catch (const Failure& failure) {
   refuse(failure);
@@ -168,7 +289,8 @@ void SceneFile::look_through() {
 }
 
 void SceneFile::measure() {
-  bytes_ = std::stoll(word("PRAGMA page_count")) * std::stoll(word("PRAGMA page_size"));
+  bytes_ = (std::stoll(word("PRAGMA page_count")) - std::stoll(word("PRAGMA freelist_count"))) *
+           std::stoll(word("PRAGMA page_size"));
 }
 
 void SceneFile::run(const char* sql) {

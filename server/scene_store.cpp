@@ -1,5 +1,7 @@
 #include "server/scene_store.h"
 
+#include <algorithm>
+#include <chrono>
 #include <limits>
 
 #include "core/scene/read_scene.h"
@@ -9,11 +11,23 @@
 namespace tia::server {
 namespace {
 
-constexpr std::size_t scene_entry_bytes = 416;  // an entry's own, with its places in list and table
+constexpr std::size_t scene_entry_bytes = 640;  // an entry's own, with its places in list and table
+constexpr std::int64_t most_told_s = 60;        // after which the file is told of a use again
 
 }  // namespace
 
-std::string SceneStore::keep(Scene scene) {
+std::int64_t SceneStore::system_now() {
+  using namespace std::chrono;
+  return duration_cast<seconds>(system_clock::now().time_since_epoch()).count();
+}
+
+void SceneStore::forget_after(std::int64_t seconds, Now now) {
+  keep_s_ = seconds;
+  now_ = std::move(now);
+  if (file_ && keep_s_ > 0) file_->forget_unused_since(now_() - keep_s_);
+}
+
+std::string SceneStore::keep(Scene scene, Owner owner) {
   const std::string text = canonical_text(scene), id = sha256_hex(text);
   const std::size_t bytes = scene_entry_bytes + bytes_of(scene);
   if (!file_ && bytes > max_bytes_)
@@ -21,40 +35,84 @@ std::string SceneStore::keep(Scene scene) {
                       Value("a scene of " + std::to_string(bytes) + " bytes in memory"),
                       "kept scenes of " + std::to_string(max_bytes_) +
                           " bytes in all (option TIA_MAX_SCENES_BYTES)"});
-  if (known(id)) return id;
-  if (file_) file_->keep(id, text);
-  remember(id, std::move(scene));
+  owner.time_s = now_();
+  if (file_ && keep_s_ > 0) file_->forget_unused_since(now_() - keep_s_);
+  if (file_) file_->keep(id, text, owner);
+  remember(id, std::move(scene), owner);
   return id;
 }
 
 KnownScene SceneStore::find(const std::string& id) {
-  if (KnownScene scene = known(id)) return scene;
+  if (KnownScene scene = in_memory(id)) return scene;
   if (!file_ || id.size() != 2 * Digest{}.size()) return {};
+  if (keep_s_ > 0) file_->forget_unused_since(now_() - keep_s_);
   const auto text = file_->find(id);
   if (!text) return {};
+  if (keep_s_ > 0) file_->touch(id, now_());
   constexpr JsonLimits any{.values = std::numeric_limits<std::size_t>::max()};
-  return remember(id, read_described<Scene>(parse_json(*text, any)));  // it was checked when kept
+  return remember(id, read_described<Scene>(parse_json(*text, any)), {});  // checked when kept
 }
 
-KnownScene SceneStore::known(const std::string& id) {
+KnownScene SceneStore::in_memory(const std::string& id) {
+  Scenes::Entries unused;
   const std::lock_guard lock(mutex_);
-  const Kept* const kept = scenes_.find(id);
-  return kept == nullptr ? KnownScene{} : kept->scene;
+  take_unused(unused);
+  Kept* const kept = scenes_.find(id);
+  if (kept == nullptr) return {};
+  use(id, *kept);
+  return kept->scene;
+}
+
+void SceneStore::use(const std::string& id, Kept& kept) {
+  kept.used_s = now_();
+  if (!file_ || keep_s_ == 0) return;
+  if (kept.used_s - kept.told_s < std::min(most_told_s, keep_s_ / 4)) return;
+  kept.told_s = kept.used_s;
+  file_->touch(id, kept.used_s);
+}
+
+Removal SceneStore::remove(const std::string& id, const std::string& key_hash) {
+  if (file_) {
+    const Removal removal = file_->remove(id, key_hash);
+    if (removal != Removal::done || file_->find(id)) return removal;
+  }
+  Scenes::Entries gone;
+  const std::lock_guard lock(mutex_);
+  Kept* const kept = scenes_.find(id);
+  if (kept == nullptr) return file_ ? Removal::done : Removal::unknown;
+  if (!file_ && std::erase(kept->key_hashes, key_hash) == 0) return Removal::forbidden;
+  if (file_ || kept->key_hashes.empty()) take(id, gone);
+  return Removal::done;
 }
 
 // Where it fits into memory it stays there.
-KnownScene SceneStore::remember(const std::string& id, Scene scene) {
+KnownScene SceneStore::remember(const std::string& id, Scene scene, const Owner& owner) {
   const std::size_t bytes = scene_entry_bytes + bytes_of(scene);
   const ObjectsName objects = digest_of_objects(scene).all;
-  Kept kept{{std::make_shared<const Scene>(std::move(scene)), objects}, bytes};
+  Kept kept{
+      {std::make_shared<const Scene>(std::move(scene)), objects}, bytes, owner, {}, now_(), 0};
   const KnownScene made = kept.scene;
   Scenes::Entries surplus;
   const std::lock_guard lock(mutex_);
-  if (bytes > max_bytes_ || scenes_.find(id) != nullptr) return made;
-  scenes_.add(id, std::move(kept));
-  bytes_ += bytes;
-  surplus = take_surplus();
+  take_unused(surplus);
+  if (bytes > max_bytes_) return made;
+  if (!scenes_.contains(id)) {
+    scenes_.add(id, std::move(kept));
+    bytes_ += bytes;
+  }
+  Kept& entry = *scenes_.find(id);
+  entry.used_s = now_();
+  if (!owner.key_hash.empty() && entry.key_hashes.size() < most_owners)
+    entry.key_hashes.push_back(owner.key_hash);
+  take_surplus(owner.client, surplus);
   return made;
+}
+
+bool SceneStore::knows_owner(const std::string& id, const std::string& key_hash) {
+  if (file_) return file_->knows_owner(id, key_hash);
+  const std::lock_guard lock(mutex_);
+  const Kept* const kept = scenes_.find(id);
+  return kept != nullptr && std::ranges::count(kept->key_hashes, key_hash) > 0;
 }
 
 std::size_t SceneStore::count() const {
@@ -67,13 +125,34 @@ std::size_t SceneStore::bytes() const {
   return bytes_;
 }
 
-SceneStore::Scenes::Entries SceneStore::take_surplus() {
-  Scenes::Entries surplus;
+void SceneStore::take(const std::string& id, Scenes::Entries& into) {
+  if (!scenes_.take(id, into)) return;
+  bytes_ -= into.back().value.bytes;
+  if (share_) share_->book(bytes_);
+}
+
+// They stand in the order of their use.
+void SceneStore::take_unused(Scenes::Entries& into) {
+  while (scenes_.size() > 0 && is_unused(scenes_.last()))
+    take(std::string(scenes_.last_key()), into);
+}
+
+void SceneStore::take_surplus(const std::string& client, Scenes::Entries& into) {
+  const auto is_own = [&](const Kept& kept) { return kept.first.client == client; };
+  const auto own_bytes = [&] {
+    std::size_t own = 0;
+    scenes_.last_of([&](const Kept& kept) {
+      own += is_own(kept) ? kept.bytes : 0;
+      return false;
+    });
+    return own;
+  };
   while (bytes_ > max_bytes_ || scenes_.size() > max_scenes_) {
-    bytes_ -= scenes_.last().bytes;
-    scenes_.take_last(surplus);
+    const std::string* last = nullptr;
+    if (!client.empty() && 2 * own_bytes() > max_bytes_) last = scenes_.last_of(is_own);
+    take(std::string(last != nullptr ? *last : scenes_.last_key()), into);
   }
-  return surplus;
+  if (share_) share_->book(bytes_);
 }
 
 }  // namespace tia::server

@@ -3,10 +3,13 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <string>
+#include <vector>
 
+#include "server/operation/memory_account.h"
 #include "server/recent.h"
 #include "server/scene_digest.h"
 #include "server/scene_file.h"
@@ -16,6 +19,9 @@ namespace tia::server {
 class SceneStore {
  public:
   static constexpr std::size_t most_scenes = 10'000;
+  /// Seconds of Unix.
+  using Now = std::function<std::int64_t()>;
+  static std::int64_t system_now();
 
   explicit SceneStore(std::int64_t max_bytes, std::size_t max_scenes = most_scenes)
       : max_bytes_(static_cast<std::size_t>(max_bytes)), max_scenes_(max_scenes) {}
@@ -23,15 +29,30 @@ class SceneStore {
   SceneStore(std::int64_t max_bytes, std::unique_ptr<SceneFile> file) : SceneStore(max_bytes) {
     file_ = std::move(file);
   }
+  /// From now on scenes that nobody has used for so long are forgotten; 0: none are.
+  void forget_after(std::int64_t seconds, Now now = system_now);
+  /// Books what memory they take.
+  void book_with(MemoryAccount& account) {
+    share_ = std::make_unique<MemoryShare>(static_cast<std::int64_t>(max_bytes_), &account,
+                                           MemoryAccount::scenes);
+  }
 
   /// Keeps a scene, in the file where there is one; else it lets go of those that nobody has asked
-  /// for longest, until all fit.
+  /// for longest, until all fit: of the owner's client's where that has half of the memory.
   /// Returns: its id, the SHA-256 of its canonical text.
   /// Errors: InputError (limit) for a scene that does not fit alone; as SceneFile::keep.
-  std::string keep(Scene scene);
+  std::string keep(Scene scene, Owner owner = {});
   /// The scene of that id, which is the one last asked for from now on; or null.
   /// Errors: as SceneFile::find.
   KnownScene find(const std::string& id);
+  /// The same, where it is in memory.
+  KnownScene in_memory(const std::string& id);
+  /// Takes the owner of that key off the scene, which goes with its last one. Other processes that
+  /// share the file know it as long as it is in their memory. Errors: as SceneFile::remove.
+  Removal remove(const std::string& id, const std::string& key_hash);
+
+  /// Whether the scene is there and can be deleted with that key.
+  bool knows_owner(const std::string& id, const std::string& key_hash);
 
   std::size_t count() const;
   /// What all kept scenes hold in memory.
@@ -43,18 +64,27 @@ class SceneStore {
   struct Kept {
     KnownScene scene;
     std::size_t bytes = 0;
+    Owner first{};                        // who kept it first; of a file's nobody
+    std::vector<std::string> key_hashes;  // of those who may delete it, without a file
+    std::int64_t used_s = 0, told_s = 0;  // when it was used, and when the file was told
   };
   using Scenes = Recent<std::string, Kept>;
-  KnownScene known(const std::string& id);
-  KnownScene remember(const std::string& id, Scene scene);
-  // Takes out what is too much.
-  Scenes::Entries take_surplus();
+  KnownScene remember(const std::string& id, Scene scene, const Owner& owner);
+  void take(const std::string& id, Scenes::Entries& into);
+  void take_unused(Scenes::Entries& into);
+  // Takes out what is too much: of the client's own first.
+  void take_surplus(const std::string& client, Scenes::Entries& into);
+  bool is_unused(const Kept& kept) const { return keep_s_ > 0 && kept.used_s < now_() - keep_s_; }
+  void use(const std::string& id, Kept& kept);
 
   std::unique_ptr<SceneFile> file_;  // null: they are kept in memory only
   const std::size_t max_bytes_, max_scenes_;
   mutable std::mutex mutex_;
   Scenes scenes_;  // by id
   std::size_t bytes_ = 0;
+  std::int64_t keep_s_ = 0;  // 0: for ever
+  Now now_ = system_now;
+  std::unique_ptr<MemoryShare> share_;
 };
 
 }  // namespace tia::server

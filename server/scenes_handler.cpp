@@ -1,12 +1,33 @@
 // /scenes: the gallery and the scenes that are kept. /schema/scene.json: what a scene may be.
+#include <sys/random.h>
+
+#include <array>
+
 #include "core/input/written.h"
+#include "core/scene/keys.h"
 #include "core/scene/read_scene.h"
+#include "server/digest.h"
 #include "server/handlers.h"
 #include "server/parameters.h"
 #include "server/problem.h"
 
 namespace tia::server {
 namespace {
+
+constexpr const char* delete_key = "Tia-Delete-Key";
+
+// 128 bits of the system's randomness, in hexadecimal digits.
+std::string random_key() {
+  std::array<unsigned char, 16> bytes{};
+  if (getrandom(bytes.data(), bytes.size(), 0) != static_cast<ssize_t>(bytes.size()))
+    throw StorageError("the system has no random bytes");
+  std::string key;
+  for (const unsigned char byte : bytes) {
+    key += "0123456789abcdef"[byte >> 4U];
+    key += "0123456789abcdef"[byte & 15U];
+  }
+  return key;
+}
 
 Response scene_text(const Scene& scene) {
   return {.content_type = "application/json", .body = canonical_text(scene)};
@@ -27,15 +48,36 @@ Response get_scene(const Request&, const std::string& name, Service& service) {
 }
 
 Response post_scene(const Request& request, const std::string&, Service& service) {
-  const auto ticket = service.admission.read(request.body.size(), request.stop);
+  const auto ticket = reading_ticket(request, service);
   const Value scene = body_json(request, "the scene as a JSON object, such as {\"objects\":[]}",
                                 service.config.json_limits());
-  const std::string id = service.studio.kept.keep(read_described<Scene>(scene));
+  Scene read = read_described<Scene>(scene);
+  Faults faults;
+  check_keys(read, {}, faults, request.stop);
+  faults.raise();
+  const std::string key = random_key(), key_hash = sha256_hex(key);
+  SceneStore& kept = service.studio.kept;
+  const std::string id = kept.keep(std::move(read), {share_of(request.peer), key_hash, 0});
   const std::string location = "/scenes/" + id;
-  return {.status = 201,
-          .content_type = "application/json",
-          .body = to_json(Value::Object{{"id", id}, {"location", location}}),
-          .headers = {{"Location", location}}};
+  Response response{.status = 201,
+                    .content_type = "application/json",
+                    .body = to_json(Value::Object{{"id", id}, {"location", location}}),
+                    .headers = {{"Location", location}, {"Cache-Control", "no-store"}}};
+  if (kept.knows_owner(id, key_hash)) response.headers.emplace_back(delete_key, key);
+  return response;
+}
+
+// The gallery's names are no ids, and stay.
+Response delete_scene(const Request& request, const std::string& id, Service& service) {
+  refuse_query(request);
+  switch (service.studio.kept.remove(id, sha256_hex(request.header(delete_key)))) {
+    case Removal::done: return {.status = 204, .content_type = "", .body = ""};
+    case Removal::forbidden:
+      throw HttpError("forbidden",
+                      "send the Tia-Delete-Key that POST /scenes has answered for this scene");
+    case Removal::unknown: break;
+  }
+  throw HttpError("not-found", "no kept scene has that id");
 }
 
 Value kept_scene_schema(Definitions& named) {

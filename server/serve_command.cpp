@@ -1,5 +1,6 @@
 #include "server/serve_command.h"
 
+#include <pthread.h>
 #include <algorithm>
 #include <chrono>
 #include <csignal>
@@ -11,23 +12,37 @@
 #include <malloc.h>
 #endif
 
+#include "server/backend.h"
 #include "server/http/http_server.h"
 #include "server/log.h"
-#include "server/routes.h"
 
 namespace tia::server {
 namespace {
 
 using std::chrono::milliseconds;
 
+constexpr int without_ticket = 8;  // requests that are read, or find what they want in a store
+
 // Buffers of an ordinary picture stay warm in the heap (fresh pages would cost it a tenth of its
 // time); those of a poster go back to the system, and so does what a rush of requests left.
 void bound_idle_memory() {
 #if defined(__GLIBC__)
   constexpr int megabyte = 1 << 20;
-  mallopt(M_ARENA_MAX, 2);
+  mallopt(M_ARENA_MAX, 1);  // each further one reserves 64 MiB of addresses
   mallopt(M_MMAP_THRESHOLD, 2 * megabyte);
   mallopt(M_TRIM_THRESHOLD, 4 * megabyte);
+#endif
+}
+
+// Threads' stacks: the deepest scenes and trees take less than half a MiB. The usual 8 MiB of some
+// ninety threads would be more addresses than small machines allow.
+void bound_stacks() {
+#if defined(__GLIBC__) && !defined(TIA_SANITIZED)
+  pthread_attr_t attributes;
+  if (pthread_attr_init(&attributes) != 0) return;
+  pthread_attr_setstacksize(&attributes, 1 << 20);
+  pthread_setattr_default_np(&attributes);
+  pthread_attr_destroy(&attributes);
 #endif
 }
 
@@ -58,8 +73,12 @@ HttpOptions http_options(const Config& config) {
   options.max_body_bytes = config.max_body_bytes;
   options.max_png_bytes = config.max_png_bytes;
   options.connections = config.connections;
-  options.workers = config.renders + config.queue;  // one each, to work or to wait
+  // One each, to work or to wait: what waits and what works is bounded by its tickets; the rest is
+  // for what needs none.
+  options.workers = config.queue + 2 * config.renders + without_ticket;
   options.deadline = milliseconds(config.deadline_ms);
+  // A quarter of the memory, of which the largest picture that is sent back may take a half.
+  options.most_held_bytes = static_cast<std::size_t>(config.memory_bytes / 4);
   options.trusts_proxy = [&config](const std::string& address) {
     const auto& trusted = config.trusted_proxies;
     return std::any_of(trusted.begin(), trusted.end(),
@@ -69,17 +88,20 @@ HttpOptions http_options(const Config& config) {
 }
 
 Application application(Service& service) {
-  return {.answer = [&](const Request& request) { return answer(request, service); },
-          .refuse = [&](const std::exception_ptr& failure,
-                        const Request& request) { return refusal(failure, request, service); },
-          .at_once = is_answered_at_once,
-          .retry_after = [&] { return service.admission.retry_after(); },
-          .rested = give_memory_back,
-          .answered =
-              [&](const Exchange& exchange) {
-                service.metrics.count(exchange, route_label(exchange.request));
-                log_exchange(exchange);
-              }};
+  return {
+      .answer = [&](const Request& request) { return answer(request, service); },
+      .refuse = [&](const std::exception_ptr& failure,
+                    const Request& request) { return refusal(failure, request, service); },
+      .at_once = is_answered_at_once,
+      .from_memory = [&](const Request& request) { return answer_from_memory(request, service); },
+      .retry_after = [&] { return service.admission.retry_after(); },
+      .rested = give_memory_back,
+      .held = [&](std::ptrdiff_t bytes) { service.memory.add(MemoryAccount::connections, bytes); },
+      .answered =
+          [&](const Exchange& exchange) {
+            service.metrics.count(exchange, route_label(exchange.request));
+            log_exchange(exchange);
+          }};
 }
 
 std::unique_ptr<SceneFile> scene_file(const Config& config) {
@@ -91,6 +113,7 @@ std::unique_ptr<SceneFile> scene_file(const Config& config) {
 
 void serve(const Config& config) {
   bound_idle_memory();
+  bound_stacks();
   // Blocked in every thread, so that one can wait for them.
   sigset_t signals;
   sigemptyset(&signals);
@@ -99,16 +122,11 @@ void serve(const Config& config) {
   pthread_sigmask(SIG_BLOCK, &signals, nullptr);
 
   const Gallery gallery;
-  SceneStore kept(config.max_scenes_bytes, scene_file(config));
-  GeometryStore geometries(config.max_geometry_bytes);
-  Pool pool(config.threads);
-  Admission admission(config.renders, config.queue);
-  Metrics metrics;
-  PictureStore pictures(config.cache_bytes);
-  Service service{
-      config, {gallery, kept, geometries, pool, config.limits()}, admission, metrics, pictures};
+  Backend backend(config, gallery, scene_file(config));
+  Service& service = backend.service;
   HttpServer server(http_options(config), application(service));
   service.connections = [&] { return server.connections(); };
+  backend.memory.add(MemoryAccount::program, addresses_beyond(config.memory_bytes));
 
   const Log log;
   std::jthread listening([&] { server.run(); });

@@ -28,19 +28,20 @@ struct Sent {
 };
 
 Sent sent_in(const Request& request, Service& service) {
-  const auto ticket = service.admission.read(request.body.size(), request.stop);
+  const auto ticket = reading_ticket(request, service);
   refuse_query(request);
   if (!is_png(request.body))
     throw HttpError("media-type", "send a PNG file, such as this server has sent");
-  return {recipe_in(request.body, service.config), sha256_hex(request.body)};
+  return {recipe_in(request.body, service.config, request.stop), sha256_hex(request.body)};
 }
 
 // Where the recipe comes from another version, what it draws is not known here.
 Value::Object verdict_on(const Recipe& recipe, const Request& request, Service& service) {
   if (recipe.version != full_version()) return {{"verdict", name_of(Verdict::other_version)}};
   const auto asked = read_described<PictureRequest>(recipe.request);
-  Plan plan = plan_of(asked, service.studio);
-  const auto found = picture_of(plan, etag_of(plan.recipe), request.stop, service);
+  const Asker asker = asker_of(request);
+  Plan plan = plan_of(asked, service.studio, asker);
+  const auto found = picture_of(plan, etag_of(plan.recipe), asker, service);
   const std::string& expected = found.picture->bytes;
   return {{"verdict", name_of(expected == request.body ? Verdict::same : Verdict::different)},
           {"expected_sha256", sha256_hex(expected)}};

@@ -77,6 +77,10 @@ void ViewRequest::check(const Place& at, Faults& faults) const {
         {FaultKind::conflict, at.at("light").pointer(), write_value(*light), "key or light"});
 }
 
+bool is_known_scene(const std::string& name, const Studio& studio) {
+  return studio.gallery.find(name) || studio.kept.in_memory(name);
+}
+
 KnownScene find_scene(const std::string& name, const Studio& studio) {
   if (KnownScene scene = studio.gallery.find(name)) return scene;
   if (KnownScene scene = studio.kept.find(name)) return scene;
@@ -87,7 +91,7 @@ KnownScene find_scene(const std::string& name, const Studio& studio) {
                     nearest_name(name, known)});
 }
 
-KnownScene scene_of(const ViewRequest& asked, const Studio& studio) {
+KnownScene scene_of(const ViewRequest& asked, const Studio& studio, const Asker& asker) {
   const auto* name = std::get_if<std::string>(&asked.scene);
   KnownScene scene = name != nullptr ? find_scene(*name, studio)
                                      : KnownScene{not_owned(std::get<Scene>(asked.scene))};
@@ -97,9 +101,9 @@ KnownScene scene_of(const ViewRequest& asked, const Studio& studio) {
     scene = same_objects(scene, std::move(changed));
   }
   if (asked.key) {
-    Scene pressed = press(*scene, *asked.key);
-    if (moves_light_only(*scene, *asked.key)) return same_objects(scene, std::move(pressed));
-    return {std::make_shared<const Scene>(std::move(pressed))};
+    if (moves_light_only(*scene, *asked.key)) return same_objects(scene, press(*scene, *asked.key));
+    const bool is_named = name != nullptr && !asked.camera;
+    return studio.pressed.get(is_named ? *name : "", scene, *asked.key, asker.client, asker.stop);
   }
   if (asked.light) return same_objects(scene, with_light(*scene, *asked.light));
   return scene;

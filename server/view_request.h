@@ -8,6 +8,7 @@
 #include "core/core.h"
 #include "server/gallery.h"
 #include "server/geometry_store.h"
+#include "server/pressed_scenes.h"
 #include "server/scene_store.h"
 #include "server/text_form.h"
 
@@ -86,16 +87,26 @@ struct Studio {
   const Gallery& gallery;
   SceneStore& kept;
   GeometryStore& geometries;
+  PressedScenes& pressed;
   Pool& pool;
   Limits limits;
 };
+
+/// Asker: whom a request is from, by whatever clients are told apart by, and until when.
+struct Asker {
+  std::string client;
+  std::stop_token stop;
+};
+
+/// Whether there is a scene of that name or id, as far as memory knows.
+bool is_known_scene(const std::string& name, const Studio& studio);
 
 /// The scene of that name or id. Errors: InputError (unknown_name) at /scene.
 KnownScene find_scene(const std::string& name, const Studio& studio);
 
 /// The scene that is asked for: with its camera patched, then its key pressed or its light moved.
-/// It may be the request's own, and lives no longer. Errors: InputError.
-KnownScene scene_of(const ViewRequest& asked, const Studio& studio);
+/// It may be the request's own, and lives no longer. Errors: InputError; as PressedScenes::get.
+KnownScene scene_of(const ViewRequest& asked, const Studio& studio, const Asker& asker);
 
 /// How the scene's light is traced: as the request says, else as the scene does.
 RenderOptions options_of(const TraceRequest& asked, const Scene& scene, const Studio& studio);

@@ -48,7 +48,7 @@ class Compiler {
   }
   int matter_index(const MaterialRef& material) {
     if (const auto* name = std::get_if<std::string>(&material)) return named_.at(*name);
-    return pushed(geometry_.matters, matter_of(std::get<Material>(material)));
+    return pushed(geometry_.matters, matter_of(*std::get<Boxed<Material>>(material)));
   }
   Setting below(const Object& object, const Setting& above) {
     return {above.place * object.transform.affine(),

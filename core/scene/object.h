@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "core/input/boxed.h"
 #include "core/input/codec.h"
 #include "core/input/placement.h"
 #include "core/materials/material.h"
@@ -14,7 +15,7 @@
 namespace tia {
 
 /// The name of one of the scene's materials, or a material of its own.
-using MaterialRef = std::variant<std::string, Material>;
+using MaterialRef = std::variant<std::string, Boxed<Material>>;
 
 struct Object {
   static constexpr std::string_view schema_name = "object";
@@ -26,12 +27,14 @@ struct Object {
 
   template <class Visitor>
   static void fields(Visitor&& visit) {
-    visit("name", &Object::name, Spec{.about = "what answers call it"});
+    visit("name", &Object::name,
+          Spec{.about = "what answers call it", .max_bytes = most_name_bytes});
     visit.one_of(&Object::shape, Spec{.about = "the kind of shape", .required = true});
     visit("transform", &Object::transform,
           Spec{.about = "steps that place it, the first step first"});
     visit("material", &Object::material,
-          Spec{.about = "a name from materials, or a material; else its nearest ancestor's"});
+          Spec{.about = "a name from materials, or a material; else its nearest ancestor's",
+               .max_bytes = most_name_bytes});
     visit(
         "materials", &Object::materials,
         Spec{.about = "those that the numbers of voxels mean, each a name or a material; number 1 "

@@ -39,7 +39,8 @@ class TreeCheck {
 
   bool emits(const Object& object, bool inherited) const {
     if (!object.material) return inherited;
-    const auto* own = std::get_if<Material>(&*object.material);
+    const auto* boxed = std::get_if<Boxed<Material>>(&*object.material);
+    const Material* own = boxed != nullptr ? &**boxed : nullptr;
     if (const auto* name = std::get_if<std::string>(&*object.material)) {
       const auto found = scene_.materials.find(*name);
       if (found == scene_.materials.end()) return false;
@@ -164,6 +165,11 @@ Value Codec<KeyBinding>::schema(const Spec&, Definitions& named) {
 }
 
 void Scene::check_links(const Place& at, Faults& faults) const {
+  constexpr std::size_t most_keys = 256;
+  if (keys.size() > most_keys)
+    faults.add({FaultKind::limit, at.at("keys").pointer(),
+                Value(std::to_string(keys.size()) + " keys"),
+                "at most " + std::to_string(most_keys) + " keys"});
   const Place all_objects = at.at("objects");
   if (!faults.at(at.at("materials").pointer())) check_material_names(objects, all_objects, faults);
   TreeCheck(*this, faults)(objects, {}, all_objects);

@@ -85,6 +85,7 @@ class Writer : httplib::Server {
     to.set_header("Accept-Ranges", "none");  // else the library promises bytes
     for (const auto& [name, value] : from.headers) to.set_header(name, value);
     if (from.parts) fill_parts(to);
+    else if (from.shared) announce(to, from.shared->size());
     else if (from.unsized)  // announces a body of unknown length; HEAD sends none
       to.set_content_provider(from.content_type, [](std::size_t, httplib::DataSink& sink) {
         sink.done();
@@ -94,6 +95,12 @@ class Writer : httplib::Server {
       to.body.swap(from.body);
       to.set_header("Content-Type", from.content_type);
     }
+  }
+
+  // The head of an answer whose body is sent by itself.
+  void announce(httplib::Response& to, std::size_t bytes) const {
+    to.set_content_provider(bytes, from_->content_type,
+                            [](std::size_t, std::size_t, httplib::DataSink&) { return false; });
   }
 
   void fill_parts(httplib::Response& to) {
@@ -128,7 +135,8 @@ void drop_length(std::string& bytes) {
 }  // namespace
 
 void write_answer(Response& response, bool is_head, bool keep_alive, const TakeBytes& take) {
-  per_thread<Writer, struct OfAllAnswers>().write(response, is_head, keep_alive, take);
+  const bool head_only = is_head || response.shared != nullptr;
+  per_thread<Writer, struct OfAllAnswers>().write(response, head_only, keep_alive, take);
 }
 
 std::string answer_bytes(Response& response, bool is_head, bool keep_alive) {

@@ -18,7 +18,7 @@ using TakeBytes = std::function<bool(std::string_view)>;
 /// Errors: what making the parts throws.
 void write_answer(Response& response, bool is_head, bool keep_alive, const TakeBytes& take);
 
-/// The same, whole. Domain: a response without parts.
+/// The same, whole, but for a body that others have too. Domain: a response without parts.
 std::string answer_bytes(Response& response, bool is_head, bool keep_alive);
 
 }  // namespace tia::server

@@ -40,6 +40,9 @@ void Connection::begin(Request request) {
   if (application.at_once(turn_->request)) {
     turn_->make(application.answer, house_.closing, [] {});
     hand_over(*turn_);
+  } else if (auto known = application.from_memory(turn_->request)) {
+    turn_->make([&](const Request&) { return std::move(*known); }, house_.closing, [] {});
+    hand_over(*turn_);
   } else if (house_.free_workers == 0) {
     fail_turn(failure("busy", "all that may wait here does (option TIA_QUEUE)",
                       {{"Retry-After", std::to_string(application.retry_after())}}));
@@ -87,7 +90,8 @@ void Connection::hand_over(Turn& turn) {
 void Connection::deliver(Turn& turn) {
   house_.application.answered(
       {turn.request, turn.response, turn.body_bytes, ms_since(turn.request.arrived)});
-  outbox_.put(std::move(turn.bytes));  // after what may fail: or a second answer would follow
+  outbox_.put(std::move(turn.bytes),
+              turn.response.shared);  // after what may fail: or a second answer would follow
   keep_alive_ = turn.keep_alive;
   turn_.reset();
   account();

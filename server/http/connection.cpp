@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <asio/post.hpp>
 #include <new>
+#include <utility>
 
 #include "server/http/patience.h"
 #include "server/problem.h"
@@ -172,7 +173,8 @@ void Connection::set_patience(State before) {
 void Connection::account() {
   const std::size_t held =
       reader_.held() + outbox_.held() + (turn_ ? turn_->request.body.capacity() : 0);
-  house_.held_bytes += held - held_;
+  if (held != held_)
+    house_.hold(static_cast<std::ptrdiff_t>(held) - static_cast<std::ptrdiff_t>(held_));
   held_ = held;
 }
 
@@ -273,8 +275,7 @@ void Connection::linger() {
 void Connection::close() {
   if (phase_ == Phase::closed) return;
   phase_ = Phase::closed;
-  house_.held_bytes -= held_;
-  held_ = 0;
+  house_.hold(-static_cast<std::ptrdiff_t>(std::exchange(held_, 0)));
   if (turn_) turn_->abandon();
   turn_.reset();
   asio::error_code error;

@@ -46,6 +46,11 @@ struct House {
         std::this_thread::sleep_for(patience::memory);
       }
   }
+  /// That connections hold so many bytes more, or fewer.
+  void hold(std::ptrdiff_t more) {
+    held_bytes += static_cast<std::size_t>(more);
+    application.held(more);
+  }
   bool holds_too_much() const { return held_bytes > options.most_held_bytes; }
 };
 

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "server/http/proxies.h"
@@ -44,10 +45,17 @@ struct Application {
   std::function<Response(const std::exception_ptr&, const Request&)> refuse = problem_response;
   /// Whether the answer costs so little that it need not wait for a worker.
   std::function<bool(const Request&)> at_once = [](const Request&) { return false; };
+  /// The answer that is there already and costs next to nothing to send, or none. Called before
+  /// anything that waits for a worker, or is refused for want of one.
+  std::function<std::optional<Response>(const Request&)> from_memory = [](const Request&) {
+    return std::nullopt;
+  };
   /// Seconds after which one who is refused for want of workers may ask again.
   std::function<int()> retry_after = [] { return 1; };
   /// Called once all work has been done and some time has passed.
   std::function<void()> rested = [] {};
+  /// Told how many bytes more, or fewer, connections hold of requests and answers.
+  std::function<void(std::ptrdiff_t)> held = [](std::ptrdiff_t) {};
   /// Told of every exchange before its answer's first byte is sent.
   std::function<void(const Exchange&)> answered = [](const Exchange&) {};
 };

@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <functional>
+#include <memory>
 #include <stop_token>
 #include <string>
 #include <string_view>
@@ -54,6 +55,8 @@ struct Response {
   std::string content_type;  ///< "" = no body
   std::string body;
   Headers headers = {};
+  /// Bytes that others have too, in the body's place: they are sent, not copied.
+  std::shared_ptr<const std::string> shared = nullptr;
   bool unsized = false;  ///< HEAD of something that would have to be made to be measured
   /// Makes the body in parts while they are sent, in the body's place.
   std::function<void(const SendPart&)> parts = nullptr;

@@ -2,10 +2,13 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <asio/buffer.hpp>
 #include <asio/error.hpp>
 #include <asio/ip/tcp.hpp>
+#include <memory>
 #include <string>
+#include <string_view>
 
 #include "server/http/patience.h"
 
@@ -13,11 +16,13 @@ namespace tia::server {
 
 class Outbox {
  public:
-  void put(std::string bytes) {
+  /// `shared` follows the bytes, and stays whose it is. Domain: none is put before all has gone.
+  void put(std::string bytes, std::shared_ptr<const std::string> shared = nullptr) {
     if (bytes_.empty()) bytes_ = std::move(bytes);
     else bytes_ += bytes;
+    if (shared) shared_ = std::move(shared);
   }
-  bool empty() const { return bytes_.empty(); }
+  bool empty() const { return bytes_.empty() && !shared_; }
   /// Bytes that have gone out since the last call of begin().
   std::size_t sent() const { return sent_; }
   void begin() { sent_ = 0; }
@@ -26,28 +31,38 @@ class Outbox {
   /// once all has been sent; would_block while there is more.
   asio::error_code send(asio::ip::tcp::socket& socket) {
     asio::error_code error;
-    if (bytes_.empty()) return error;
-    const std::size_t size = std::min(bytes_.size() - first_, patience::most_at_once);
-    const std::size_t sent = socket.write_some(asio::buffer(bytes_.data() + first_, size), error);
+    if (empty()) return error;
+    // Both pieces at once: the head alone would be a packet of its own.
+    const std::string_view tail = shared_ ? std::string_view(*shared_) : std::string_view();
+    const std::size_t in_tail = first_ - std::min(first_, bytes_.size());
+    const asio::const_buffer head = asio::buffer(bytes_) + first_;
+    const std::array pieces{asio::buffer(head, patience::most_at_once),
+                            asio::buffer(asio::buffer(tail) + in_tail, patience::most_at_once)};
+    const std::size_t sent = socket.write_some(pieces, error);
     first_ += sent;
     sent_ += sent;
     if (error) return error;
-    if (first_ < bytes_.size()) return asio::error::would_block;
+    if (first_ < bytes_.size() + tail.size()) return asio::error::would_block;
     clear();
     return error;
   }
-  /// Bytes of memory that it takes.
-  std::size_t held() const { return bytes_.capacity(); }
+  /// Bytes of memory that it takes: of what others have too its part.
+  std::size_t held() const {
+    const auto owners = static_cast<std::size_t>(std::max(shared_.use_count(), 1L));
+    return bytes_.capacity() + (shared_ ? shared_->size() / owners : 0);
+  }
 
  private:
   void clear() {
     if (bytes_.capacity() > patience::most_ahead) std::string().swap(bytes_);
     bytes_.clear();
+    shared_.reset();
     first_ = 0;
   }
 
   std::string bytes_;
-  std::size_t first_ = 0;  // of the bytes that have not gone out
+  std::shared_ptr<const std::string> shared_;  // null: none follows
+  std::size_t first_ = 0;  // of the bytes that have not gone out, the shared ones counted on
   std::size_t sent_ = 0;
 };
 

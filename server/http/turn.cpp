@@ -23,7 +23,7 @@ void Turn::make_answer(const Answer& answer, const std::atomic<bool>& closing,
   if (closing) keep_alive = false;
   if (response.parts && request.is_http_1_0) gather_parts();
   if (!response.parts) {
-    body_bytes = response.body.size();
+    body_bytes = response.shared ? response.shared->size() : response.body.size();
     bytes = answer_bytes(response, request.is_head(), keep_alive);
     return;
   }

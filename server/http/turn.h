@@ -24,7 +24,8 @@ class Turn {
   bool keep_alive = true;
   Response response;
   std::size_t body_bytes = 0;
-  std::string bytes;           ///< the whole answer, or the rest of one that goes in parts
+  /// The whole answer, but for a body that others have too, or the rest of one that goes in parts.
+  std::string bytes;
   bool is_cut = false;         ///< the parts broke off: the client must see that
   std::exception_ptr failure;  ///< what was thrown in the answer's place
 

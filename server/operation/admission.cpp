@@ -1,95 +1,225 @@
-#include "server/admission.h"
+#include "server/operation/admission.h"
 
 #include <algorithm>
 #include <cmath>
+#include <ranges>
 #include <string>
 
 #include "core/render/pool.h"
 
 namespace tia::server {
 
-Admission::Admission(int tickets, int queue)
-    : kinds_{Kind{std::max(1, tickets / 4), queue / 4, 0.1}, Kind{tickets, queue, 0.1},
-             Kind{std::max(1, tickets / 2), queue / 4, 1}} {}
-
-Admission::Ticket Admission::read(std::size_t bytes, const std::stop_token& stop) {
-  if (bytes <= longest_short_text) return {nullptr, reading};
-  return enter_as(reading, stop);
+int Admission::Kind::held_by(const std::string& client) const {
+  return static_cast<int>(std::ranges::count(inside, client, &Entrant::client));
 }
 
-Admission::Ticket Admission::enter(double rays, const std::stop_token& stop) {
-  return enter_as(rays > most_light_rays ? heavy : light, stop);
+Admission::Admission(const Options& o)
+    : queue_(o.queue),
+      threads_(o.threads),
+      most_wait_s_(o.most_wait_s),
+      kinds_{Kind{std::max(1, o.tickets / 4), o.queue / 4, 0.1}, Kind{o.tickets, o.queue, 0.1},
+             Kind{std::max(1, o.tickets / 2), o.queue / 4, 1}} {}
+
+Admission::Ticket Admission::read(std::size_t bytes, const std::string& client,
+                                  const std::stop_token& stop) {
+  if (bytes <= longest_short_text) return {};
+  return enter_as(reading, {client}, stop);
 }
 
-Admission::Ticket Admission::enter_as(std::size_t kind, const std::stop_token& stop) {
+Admission::Ticket Admission::enter(const Cost& cost, const std::string& client,
+                                   const std::stop_token& stop) {
+  const bool is_heavy = cost.seconds > most_light_seconds;
+  return enter_as(is_heavy ? heavy : light, {client, cost.seconds}, stop);
+}
+
+Admission::Ticket Admission::enter_as(std::size_t kind, Entrant entrant,
+                                      const std::stop_token& stop) {
+  entrant.kind = kind;
+  Entrants made{std::move(entrant)};
+  const auto who = made.begin();
+  Kind& mine = kinds_[kind];
+  std::unique_lock lock(mutex_);
+  check_time(mine, who->seconds);
+  mine.waiting.splice(mine.waiting.end(), made);
+  mine.seconds += who->seconds;
+  const auto give_up = [&] {
+    mine.seconds -= who->seconds;
+    made.splice(made.end(), mine.waiting, who);
+    admit();
+  };
+  admit();
+  try {
+    if (!who->is_in) find_place(*who);
+  } catch (...) {
+    give_up();
+    throw;
+  }
+  changed_.wait(lock, stop, [&] { return who->is_in || who->is_pushed_out; });
+  if (!who->is_in) {
+    give_up();
+    if (who->is_pushed_out) throw busy("the queue is full (option TIA_QUEUE)");
+    throw Stopped();
+  }
+  lock.unlock();
+  Ticket ticket(this, who);
+  end_if_asked(stop);
+  return ticket;
+}
+
+// What has no time left once those before it are done would be begun for nothing.
+void Admission::check_time(const Kind& kind, double seconds) const {
+  const bool alone = kind.inside.empty() && kind.waiting.empty();
+  if (!alone && (kind.seconds + seconds) / threads_ > most_wait_s_)
+    throw busy("what is there already would take too long (option TIA_DEADLINE_MS)");
+}
+
+// Sees to it that there is room for one more in the queue, who is in it already.
+// Errors: HttpError (busy).
+void Admission::find_place(const Entrant& who) {
   static constexpr const char* full_queue[] = {
       "a quarter of the queue is full of long texts (option TIA_QUEUE)",
       "the queue is full (option TIA_QUEUE)",
       "a quarter of the queue is full of posters (option TIA_QUEUE)"};
-  Kind& mine = kinds_[kind];
-  std::unique_lock lock(mutex_);
-  const auto place = mine.waiting.insert(mine.waiting.end(), 0);
-  const auto its_turn = [&] { return place == mine.waiting.begin() && may_enter(kind); };
-  // Not by who waits alone: of those some may enter already, and have not woken up yet.
-  const bool full =
-      mine.at_work + static_cast<int>(mine.waiting.size()) > mine.most + mine.most_waiting;
-  const bool entered = !full && left_.wait(lock, stop, its_turn);
-  mine.waiting.erase(place);
-  left_.notify_all();  // the next one's turn
-  if (full) throw busy(full_queue[kind]);
-  if (!entered || stop.stop_requested()) throw Stopped();
-  ++mine.at_work;
-  return {this, kind};
+  const Kind& mine = kinds_[who.kind];
+  const bool own_full = static_cast<int>(mine.waiting.size()) > mine.most_waiting;
+  if (!own_full && all_waiting() <= queue_) return;
+  if (!push_out(own_full ? who.kind : kinds, who.client)) throw busy(full_queue[who.kind]);
+}
+
+// Of that kind, or of any, sends the newest of the client away that has most of the queue, if that
+// is at least as much as this one has with the new one. Returns: whether there was such a one.
+bool Admission::push_out(std::size_t kind, const std::string& client) {
+  const auto places_of = [&](const std::string& whose) {
+    std::ptrdiff_t places = 0;
+    for (const Kind& each : kinds_)
+      places += std::ranges::count_if(each.waiting, [&](const Entrant& who) {
+        return who.client == whose && !who.is_pushed_out;
+      });
+    return places;
+  };
+  std::ptrdiff_t most = places_of(client);
+  Entrant* newest = nullptr;
+  for (std::size_t i = 0; i < kinds; ++i) {
+    if (kind != kinds && kind != i) continue;
+    for (Entrant& who : kinds_[i].waiting) {
+      if (who.client == client || who.is_pushed_out) continue;
+      const std::ptrdiff_t places = places_of(who.client);
+      if (places < most) continue;
+      most = places;
+      newest = &who;
+    }
+  }
+  if (newest == nullptr) return false;
+  newest->is_pushed_out = true;
+  changed_.notify_all();
+  return true;
+}
+
+// ---- whose turn it is -----------------------------------------------------------------------
+
+// Lets in all who may enter now. It allocates nothing: tickets end with it.
+void Admission::admit() {
+  bool again = true;
+  while (again) {
+    again = false;
+    for (Kind& kind : kinds_) again = admit_next(kind) || again;
+  }
+}
+
+// The next of a kind: of the client that has the fewest tickets. Returns: whether one got in.
+bool Admission::admit_next(Kind& kind) {
+  auto next = kind.waiting.end();
+  int fewest = 0;
+  for (auto who = kind.waiting.begin(); who != kind.waiting.end(); ++who) {
+    const int held = kind.held_by(who->client);
+    if (who->is_pushed_out || (next != kind.waiting.end() && held >= fewest)) continue;
+    next = who;
+    fewest = held;
+  }
+  if (next == kind.waiting.end() || !may_enter(*next)) return false;
+  next->is_in = true;
+  next->since = std::chrono::steady_clock::now();
+  kind.inside.splice(kind.inside.end(), kind.waiting, next);
+  changed_.notify_all();
+  return true;
 }
 
 // Heavy work beyond its share has begun as light and takes nobody's place.
 int Admission::light_places_taken() const {
-  return kinds_[light].at_work + std::min(kinds_[heavy].at_work, kinds_[heavy].most);
+  return kinds_[light].at_work() + std::min(kinds_[heavy].at_work(), kinds_[heavy].most);
 }
 
-bool Admission::may_enter(std::size_t kind) const {
-  const Kind& mine = kinds_[kind];
-  if (mine.at_work >= mine.most) return false;
-  if (kind == reading) return true;
-  if (light_places_taken() >= kinds_[light].most) return false;
-  if (kinds_[kind == light ? heavy : light].waiting.empty()) return true;
-  const bool heavy_first = kinds_[heavy].at_work == 0;
-  return (kind == heavy) == heavy_first;
+bool Admission::has_room(const Entrant& who) const {
+  const Kind& kind = kinds_[who.kind];
+  const bool is_full = kind.at_work() >= kind.most ||
+                       (who.kind != reading && light_places_taken() >= kinds_[light].most);
+  if (!is_full) return true;
+  if (kind.held_by(who.client) > 0 || kind.at_work() >= 2 * kind.most) return false;
+  return std::ranges::any_of(
+      kind.inside, [&](const Entrant& each) { return 2 * kind.held_by(each.client) > kind.most; });
 }
 
-void Admission::turn_heavy(Ticket& ticket) {
+bool Admission::may_enter(const Entrant& who) const {
+  if (!has_room(who)) return false;
+  if (who.kind == reading || kinds_[who.kind == light ? heavy : light].waiting.empty()) return true;
+  const bool heavy_first = kinds_[heavy].inside.empty();
+  return (who.kind == heavy) == heavy_first;
+}
+
+void Admission::turn_heavy(Entrants::iterator who) {
   const std::lock_guard lock(mutex_);
-  if (ticket.kind_ != light) return;
-  if (kinds_[heavy].at_work >= kinds_[light].most) {
-    if (kinds_[light].waiting.empty()) return;
-    throw busy(
-        "the picture turns out to be a poster, of which many are drawn (option TIA_RENDERS)");
-  }
-  --kinds_[light].at_work;
-  ++kinds_[heavy].at_work;
-  ticket.kind_ = heavy;
-  left_.notify_all();
+  if (who->kind != light) return;
+  Kind &from = kinds_[light], &to = kinds_[heavy];
+  from.seconds -= who->seconds;
+  who->seconds = std::max(who->seconds, 2 * most_light_seconds);
+  to.seconds += who->seconds;
+  who->kind = heavy;
+  to.inside.splice(to.inside.end(), from.inside, who);
+  admit();
 }
 
-void Admission::leave(const Ticket& ticket) {
-  const std::chrono::duration<double> held = std::chrono::steady_clock::now() - ticket.since_;
+void Admission::leave(Entrants::iterator who) {
   const std::lock_guard lock(mutex_);
-  Kind& kind = kinds_[ticket.kind_];
-  --kind.at_work;
+  Kind& kind = kinds_[who->kind];
+  const std::chrono::duration<double> held = std::chrono::steady_clock::now() - who->since;
   kind.usual_s += (held.count() - kind.usual_s) / 16;
-  left_.notify_all();
+  kind.seconds -= who->seconds;
+  kind.inside.erase(who);
+  if (kind.inside.empty() && kind.waiting.empty()) kind.seconds = 0;  // what rounding has left
+  admit();
 }
+
+// ---- who wait for others --------------------------------------------------------------------
+
+Admission::Place Admission::wait_for_others() {
+  const std::lock_guard lock(mutex_);
+  if (all_waiting() >= std::max(queue_, kinds_[light].most))
+    throw busy("the queue is full (option TIA_QUEUE)");
+  ++in_places_;
+  return Place(this);
+}
+
+void Admission::leave_place() {
+  const std::lock_guard lock(mutex_);
+  --in_places_;
+}
+
+// ---- numbers --------------------------------------------------------------------------------
 
 int Admission::at_work() const {
   const std::lock_guard lock(mutex_);
-  return kinds_[light].at_work + kinds_[heavy].at_work;
+  return kinds_[light].at_work() + kinds_[heavy].at_work();
 }
 
 int Admission::waiting() const {
   const std::lock_guard lock(mutex_);
+  return all_waiting();
+}
+
+int Admission::all_waiting() const {
   std::size_t all = 0;
   for (const Kind& kind : kinds_) all += kind.waiting.size();
-  return static_cast<int>(all);
+  return static_cast<int>(all) + in_places_;
 }
 
 int Admission::retry_after() const {
@@ -100,7 +230,7 @@ int Admission::retry_after() const {
 int Admission::wait_s() const {
   double wait = 0;
   for (const Kind& kind : kinds_) {
-    const auto ahead = static_cast<int>(kind.waiting.size()) + kind.at_work;
+    const auto ahead = static_cast<int>(kind.waiting.size()) + kind.at_work();
     wait += kind.usual_s * ahead / kind.most;
   }
   return static_cast<int>(std::clamp(std::ceil(wait), 1.0, 60.0));

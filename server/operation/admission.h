@@ -1,5 +1,5 @@
 // Who may read a long text and who may draw, and when: a bounded number at once, light work never
-// behind heavy work.
+// behind heavy work, and no client before all others.
 #pragma once
 
 #include <array>
@@ -10,8 +10,10 @@
 #include <list>
 #include <mutex>
 #include <stop_token>
+#include <string>
 #include <utility>
 
+#include "server/operation/cost_memory.h"
 #include "server/problem.h"
 
 namespace tia::server {
@@ -19,47 +21,91 @@ namespace tia::server {
 /// Admission: gives out tickets. Any thread may call. Heavy work begins with at most half of them
 /// (but one), and a quarter of the queue, so that a light picture need not wait for posters to end;
 /// where both kinds wait, a light one goes first, unless no heavy one is at work: so heavy ones go
-/// on, too. Among equals the order is that of coming.
+/// on, too. Among equals goes the client that has the fewest tickets, then who came first.
+///
+/// What has begun is never sent away for newcomers: how threads are shared is the pool's business
+/// (core/render/turns.h). What could not end in time does not begin.
+///
+/// While others wait one client keeps no more than half: whose client holds none finds room beyond
+/// the tickets where another holds more than half of them; and where the queue is full, the newest
+/// of the client that has most of it makes room for one that has less (longest queue drop).
+/// Source: McKenney, "Stochastic fairness queueing" (1990), section 3.
 class Admission {
  public:
   /// Rays, or tests of them, beyond which work is heavy: about seven ordinary pictures' or a
-  /// quarter of a second's.
+  /// quarter of a second's; and the seconds of threads that it is foreseen to take.
   static constexpr std::int64_t most_light_rays = 1 << 21, most_light_tests = 1 << 25;
+  static constexpr double most_light_seconds = CostMemory::usual_ray * most_light_rays;
   /// A text beyond it is long: some milliseconds to read. Unit: bytes.
   static constexpr std::size_t longest_short_text = 64 << 10;
 
+  struct Options {
+    int tickets = 8;
+    int queue = 64;            ///< how many may wait in all
+    int threads = 1;           ///< that all work shares
+    double most_wait_s = 1e9;  ///< what work of one kind may take that is there already
+  };
+
+ private:
+  enum : std::size_t { reading, light, heavy, kinds };
+  /// Entrant: who waits, or is in; one entry of a list from coming to leaving.
+  struct Entrant {
+    std::string client;
+    double seconds = 0;  // of threads, that the work is expected to take
+    std::size_t kind = light;
+    bool is_in = false, is_pushed_out = false;
+    std::chrono::steady_clock::time_point since{};  // when it got in
+  };
+  using Entrants = std::list<Entrant>;
+
+ public:
   /// Ticket: the right to work, until it ends.
   class Ticket {
    public:
-    Ticket(Ticket&& from) noexcept
-        : from_(std::exchange(from.from_, nullptr)), kind_(from.kind_), since_(from.since_) {}
+    Ticket(Ticket&& from) noexcept : from_(std::exchange(from.from_, nullptr)), who_(from.who_) {}
     ~Ticket() {
-      if (from_ != nullptr) from_->leave(*this);
+      if (from_ != nullptr) from_->leave(who_);
     }
     /// Tells what has been done so far. Light work that turns out heavy from then on takes no light
-    /// one's place. Any thread may call. Errors: HttpError (busy) where there are as many such
-    /// already as there are tickets, and light work waits.
+    /// one's place. Any thread may call.
     void has_done(std::int64_t rays, std::int64_t tests) {
-      if (rays > most_light_rays || tests > most_light_tests) from_->turn_heavy(*this);
+      if (rays > most_light_rays || tests > most_light_tests) from_->turn_heavy(who_);
     }
 
    private:
     friend Admission;
-    Ticket(Admission* from, std::size_t kind) : from_(from), kind_(kind) {}
-    Admission* from_;  // null: of work that needs none
-    std::size_t kind_;
-    std::chrono::steady_clock::time_point since_ = std::chrono::steady_clock::now();
+    Ticket() = default;
+    Ticket(Admission* from, Entrants::iterator who) : from_(from), who_(who) {}
+    Admission* from_ = nullptr;  // null: of work that needs none
+    Entrants::iterator who_{};
   };
 
-  /// `queue`: how many may wait in all, for which others see to it.
-  explicit Admission(int tickets, int queue = 64);
+  /// Place: one in the queue, of who waits for what others do.
+  class Place {
+   public:
+    Place(Place&& from) noexcept : from_(std::exchange(from.from_, nullptr)) {}
+    ~Place() {
+      if (from_ != nullptr) from_->leave_place();
+    }
 
-  /// Waits for a ticket to read a text of so many bytes: long ones a few at a time, for they take
-  /// many times their size of memory. Errors: as enter().
-  [[nodiscard]] Ticket read(std::size_t bytes, const std::stop_token& stop);
-  /// Waits for a ticket for work that takes so many rays. Errors: Stopped; HttpError (busy) where
-  /// all places to wait for its kind are taken.
-  [[nodiscard]] Ticket enter(double rays, const std::stop_token& stop);
+   private:
+    friend Admission;
+    explicit Place(Admission* from) : from_(from) {}
+    Admission* from_;
+  };
+
+  explicit Admission(const Options& options);
+
+  /// Waits for a ticket to read a text of so many bytes: long ones a few at a time.
+  /// Errors: as enter().
+  [[nodiscard]] Ticket read(std::size_t bytes, const std::string& client,
+                            const std::stop_token& stop);
+  /// Waits for a ticket for work of that cost. Errors: Stopped; HttpError (busy) where all places
+  /// to wait for its kind are taken, or what is there already takes too long.
+  [[nodiscard]] Ticket enter(const Cost& cost, const std::string& client,
+                             const std::stop_token& stop);
+  /// A place to wait in without a ticket. Errors: HttpError (busy).
+  [[nodiscard]] Place wait_for_others();
 
   int at_work() const;
   int waiting() const;
@@ -67,24 +113,37 @@ class Admission {
   int retry_after() const;
 
  private:
-  enum : std::size_t { reading, light, heavy };
   struct Kind {
     int most = 0, most_waiting = 0;
-    double usual_s = 0;  // how long a ticket is held, a moving mean
-    int at_work = 0;
-    std::list<int> waiting = {};  // one entry each, in the order of coming
+    double usual_s = 0;                  // how long a ticket is held, a moving mean
+    double seconds = 0;                  // that those inside and those that wait are to take
+    Entrants waiting = {}, inside = {};  // in the order of coming
+
+    int at_work() const { return static_cast<int>(inside.size()); }
+    int held_by(const std::string& client) const;
   };
-  Ticket enter_as(std::size_t kind, const std::stop_token& stop);
-  bool may_enter(std::size_t kind) const;
+  Ticket enter_as(std::size_t kind, Entrant entrant, const std::stop_token& stop);
+  void check_time(const Kind& kind, double seconds) const;
+  void find_place(const Entrant& who);
+  bool push_out(std::size_t kind, const std::string& client);
+  void admit();
+  bool admit_next(Kind& kind);
+  bool may_enter(const Entrant& who) const;
+  bool has_room(const Entrant& who) const;
   int light_places_taken() const;
-  void turn_heavy(Ticket& ticket);
-  void leave(const Ticket& ticket);
+  void turn_heavy(Entrants::iterator who);
+  void leave(Entrants::iterator who);
+  void leave_place();
+  int all_waiting() const;
   int wait_s() const;
   HttpError busy(const char* why) const;
 
+  const int queue_, threads_;
+  const double most_wait_s_;
   mutable std::mutex mutex_;
-  std::condition_variable_any left_;
-  std::array<Kind, 3> kinds_;
+  std::condition_variable_any changed_;
+  std::array<Kind, kinds> kinds_;
+  int in_places_ = 0;  // who wait for what others do
 };
 
 }  // namespace tia::server

@@ -10,8 +10,8 @@
 #include <thread>
 #include <vector>
 
+#include "server/backend.h"
 #include "server/http/http_server.h"
-#include "server/routes.h"
 #include "tests/bench/baseline.h"
 #include "tests/bench/stb_png.h"
 
@@ -120,18 +120,12 @@ double phase(const std::string& header, const std::string& name) {
 
 // A server of our own process, asked for one key after the other by the library's client.
 void key_to_png(State& state) {
-  const server::Config config;
+  server::Config config;
+  config.cache_bytes = 0;
+  config.threads = pool().threads();
   const server::Gallery gallery;
-  server::SceneStore kept(config.max_scenes_bytes);
-  server::GeometryStore geometries(config.max_geometry_bytes);
-  server::Admission admission(config.renders, config.queue);
-  server::Metrics metrics;
-  server::PictureStore none_kept(0);
-  server::Service service{config,
-                          {gallery, kept, geometries, pool(), config.limits()},
-                          admission,
-                          metrics,
-                          none_kept};
+  server::Backend backend(config, gallery);
+  server::Service& service = backend.service;
   server::HttpServer http(
       {.host = "127.0.0.1", .port = 0},
       {.answer = [&](const server::Request& asked) { return server::answer(asked, service); },

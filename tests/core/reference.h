@@ -96,7 +96,7 @@ class Reference {
     if (!object.material) return {};
     if (const auto* name = std::get_if<std::string>(&*object.material))
       return std::get<Finish>(scene.materials.at(*name).kind);
-    return std::get<Finish>(std::get<Material>(*object.material).kind);
+    return std::get<Finish>(std::get<Boxed<Material>>(*object.material)->kind);
   }
 
   void add_ball(const Ball& ball) {

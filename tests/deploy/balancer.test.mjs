@@ -69,25 +69,54 @@ test('what names a kept scene goes to the replica that keeps it', withReplicas(a
   }
 }));
 
-test('a replica that hangs up is left for the other one, which gets the same request', withStandIns(
+// What the replicas have been asked, once `next` was their first answer to each.
+async function askedAfter(replicas, next, asking) {
+  for (const replica of replicas) Object.assign(replica, { next: [next], asked: [] });
+  const answer = await asking();
+  return { answer, asked: replicas.flatMap((replica) => replica.asked) };
+}
+
+test('a replica that hangs up over GET or HEAD is left for the other one, once', withStandIns(
   async (balancer, replicas) => {
-    const text = 'x'.repeat(64 << 10);
-    for (const [body, sent] of [[undefined, ''], [text, text], [inParts(text), text]]) {
-      for (const replica of replicas) Object.assign(replica, { next: [HANG_UP], asked: [] });
-      const asking = { method: sent ? 'POST' : 'GET', body, duplex: 'half' };
-      assert.equal((await fetch(`${balancer.base}/render`, asking)).status, 200);
-      const asked = replicas.flatMap((replica) => replica.asked);
-      assert.equal(asked.length, 3, 'one, the other, the one');
-      assert.ok(replicas.every((replica) => replica.asked.length < 3));
-      assert.ok(asked.every((one) => one.method === asking.method && one.body === sent));
+    for (const method of ['GET', 'HEAD']) {
+      const asking = () => fetch(`${balancer.base}/render`, { method });
+      replicas[1].next = replicas[0].next = [];
+      const { answer, asked } = await askedAfter(replicas, HANG_UP, asking);
+      assert.equal(answer.status, 502, 'both have hung up');
+      assert.deepEqual(asked.map((one) => one.method), [method, method]);
+      Object.assign(replicas[0], { next: [HANG_UP], asked: [] });
+      Object.assign(replicas[1], { next: [], asked: [] });
+      assert.equal((await asking()).status, 200);
     }
   }));
 
-test('a replica that does not answer in time is left for the other one', withStandIns(
+test('what ends a replica by POST never reaches the other one', withStandIns(
   async (balancer, replicas) => {
-    for (const replica of replicas) replica.next = [SILENCE];
-    assert.equal((await post(balancer, '/explain', '{}')).status, 200);
-    assert.ok(replicas.every(({ asked: [{ body }] }) => body === '{}'));
+    const text = 'x'.repeat(64 << 10);
+    for (const body of ['{}', text, inParts(text)]) {
+      const asking = () => fetch(`${balancer.base}/render`, { method: 'POST', body, duplex: 'half' });
+      const { answer, asked } = await askedAfter(replicas, HANG_UP, asking);
+      assert.equal(answer.status, 502);
+      assert.equal(answer.headers.get('Content-Type'), 'application/problem+json');
+      assert.equal(asked.length, 1);
+    }
+  }));
+
+test('a replica that takes no connection is left for the other one, by POST too', withStandIns(
+  async (balancer, replicas) => {
+    replicas[0].stop();  // before HAProxy has looked
+    for (let i = 0; i < 6; ++i)
+      assert.equal((await post(balancer, '/render', JSON.stringify({ seed: i }))).status, 200);
+    assert.equal(replicas[1].asked.length, 6);
+  }));
+
+test('a replica that does not answer in time is left for the other one by GET, not by POST', withStandIns(
+  async (balancer, replicas) => {
+    replicas[0].next = [SILENCE];
+    assert.equal((await get(balancer, '/render')).status, 200);
+    const { answer, asked } = await askedAfter(replicas, SILENCE, () => post(balancer, '/explain', '{}'));
+    assert.equal(answer.status, 504);
+    assert.equal(asked.length, 1);
   }, { ANSWER_WITHIN: '200ms' }));
 
 test('a body beyond the buffer is sent once: where its replica hangs up, 502 says so', withStandIns(

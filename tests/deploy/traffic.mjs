@@ -51,11 +51,12 @@ export function ask(base, { method, path, headers, body }, agent) {
 
 /**
  * `clients` ask until told to stop, each wish of `wanted` in turn, which has its { status, sha256 }.
- * `stop()` gives { asked, failures, worst (ms) }.
+ * `stop()` gives { asked, failures, told, worst (ms) }; `told`: how many POSTs got 502, which says that
+ * their replica ended over them: nobody asks them again of another one.
  */
 export function startTraffic(base, wanted, clients) {
   const agent = new http.Agent({ keepAlive: true, maxSockets: clients });
-  const so = { asked: 0, worst: 0, failures: [] };
+  const so = { asked: 0, worst: 0, told: 0, failures: [] };
   let going = true;
   let next = 0;
   const client = async () => {
@@ -64,7 +65,8 @@ export function startTraffic(base, wanted, clients) {
       const got = await ask(base, wish, agent);
       ++so.asked;
       so.worst = Math.max(so.worst, got.ms);
-      if (got.status !== answer.status || got.sha256 !== answer.sha256)
+      if (got.status === 502 && wish.method === 'POST') ++so.told;
+      else if (got.status !== answer.status || got.sha256 !== answer.sha256)
         so.failures.push(`${wish.method} ${wish.path}: ${got.status}, ${got.ms.toFixed()} ms`);
     }
   };

@@ -188,6 +188,15 @@ ssize_t writev(int f, const struct iovec* from, int parts) {
   return syscall(SYS_write, f, from->iov_base, from->iov_len > 1 ? 1 : from->iov_len);
 }
 
+ssize_t sendmsg(int f, const struct msghdr* all, int flags) {
+  NEXT(sendmsg);
+  if (!breaks_on(faults_send, f)) return next(f, all, flags);
+  if (errno != 0) return -1;
+  const struct iovec* first = all->msg_iov;
+  return syscall(SYS_sendto, f, first->iov_base, first->iov_len > 1 ? 1 : first->iov_len, flags,
+                 NULL, 0);
+}
+
 // ---- memory ---------------------------------------------------------------------------------
 
 // Its own names, for to look for others' takes memory.

@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "server/routes.h"
+#include "server/backend.h"
 #include "tests/server/http/reader_support.h"
 
 namespace {
@@ -31,19 +31,12 @@ struct House {
     return little;
   }();
   Gallery gallery;
-  SceneStore kept{config.max_scenes_bytes};
-  GeometryStore geometries{config.max_geometry_bytes};
-  Pool pool{1};
-  Admission admission{1};
-  Metrics metrics;
-  PictureStore pictures{config.cache_bytes};
-  Service service{
-      config, {gallery, kept, geometries, pool, config.limits()}, admission, metrics, pictures};
+  Backend backend{config, gallery};
 };
 
 void expect_an_answer(const Request& request) {
   static House house;
-  const Response response = answer(request, house.service);
+  const Response response = answer(request, house.backend.service);
   must(response.status >= 200 && response.status < 600 && response.status != 500);
   if (response.status >= 400) must(response.content_type == "application/problem+json");
 }

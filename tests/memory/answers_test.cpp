@@ -18,9 +18,9 @@ class Desk {
  public:
   Desk() {  // until all threads live: what they take to begin is not the answer's
     std::barrier all(threads);
-    pool_.for_each(threads, threads, {}, [&](int) { all.arrive_and_wait(); });
+    backend_.pool.for_each(threads, threads, {}, [&](int) { all.arrive_and_wait(); });
   }
-  Service& service() { return service_; }
+  Service& service() { return backend_.service; }
 
  private:
   static const Gallery& gallery() {
@@ -28,18 +28,12 @@ class Desk {
     return all;
   }
   static constexpr int threads = 3;
-  Config config_;
-  SceneStore kept_{config_.max_scenes_bytes};
-  GeometryStore geometries_{config_.max_geometry_bytes};
-  Pool pool_{threads};
-  Admission admission_{config_.renders, config_.queue};
-  Metrics metrics_;
-  PictureStore pictures_{config_.cache_bytes};
-  Service service_{config_,
-                   {gallery(), kept_, geometries_, pool_, config_.limits()},
-                   admission_,
-                   metrics_,
-                   pictures_};
+  static Config with_threads() {
+    Config config;
+    config.threads = threads;
+    return config;
+  }
+  Backend backend_{with_threads(), gallery()};
 };
 
 // ---- what is asked --------------------------------------------------------------------------

@@ -1,8 +1,10 @@
 // Who may draw, and when: laws of Admission, by threads that enter and leave.
-#include "server/admission.h"
+#include "server/operation/admission.h"
 
 #include <algorithm>
 #include <future>
+#include <list>
+#include <memory>
 
 #include "core/render/pool.h"
 #include "tests/server/socket_support.h"
@@ -10,21 +12,21 @@
 namespace tia::test {
 namespace {
 
-constexpr double light_rays = 1, heavy_rays = 2.0 * Admission::most_light_rays;
+constexpr Cost light_rays{0.001}, heavy_rays{2 * Admission::most_light_seconds};
 constexpr std::int64_t many_rays = Admission::most_light_rays + 1;
 using Ticket = Admission::Ticket;
 
 /// Someone who enters on a thread of their own.
 class Guest {
  public:
-  Guest(Admission& admission, double rays)
-      : ticket_(std::async(std::launch::async, [this, &admission, rays] {
-          return admission.enter(rays, stop_.get_token());
+  Guest(Admission& admission, const Cost& cost, const std::string& client = "a")
+      : ticket_(std::async(std::launch::async, [this, &admission, cost, client] {
+          return admission.enter(cost, client, stop_.get_token());
         })) {}
   /// One who reads a text.
   Guest(Admission& admission, std::size_t bytes)
       : ticket_(std::async(std::launch::async, [this, &admission, bytes] {
-          return admission.read(bytes, stop_.get_token());
+          return admission.read(bytes, "a", stop_.get_token());
         })) {}
   bool is_in(milliseconds patience = milliseconds(0)) const {
     return ticket_.wait_for(patience) == std::future_status::ready;
@@ -43,7 +45,7 @@ void wait_until_waiting(const Admission& admission, int count) {
 }
 
 TEST(Admission, LetsInAsManyAsThereAreTickets) {
-  Admission admission(3);
+  Admission admission({.tickets = 3});
   Guest a(admission, light_rays), b(admission, light_rays), c(admission, light_rays);
   EXPECT_TRUE(a.gets_in() && b.gets_in() && c.gets_in());
   EXPECT_EQ(admission.at_work(), 3);
@@ -57,7 +59,7 @@ TEST(Admission, LetsInAsManyAsThereAreTickets) {
 }
 
 TEST(Admission, HeavyWorkLeavesRoomForLight) {
-  Admission admission(4);
+  Admission admission({.tickets = 4});
   Guest a(admission, heavy_rays), b(admission, heavy_rays);
   ASSERT_TRUE(a.gets_in() && b.gets_in());
   Guest c(admission, heavy_rays);
@@ -70,7 +72,7 @@ TEST(Admission, HeavyWorkLeavesRoomForLight) {
 }
 
 TEST(Admission, OfThoseThatWaitLightGoesFirst) {
-  Admission admission(2);
+  Admission admission({.tickets = 2});
   Guest poster(admission, heavy_rays), small(admission, light_rays);
   ASSERT_TRUE(poster.gets_in() && small.gets_in());
   Guest later_poster(admission, heavy_rays);
@@ -85,7 +87,7 @@ TEST(Admission, OfThoseThatWaitLightGoesFirst) {
 }
 
 TEST(Admission, AStreamOfLightWorkDoesNotKeepHeavyWorkOut) {
-  Admission admission(2);
+  Admission admission({.tickets = 2});
   Guest a(admission, light_rays), b(admission, light_rays);
   ASSERT_TRUE(a.gets_in() && b.gets_in());
   Guest small(admission, light_rays);
@@ -100,7 +102,7 @@ TEST(Admission, AStreamOfLightWorkDoesNotKeepHeavyWorkOut) {
 }
 
 TEST(Admission, WhoComesFirstGoesFirst) {
-  Admission admission(1);
+  Admission admission({.tickets = 1});
   Guest inside(admission, light_rays);
   ASSERT_TRUE(inside.gets_in());
   Guest first(admission, light_rays);
@@ -115,7 +117,7 @@ TEST(Admission, WhoComesFirstGoesFirst) {
 }
 
 TEST(Admission, WhoGivesUpNeverStartsAndHoldsNobodyUp) {
-  Admission admission(1);
+  Admission admission({.tickets = 1});
   Guest inside(admission, light_rays);
   ASSERT_TRUE(inside.gets_in());
   Guest leaves(admission, light_rays);
@@ -131,13 +133,13 @@ TEST(Admission, WhoGivesUpNeverStartsAndHoldsNobodyUp) {
 }
 
 TEST(Admission, WithOneTicketHeavyWorkGetsItToo) {
-  Admission admission(1);
+  Admission admission({.tickets = 1});
   Guest poster(admission, heavy_rays);
   EXPECT_TRUE(poster.gets_in());
 }
 
 TEST(Admission, PostersWaitInAQuarterOfTheQueue) {
-  Admission admission(4, 8);
+  Admission admission({.tickets = 4, .queue = 8});
   Guest a(admission, heavy_rays), b(admission, heavy_rays);
   ASSERT_TRUE(a.gets_in() && b.gets_in());
   Guest c(admission, heavy_rays), d(admission, heavy_rays);
@@ -152,8 +154,8 @@ TEST(Admission, PostersWaitInAQuarterOfTheQueue) {
 }
 
 TEST(Admission, WhatTurnsOutHeavyMakesRoomForLight) {
-  Admission admission(2, 8);
-  Ticket a = admission.enter(light_rays, {}), b = admission.enter(light_rays, {});
+  Admission admission({.tickets = 2, .queue = 8});
+  Ticket a = admission.enter(light_rays, "a", {}), b = admission.enter(light_rays, "a", {});
   Guest small(admission, light_rays);
   wait_until_waiting(admission, 1);
   a.has_done(many_rays - 1, Admission::most_light_tests);
@@ -165,23 +167,95 @@ TEST(Admission, WhatTurnsOutHeavyMakesRoomForLight) {
   EXPECT_EQ(admission.at_work(), 3);
 }
 
-TEST(Admission, WhatTurnsOutHeavyIsSentAwayWhereMuchIsAndLightWorkWaits) {
-  Admission admission(2, 8);
-  Ticket a = admission.enter(light_rays, {}), b = admission.enter(light_rays, {});
-  a.has_done(many_rays, 0);
-  b.has_done(many_rays, 0);
-  Ticket c = admission.enter(light_rays, {});
-  c.has_done(many_rays, 0);  // nobody waits
+TEST(Admission, WhatHasBegunIsNeverSentAway) {
+  Admission admission({.tickets = 2, .queue = 8});
+  std::list<Ticket> begun;
+  for (int i = 0; i < 10; ++i) {  // each turns out heavy, and the next one comes in nevertheless
+    begun.push_back(admission.enter(light_rays, "a", {}));
+    EXPECT_NO_THROW(begun.back().has_done(many_rays, 0));
+  }
   Guest small(admission, light_rays);
+  EXPECT_TRUE(small.gets_in());
+  EXPECT_EQ(admission.at_work(), 11);
+}
+
+TEST(Admission, WhatCouldNotEndInTimeDoesNotBegin) {
+  Admission admission({.tickets = 8, .queue = 64, .threads = 2, .most_wait_s = 5});
+  const Cost dear{4, true};                            // two seconds of two threads
+  const Ticket one = admission.enter({100}, "a", {});  // alone, whatever it costs
+  EXPECT_THROW(static_cast<void>(admission.enter(dear, "a", {})), HttpError);
+  EXPECT_NO_THROW(static_cast<void>(admission.enter(light_rays, "a", {})));
+  Admission other({.tickets = 8, .queue = 64, .threads = 2, .most_wait_s = 5});
+  const Ticket two = other.enter(dear, "a", {}), three = other.enter(dear, "a", {});
+  EXPECT_THROW(static_cast<void>(other.enter(dear, "a", {})), HttpError);  // 6 s in all
+}
+
+TEST(Admission, OfThoseThatWaitGoesWhoseClientHasFewest) {
+  Admission admission({.tickets = 2, .queue = 8});
+  Guest a(admission, light_rays), b(admission, light_rays);
+  ASSERT_TRUE(a.gets_in() && b.gets_in());
+  Guest c(admission, light_rays);
   wait_until_waiting(admission, 1);
-  EXPECT_THROW(c.has_done(many_rays, 0), HttpError);
-  EXPECT_NO_THROW(b.has_done(2 * many_rays, 0));
-  small.give_up();
+  Guest d(admission, heavy_rays);  // heavy work of its own goes first once, and then has its turn
+  wait_until_waiting(admission, 2);
+  d.give_up();
+  ASSERT_TRUE(d.gets_in());
+  Guest other(admission, light_rays, "b");  // more than half is another's: room beyond the tickets
+  EXPECT_TRUE(other.gets_in());
+  EXPECT_FALSE(c.is_in());
+  Guest another(admission, light_rays, "b");
+  wait_until_waiting(admission, 2);
+  a.leave();
+  EXPECT_FALSE(c.is_in(milliseconds(20)));  // two are at work still
+  b.leave();
+  EXPECT_TRUE(c.gets_in());  // a has none, b has one
+  EXPECT_FALSE(another.is_in());
+  another.give_up();
+}
+
+TEST(Admission, AFullQueueMakesRoomForWhoHasLessOfIt) {
+  Admission admission({.tickets = 1, .queue = 4});
+  Guest inside(admission, light_rays);
+  ASSERT_TRUE(inside.gets_in());
+  std::list<Guest> flood;
+  for (int i = 1; i <= 4; ++i) {
+    flood.emplace_back(admission, light_rays);
+    wait_until_waiting(admission, i);
+  }
+  Guest own(admission, light_rays);  // of the same client: there is no room
+  ASSERT_TRUE(own.gets_in());
+  EXPECT_THROW(own.leave(), HttpError);
+  Guest x(admission, light_rays, "b");  // comes in at once: all that is at work is another's
+  ASSERT_TRUE(x.gets_in());
+  Guest first(admission, light_rays, "b");
+  ASSERT_TRUE(flood.back().gets_in());  // the newest of the flood
+  EXPECT_THROW(flood.back().leave(), HttpError);
+  flood.pop_back();
+  Guest second(admission, light_rays, "b");
+  ASSERT_TRUE(flood.back().gets_in());
+  EXPECT_THROW(flood.back().leave(), HttpError);
+  flood.pop_back();
+  Guest third(admission, light_rays, "b");  // half is theirs
+  ASSERT_TRUE(third.gets_in());
+  EXPECT_THROW(third.leave(), HttpError);
+  EXPECT_EQ(admission.waiting(), 4);
+  for (Guest& each : flood) each.give_up();
+  first.give_up(), second.give_up();
+}
+
+TEST(Admission, WhoWaitsForOthersTakesAPlaceInTheQueue) {
+  Admission admission({.tickets = 1, .queue = 2});
+  auto one = std::make_unique<Admission::Place>(admission.wait_for_others());
+  const auto other = admission.wait_for_others();
+  EXPECT_EQ(admission.waiting(), 2);
+  EXPECT_THROW(static_cast<void>(admission.wait_for_others()), HttpError);
+  one.reset();
+  EXPECT_NO_THROW(static_cast<void>(admission.wait_for_others()));
 }
 
 TEST(Admission, LongTextsAreReadAFewAtATime) {
   constexpr std::size_t size = Admission::longest_short_text;
-  Admission admission(8, 4);
+  Admission admission({.tickets = 8, .queue = 4});
   Guest a(admission, size + 1), b(admission, size + 1);
   ASSERT_TRUE(a.gets_in() && b.gets_in());
   Guest c(admission, size + 1);
@@ -196,7 +270,7 @@ TEST(Admission, LongTextsAreReadAFewAtATime) {
 }
 
 TEST(Admission, RetryAfterGrowsWithTheQueueAndWithHowLongWorkTakes) {
-  Admission admission(1);
+  Admission admission({.tickets = 1});
   EXPECT_EQ(admission.retry_after(), 1);
   std::vector<std::unique_ptr<Guest>> guests;
   guests.push_back(std::make_unique<Guest>(admission, light_rays));
@@ -216,13 +290,13 @@ TEST(Admission, RetryAfterGrowsWithTheQueueAndWithHowLongWorkTakes) {
 }
 
 TEST(Admission, SixtyFourAtOnceAllGetIn) {
-  Admission admission(3, 256);
+  Admission admission({.tickets = 3, .queue = 256});
   std::atomic<int> inside = 0, most = 0, done = 0;
   std::vector<std::jthread> threads;
   for (int i = 0; i < 64; ++i)
     threads.emplace_back([&, i] {
       for (int turn = 0; turn < 20; ++turn) {
-        const auto ticket = admission.enter((i + turn) % 3 == 0 ? heavy_rays : light_rays, {});
+        const auto ticket = admission.enter((i + turn) % 3 == 0 ? heavy_rays : light_rays, "a", {});
         const int now = ++inside;
         for (int seen = most; now > seen && !most.compare_exchange_weak(seen, now);) {
         }

@@ -33,6 +33,8 @@ const Numeric numerics[] = {
      [](const Config& c) -> std::int64_t { return c.queue; }},
     {"connections", "--connections", "TIA_CONNECTIONS", 1024, 8, 65536,
      [](const Config& c) -> std::int64_t { return c.connections; }},
+    {"memory_bytes", "--memory-bytes", "TIA_MEMORY_BYTES", usual_memory_bytes(), 268'435'456,
+     1'125'899'906'842'624, [](const Config& c) { return c.memory_bytes; }},
     {"deadline_ms", "--deadline-ms", "TIA_DEADLINE_MS", 30'000, 1, 3'600'000,
      [](const Config& c) -> std::int64_t { return c.deadline_ms; }},
     {"drain_ms", "--drain-ms", "TIA_DRAIN_MS", 9'000, 0, 600'000,
@@ -165,9 +167,10 @@ TEST(Options, HostIsTextAndTheLoopbackByDefault) {
 TEST(Options, AreTheTableOfTheReadme) {
   std::string table;
   for (const OptionRow& row : option_rows()) {
-    const std::string standard = row.name == "threads" ? "the processors"
-                                 : row.value.empty()   ? "none"
-                                                       : row.value;
+    const std::string standard = row.name == "threads"        ? "the processors"
+                                 : row.name == "memory_bytes" ? "three quarters"
+                                 : row.value.empty()          ? "none"
+                                                              : row.value;
     table += "| `" + row.flag + "` `" + row.variable + "` | " + standard + " | " + row.allowed +
              " | " + row.about + " |\n";
   }

@@ -54,6 +54,7 @@ Config of(int renders, int queue) {
   Config config;
   config.renders = renders;
   config.queue = queue;
+  config.deadline_ms = 3'600'000;  // none of them could not end in time
   return config;
 }
 

@@ -2,7 +2,8 @@
 // is met and passed by one, and nothing here is computed from the constant that it pins. What would
 // take seconds, or a hundred thousand requests, is named as it is.
 #include "core/scene/read_scene.h"
-#include "server/admission.h"
+#include "server/operation/admission.h"
+
 #include "server/http/patience.h"
 #include "server/log.h"
 #include "server/recipe.h"
@@ -80,10 +81,12 @@ TEST(LimitNumbers, AChunkHas2To40Bytes) {
 
 // ---- admission ------------------------------------------------------------------------------
 
+Cost cost_of(double rays) { return {CostMemory::usual_ray * rays, false}; }
+
 // Whether no place of that many rays' kind is left, in a house where nobody waits.
 bool is_full(Admission& admission, double rays) {
   try {
-    [[maybe_unused]] const auto ticket = admission.enter(rays, {});
+    [[maybe_unused]] const auto ticket = admission.enter(cost_of(rays), "a", {});
     return false;
   } catch (const HttpError&) {
     return true;
@@ -92,8 +95,9 @@ bool is_full(Admission& admission, double rays) {
 constexpr double poster_rays = 1e9;
 
 TEST(LimitNumbers, LightWorkHas2097152Rays) {
-  Admission admission(4, 0);
-  const auto one = admission.enter(poster_rays, {}), other = admission.enter(poster_rays, {});
+  Admission admission({.tickets = 4, .queue = 0});
+  const auto one = admission.enter(cost_of(poster_rays), "a", {}),
+             other = admission.enter(cost_of(poster_rays), "a", {});
   EXPECT_FALSE(is_full(admission, 2'097'152));
   EXPECT_TRUE(is_full(admission, 2'097'153));
 }
@@ -101,9 +105,9 @@ TEST(LimitNumbers, LightWorkHas2097152Rays) {
 TEST(LimitNumbers, LightWorkTurnsOutHeavyAfter2097152RaysOr33554432Tests) {
   const std::pair<std::int64_t, std::int64_t> beyond[] = {{2'097'153, 0}, {0, 33'554'433}};
   for (const auto& [rays, tests] : beyond) {
-    Admission admission(4, 0);
-    const auto heavy = admission.enter(poster_rays, {});
-    auto picture = admission.enter(1, {});
+    Admission admission({.tickets = 4, .queue = 0});
+    const auto heavy = admission.enter(cost_of(poster_rays), "a", {});
+    auto picture = admission.enter(cost_of(1), "a", {});
     picture.has_done(2'097'152, 33'554'432);
     EXPECT_FALSE(is_full(admission, poster_rays));
     picture.has_done(rays, tests);
@@ -112,10 +116,10 @@ TEST(LimitNumbers, LightWorkTurnsOutHeavyAfter2097152RaysOr33554432Tests) {
 }
 
 TEST(LimitNumbers, AShortTextHas65536Bytes) {
-  Admission admission(4, 0);
-  const auto reading = admission.read(1 << 20, {});
-  EXPECT_NO_THROW([[maybe_unused]] const auto ticket = admission.read(65'536, {}));
-  EXPECT_THROW([[maybe_unused]] const auto ticket = admission.read(65'537, {}), HttpError);
+  Admission admission({.tickets = 4, .queue = 0});
+  const auto reading = admission.read(1 << 20, "a", {});
+  EXPECT_NO_THROW([[maybe_unused]] const auto ticket = admission.read(65'536, "a", {}));
+  EXPECT_THROW([[maybe_unused]] const auto ticket = admission.read(65'537, "a", {}), HttpError);
 }
 
 // ---- what is kept, and told -----------------------------------------------------------------

@@ -89,7 +89,7 @@ TEST(Log, NamesTheProblemThatWasToldOfUnreadableRequestsToo) {
   const char* const problems[] = {"malformed",       "uri-too-long", "header-too-large",
                                   "length-required", "not-found",    "wrong-type"};
   for (std::size_t i = 0; i < 6; ++i) EXPECT_EQ(text_at(lines[i], "problem"), problems[i]);
-  EXPECT_EQ(lines[6].as<Value::Object>()->size(), 9U);  // no problem
+  EXPECT_EQ(find(*lines[6].as<Value::Object>(), "problem"), nullptr);
 }
 
 TEST(Log, ARequestCannotForgeALine) {

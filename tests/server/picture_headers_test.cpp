@@ -72,11 +72,11 @@ TEST(TiaRays, TheCountDoesNotDependOnFormatOrThreads) {
   EXPECT_EQ(rays_of(host().get(full + "&threads=7")), rays);
 }
 
-TEST(ServerTiming, HasTheFivePhasesInMilliseconds) {
+TEST(ServerTiming, HasTheWaitForMemoryAndTheFivePhasesInMilliseconds) {
   const std::string text = header(host().get("/render?width=8&height=8"), "Server-Timing").value();
   const std::string number = R"(\d+(\.\d+)?)";
   std::string form;
-  for (const char* phase : {"queue", "parse", "build", "trace", "encode"})
+  for (const char* phase : {"queue", "wait;desc=memory", "parse", "build", "trace", "encode"})
     form += (form.empty() ? "" : ", ") + std::string(phase) + ";dur=" + number;
   EXPECT_TRUE(std::regex_match(text, std::regex(form))) << text;
 }

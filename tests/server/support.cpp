@@ -24,9 +24,12 @@ std::optional<std::string> header(const Response& response, std::string_view nam
 
 Host::Host() : Host(Config{}) {}
 Host::Host(Config config)
-    : config_(std::move(config)),
-      kept_(config_.max_scenes_bytes),
-      geometries_(config_.max_geometry_bytes) {}
+    : backend_(
+          [&] {
+            config.threads = threads;
+            return config;
+          }(),
+          gallery_) {}
 Host::~Host() = default;
 
 Response Host::ask(const std::string& method, const std::string& target, const std::string& body,
@@ -36,7 +39,8 @@ Response Host::ask(const std::string& method, const std::string& target, const s
   return ask(request);
 }
 Response Host::ask(const Request& request) {
-  Response response = answer(request, service_);
+  Response response = answer(request, service());
+  if (response.shared) response.body = *std::exchange(response.shared, nullptr);
   expect_allowed(request, response);
   return response;
 }

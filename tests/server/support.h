@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "core/input/json.h"
-#include "server/routes.h"
+#include "server/backend.h"
 #include "tests/sanitizer.h"
 
 namespace tia::test {
@@ -52,26 +52,15 @@ class Host {
   /// As if nobody waited for any answer: whatever traces a ray is answered 503.
   void stop() { stop_.request_stop(); }
   const Gallery& gallery() const { return gallery_; }
-  SceneStore& kept() { return kept_; }
-  GeometryStore& geometries() { return geometries_; }
-  Service& service() { return service_; }
-  Pool& pool() { return pool_; }
+  SceneStore& kept() { return backend_.kept; }
+  GeometryStore& geometries() { return backend_.geometries; }
+  Service& service() { return backend_.service; }
+  Pool& pool() { return backend_.pool; }
 
  private:
   std::stop_source stop_;
-  Config config_;
   Gallery gallery_;
-  SceneStore kept_;
-  GeometryStore geometries_;
-  Pool pool_{threads};
-  Admission admission_{config_.renders, config_.queue};
-  Metrics metrics_;
-  PictureStore pictures_{config_.cache_bytes};
-  Service service_{config_,
-                   {gallery_, kept_, geometries_, pool_, config_.limits()},
-                   admission_,
-                   metrics_,
-                   pictures_};
+  Backend backend_;
 };
 
 /// One for all tests that need none of their own. The scenes that they post stay in it.

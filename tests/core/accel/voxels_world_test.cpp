@@ -96,7 +96,7 @@ TEST(VoxelsWorld, PicturesAreThoseOfTheBoxes) {
     Object mirror;
     mirror.shape = Plane{{0, -2.5, 0}, {0, 1, 0}};
     mirror.material = matte({0.2, 0.2, 0.2});
-    std::get<Finish>(std::get<Material>(*mirror.material).kind).reflection = 0.5;
+    std::get<Finish>(std::get<Boxed<Material>>(*mirror.material)->kind).reflection = 0.5;
     std::vector<Object> boxes = model.boxes;
     boxes.push_back(mirror);
     const Image a = picture(scene_of({model.voxels, mirror}), 80, 60).image;

@@ -54,7 +54,7 @@ TEST(Glass, TotalReflectionBeginsAtTheCriticalAngle) {
 
 TEST(Glass, TotalReflectionTakesTheWholeShareWithoutFresnelToo) {
   Scene scene = water(1.5, false);
-  std::get<Finish>(std::get<Material>(*scene.objects[0].material).kind).transmission = 0.75;
+  std::get<Finish>(std::get<Boxed<Material>>(*scene.objects[0].material)->kind).transmission = 0.75;
   const auto node = tree(scene, slanted(1, false) * -2.0, slanted(1, false));
   EXPECT_EQ(term(*node, TermName::refraction), nullptr);
   EXPECT_EQ(term(*node, TermName::reflection)->weight, 0.75F);

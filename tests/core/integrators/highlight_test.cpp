@@ -142,7 +142,7 @@ TEST(Fading, IsByTheDistanceAndAlikeForAllThatStandSomewhere) {
     light.fade_distance = random.in(0.1, 20);
     light.fade_power = random.in(0, 10);
     Scene scene = scene_of_floor(shiny(0, 1));
-    std::get<Finish>(std::get<Material>(*scene.objects[0].material).kind).diffuse = 1;
+    std::get<Finish>(std::get<Boxed<Material>>(*scene.objects[0].material)->kind).diffuse = 1;
     scene.lights = {light};
     const double d = length(place);
     const double factor = 2 / (1 + std::pow(d / *light.fade_distance, light.fade_power));
@@ -184,7 +184,7 @@ TEST(Superposition, PictureOfManyLampsIsTheSumOfTheirPictures) {
   for (int i = 0; i < 5; ++i) {
     Scene scene = random_scene(456 + static_cast<std::uint64_t>(i));
     for (Object& each : scene.objects.edit()) {
-      Finish& finish = std::get<Finish>(std::get<Material>(*each.material).kind);
+      Finish& finish = std::get<Finish>(std::get<Boxed<Material>>(*each.material)->kind);
       finish.emission = {};
       finish.specular = random.unit();
       finish.reflection = random.unit();

@@ -100,7 +100,7 @@ TEST(RayCounts, TotalReflectionTakesAMirroredRayInTheRefractedOnesPlace) {
 
 TEST(RayCounts, ThesisTakesNoneButPrimaryAndShadowRays) {
   Scene scene = from_above({floor_object(mirror(1)), plate(glass(1.5))});
-  std::get<Finish>(std::get<Material>(*scene.objects[1].material).kind).diffuse = 1;
+  std::get<Finish>(std::get<Boxed<Material>>(*scene.objects[1].material)->kind).diffuse = 1;
   scene.lights = {point_light({0, 9, 0})};
   RenderOptions options;
   options.integrator = IntegratorName::thesis;

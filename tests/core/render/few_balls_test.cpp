@@ -83,7 +83,7 @@ TEST(FewBalls, SoAreThoseOfWhitted) {
 }
 
 Finish& finish_of(Object& object) {
-  return std::get<Finish>(std::get<Material>(*object.material).kind);
+  return std::get<Finish>(std::get<Boxed<Material>>(*object.material)->kind);
 }
 
 // What does more than scatter light is not plain.

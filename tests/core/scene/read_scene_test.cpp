@@ -33,7 +33,7 @@ TEST(ReadScene, ThesisSceneReadsAsItIsWritten) {
   EXPECT_EQ(std::get<Sphere>(scene.objects[0].shape), (Sphere{{0, 0, -20}, 4}));
   EXPECT_EQ(std::get<std::string>(*scene.objects[0].material), "white");
   EXPECT_EQ(std::get<Sphere>(scene.objects[1].shape), (Sphere{{0, -10004, -20}, 10000}));
-  const auto& floor = std::get<Finish>(std::get<Material>(*scene.objects[1].material).kind);
+  const auto& floor = std::get<Finish>(std::get<Boxed<Material>>(*scene.objects[1].material)->kind);
   EXPECT_EQ(floor.color, (Color{0.2, 0.2, 0.2}));
   EXPECT_TRUE(scene.lights.empty());
   EXPECT_EQ(std::get<SphereLight>(scene.key_light->kind).radius, 3);

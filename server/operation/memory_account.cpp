@@ -1,0 +1,196 @@
+#include "server/operation/memory_account.h"
+
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <fstream>
+#include <string>
+#include <utility>
+
+#include "core/input/stopped.h"
+#include "core/input/task_context.h"
+#include "server/stopwatch.h"
+
+namespace tia::server {
+namespace {
+
+constexpr std::int64_t growth = 1 << 20;       // by which claims grow that nobody has foreseen
+constexpr std::chrono::milliseconds look{20};  // after which who waits asks the caches again
+
+std::string megabytes(std::int64_t bytes) { return std::to_string((bytes + (1 << 20) - 1) >> 20U); }
+
+HttpError too_large(std::string_view what, std::int64_t bytes, std::int64_t most) {
+  return {"too-large", std::string(what) + " may take " + megabytes(bytes) +
+                           " MiB of memory; a request may have " + megabytes(most) +
+                           " MiB (option TIA_MEMORY_BYTES)"};
+}
+
+// The number in a file of the control group, or none: "max" is no number.
+std::int64_t number_in(const char* path, std::int64_t none) {
+  std::ifstream file(path);
+  std::int64_t number = none;
+  return file >> number ? number : none;
+}
+
+}  // namespace
+
+// ---- the account ----------------------------------------------------------------------------
+
+MemoryAccount::MemoryAccount(std::int64_t limit_bytes) : limit_(limit_bytes) {
+  add(program, program_bytes);
+}
+
+bool MemoryAccount::take(Holder by, std::int64_t bytes) noexcept {
+  if (total_.fetch_add(bytes) + bytes > limit_) {
+    total_ -= bytes;
+    return false;
+  }
+  held_[by] += bytes;
+  return true;
+}
+
+void MemoryAccount::add(Holder by, std::int64_t bytes) noexcept {
+  held_[by] += bytes;
+  total_ += bytes;
+  if (bytes < 0) less_held_.notify_all();
+}
+
+void MemoryAccount::on_shortage(GiveWay give_way) { give_way_.push_back(std::move(give_way)); }
+
+bool MemoryAccount::make_room(std::int64_t bytes) {
+  for (const GiveWay& give_way : give_way_) {
+    if (free() >= bytes) return true;
+    give_way(bytes - free());
+  }
+  return free() >= bytes;
+}
+
+int MemoryAccount::waiting() const {
+  const std::lock_guard lock(mutex_);
+  return static_cast<int>(waiting_.size());
+}
+
+// Larger ones leave an eighth to small ones, and wait for those of them that came before.
+bool MemoryAccount::take_fairly(std::int64_t bytes, bool is_first) noexcept {
+  const bool small = bytes <= most_small();
+  if (!small && (!is_first || free() - bytes < limit_ / 8)) return false;
+  return take(requests, bytes);
+}
+
+void MemoryAccount::wait_for(std::int64_t bytes, const std::stop_token& stop) {
+  std::unique_lock lock(mutex_);
+  const auto place = waiting_.insert(waiting_.end(), 0);
+  const auto taken = [&] { return take_fairly(bytes, place == waiting_.begin()); };
+  bool is_taken = taken();
+  if (!is_taken) ++waits_;
+  while (!is_taken && !stop.stop_requested()) {
+    lock.unlock();
+    make_room(bytes <= most_small() ? bytes : bytes + limit_ / 8);
+    lock.lock();
+    is_taken = less_held_.wait_for(lock, stop, look, taken);
+  }
+  waiting_.erase(place);
+  less_held_.notify_all();
+  if (!is_taken) throw Stopped();
+}
+
+// ---- shares ---------------------------------------------------------------------------------
+
+std::size_t MemoryShare::most() const {
+  const std::int64_t left = account_ == nullptr ? most_ : account_->free() + booked_;
+  return static_cast<std::size_t>(std::clamp<std::int64_t>(left, 0, most_));
+}
+
+void MemoryShare::book(std::size_t bytes) noexcept {
+  const auto now = static_cast<std::int64_t>(bytes);
+  if (account_ != nullptr) account_->add(holder_, now - booked_);
+  booked_ = now;
+}
+
+// ---- claims ---------------------------------------------------------------------------------
+
+void MemoryClaim::reserve(std::int64_t bytes, std::string_view what, const std::stop_token& stop) {
+  const std::int64_t wanted = std::max<std::int64_t>(used_, 0) + bytes, more = wanted - granted_;
+  if (more <= 0) return;
+  if (wanted > account_.most_of_one()) {
+    ++account_.refusals_;
+    throw too_large(what, wanted, account_.most_of_one());
+  }
+  Stopwatch watch;
+  account_.wait_for(more, stop);
+  granted_ += more;
+  waited_ms_ += watch.lap_ms();
+}
+
+void MemoryClaim::settle() noexcept {
+  const std::int64_t idle = granted_ - std::max<std::int64_t>(used_, 0);
+  if (idle <= 0) return;
+  granted_ -= idle;
+  account_.add(MemoryAccount::requests, -idle);
+}
+
+bool MemoryClaim::charge(std::int64_t bytes) noexcept {
+  const std::int64_t used = used_ += bytes;
+  const std::int64_t more = used - granted_;
+  if (more > 0) {
+    const std::int64_t step = std::max(more, growth);
+    const bool wide = account_.take(MemoryAccount::requests, step);
+    if (!wide && !account_.take(MemoryAccount::requests, more)) {
+      used_ -= bytes;
+      was_refused_ = true;
+      ++account_.refusals_;
+      return false;
+    }
+    granted_ += wide ? step : more;
+  }
+  std::int64_t most = most_used_;
+  while (most < used && !most_used_.compare_exchange_weak(most, used)) continue;
+  return true;
+}
+
+MemoryClaim* MemoryClaim::current() { return static_cast<MemoryClaim*>(task_context); }
+
+HttpError MemoryClaim::refusal() const {
+  if (most_used_ > account_.most_of_one() / 2)
+    return too_large("this request", most_used_ + growth, account_.most_of_one());
+  return {"busy",
+          "all memory that the server may take is in use (option TIA_MEMORY_BYTES)",
+          {{"Retry-After", "1"}}};
+}
+
+ClaimScope::ClaimScope(MemoryClaim* claim) : outside_(std::exchange(task_context, claim)) {}
+ClaimScope::~ClaimScope() { task_context = outside_; }
+
+void reserve_memory(std::int64_t bytes, std::string_view what, const std::stop_token& stop) {
+  if (MemoryClaim* claim = MemoryClaim::current()) claim->reserve(bytes, what, stop);
+}
+
+void settle_memory() {
+  if (MemoryClaim* claim = MemoryClaim::current()) claim->settle();
+}
+
+std::int64_t usual_memory_bytes() {
+  constexpr std::int64_t least = 256 << 20, unlimited = std::int64_t{1} << 60;
+  std::int64_t bytes = std::int64_t{sysconf(_SC_PHYS_PAGES)} * sysconf(_SC_PAGESIZE);
+  rlimit space{};
+  if (getrlimit(RLIMIT_AS, &space) == 0 && space.rlim_cur != RLIM_INFINITY)
+    bytes = std::min(bytes, static_cast<std::int64_t>(space.rlim_cur));
+  // Version 2 and version 1 of control groups, as a container sees its own.
+  for (const char* path :
+       {"/sys/fs/cgroup/memory.max", "/sys/fs/cgroup/memory/memory.limit_in_bytes"})
+    bytes = std::min(bytes, number_in(path, unlimited));
+  return std::max(least, bytes / 4 * 3);
+}
+
+std::int64_t addresses_beyond(std::int64_t memory_bytes) {
+  rlimit space{};
+  if (getrlimit(RLIMIT_AS, &space) != 0 || space.rlim_cur == RLIM_INFINITY) return 0;
+  const auto limit = static_cast<std::int64_t>(space.rlim_cur);
+  const std::int64_t taken = number_in("/proc/self/statm", 0) * sysconf(_SC_PAGESIZE);
+  const std::int64_t scattered = limit / 16;  // between the pieces that are in use
+  return std::max<std::int64_t>(0, memory_bytes + taken + scattered - limit);
+}
+
+}  // namespace tia::server

@@ -1,0 +1,42 @@
+// What the steps of a request may take of memory at most, by measurement: one table, by which they
+// claim it beforehand.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+namespace tia::server {
+
+/// MemoryCost: a row of the table: so many bytes for each unit that the step is given.
+struct MemoryCost {
+  std::string_view step, unit;
+  std::int64_t bytes = 0;
+  std::string_view about;
+};
+
+namespace memory_cost {
+
+inline constexpr MemoryCost text{"text", "byte of JSON text", 40,
+                                 "its tree, and the scene that is read from it"};
+inline constexpr MemoryCost patch{"patch", "byte of a scene in memory", 8,
+                                  "the scene written as a tree, patched, and read again"};
+inline constexpr MemoryCost build{"build", "byte of what the objects say", 12,
+                                  "the index over them, while it is built"};
+inline constexpr MemoryCost png{"png", "pixel", 13,
+                                "its codes, filtered and packed, and the file with its recipe"};
+inline constexpr MemoryCost linear{"linear", "pixel", 26, "its light in floats, and the file"};
+inline constexpr MemoryCost request{"request", "request", 1 << 20, "all else"};
+
+}  // namespace memory_cost
+
+/// All rows.
+std::span<const MemoryCost> memory_costs();
+
+/// Space/units: bytes.
+inline std::int64_t memory_for(const MemoryCost& cost, std::size_t count) {
+  return cost.bytes * static_cast<std::int64_t>(count);
+}
+
+}  // namespace tia::server
