@@ -21,13 +21,9 @@ std::string_view cut(std::string_view& text, char mark) {
   return trimmed(part);
 }
 
-// "0.5" as 500; nothing where it is no weight: 0 or 1, a dot, at most three digits. Java's own
-// client leaves the 0 out.
-std::optional<int> weight_of(std::string_view given) {
-  const std::string whole = given.starts_with('.') ? '0' + std::string(given) : "";
-  const std::string_view text = whole.empty() ? given : std::string_view(whole);
-  if (text == "0." || text.empty() || text.size() > 5 || (text[0] != '0' && text[0] != '1'))
-    return std::nullopt;
+// "0.5" as 500; nothing where it is no weight: 0 or 1, a dot, at most three digits.
+std::optional<int> weight_of(std::string_view text) {
+  if (text.empty() || text.size() > 5 || (text[0] != '0' && text[0] != '1')) return std::nullopt;
   if (text.size() > 1 && text[1] != '.') return std::nullopt;
   int weight = 0;
   for (std::size_t i = 0; i < 5; ++i) {
@@ -65,7 +61,7 @@ std::vector<Wish> wishes(std::string_view list) {
 // How closely a range fits the type: 0 not at all, 3 by name.
 int closeness(std::string_view range, std::string_view type) {
   if (range == type) return 3;
-  if (range == "*/*" || range == "*") return 1;  // the latter is Java's
+  if (range == "*/*") return 1;
   return range.ends_with("/*") && type.starts_with(range.substr(0, range.size() - 1)) ? 2 : 0;
 }
 

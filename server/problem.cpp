@@ -34,11 +34,10 @@ Value error_entry(const Fault& fault) {
 
 Response document(const ProblemRow& row, const std::string& detail, const Request& request,
                   Value::Array errors = {}) {
-  constexpr std::size_t longest_detail = 800;
   Value::Object problem{{"type", problem_uri(row)},
                         {"title", row.title},
                         {"status", row.status},
-                        {"detail", excerpt_of(detail, longest_detail)},
+                        {"detail", detail},
                         {"instance", request.id}};
   if (!errors.empty()) problem.emplace_back("errors", std::move(errors));
   return {.status = row.status,
@@ -48,20 +47,6 @@ Response document(const ProblemRow& row, const std::string& detail, const Reques
           .problem = row.type};
 }
 
-// As many as there is room for in a document of 16 KiB; the first always.
-Value::Array error_entries(const std::vector<Fault>& faults) {
-  constexpr std::size_t room = 6 << 10;
-  Value::Array entries;
-  std::size_t bytes = 0;
-  for (const Fault& fault : faults) {
-    Value entry = error_entry(fault);
-    bytes += to_json(entry).size() + 1;
-    if (!entries.empty() && bytes > room) break;
-    entries.push_back(std::move(entry));
-  }
-  return entries;
-}
-
 // The first malformed fault speaks for the whole, else the first.
 Response input_problem(const InputError& error, const Request& request) {
   const auto& faults = error.faults();
@@ -69,13 +54,13 @@ Response input_problem(const InputError& error, const Request& request) {
     return fault.kind == FaultKind::malformed;
   });
   const Fault& first = malformed == faults.end() ? faults.front() : *malformed;
-  Value::Array errors = error_entries(faults);
-  std::string detail = describe(first);
-  const std::string listed = errors.size() == faults.size()
-                                 ? "listed in errors"
-                                 : "the first " + std::to_string(errors.size()) + " in errors";
+  Value::Array errors;
+  for (const Fault& fault : faults) errors.push_back(error_entry(fault));
+  Fault brief = first;
+  if (brief.got) brief.got = excerpt(*brief.got);
+  std::string detail = describe(brief);
   if (faults.size() > 1)
-    detail = std::to_string(faults.size()) + " faults, " + listed + "; one is " + detail;
+    detail = std::to_string(faults.size()) + " faults, listed in errors; one is " + detail;
   return document(problem_row(type_of(first.kind)), detail, request, std::move(errors));
 }
 

@@ -4,8 +4,6 @@
 #include "core/film/png_text.h"
 #include "core/input/json.h"
 #include "server/digest.h"
-#include "server/operation/memory_account.h"
-#include "server/operation/memory_costs.h"
 
 namespace tia::server {
 namespace {
@@ -98,14 +96,13 @@ std::string etag_of(std::string_view recipe) { return '"' + sha256_hex(recipe) +
 
 bool is_png(std::string_view body) { return body.starts_with(png_signature); }
 
-Recipe recipe_in(std::string_view png, const Config& config, const std::stop_token& stop) {
-  const auto text = text_in(png, recipe_keyword, static_cast<std::size_t>(config.max_body_bytes));
+Recipe recipe_in(std::string_view png, const Config& config) {
+  const auto text = text_in(png, recipe_keyword, static_cast<std::size_t>(config.max_png_bytes));
   if (!text)
     throw InputError({FaultKind::missing, "", std::nullopt,
                       "a PNG file as this server has sent it: its recipe is in a text chunk, which "
                       "some programs leave out when they save a picture"});
-  reserve_memory(memory_for(memory_cost::text, text->size()), "the picture's recipe", stop);
-  return read_recipe(parse_json(*text, limits_of(config), stop));
+  return read_recipe(parse_json(*text, limits_of(config)));
 }
 
 void check_version(const Recipe& recipe) {

@@ -36,11 +36,9 @@ struct Recipe {
 /// Whether a body begins as every PNG file does.
 bool is_png(std::string_view body);
 
-/// Reads the recipe out of a PNG file. Unpacked it is a body like others: of TIA_MAX_BODY_BYTES at
-/// most, with the memory that reading it may take.
-/// Errors: InputError: malformed or limit as text_in, and for a text that is no recipe; missing
-/// where there is none; as reserve_memory; Stopped.
-Recipe recipe_in(std::string_view png, const Config& config, const std::stop_token& stop = {});
+/// Reads the recipe out of a PNG file, within the bounds of bodies. Errors: InputError: malformed or
+/// limit as text_in, and for a text that is no recipe; missing where there is none.
+Recipe recipe_in(std::string_view png, const Config& config);
 
 /// Errors: InputError (conflict) at /version for a recipe of another version than this.
 void check_version(const Recipe& recipe);

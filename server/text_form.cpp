@@ -15,9 +15,7 @@ std::optional<Value> try_json(std::string_view text) {
 
 }  // namespace
 
-// A number has no white space around it, though JSON's text may.
 Value number_from_text(std::string_view text) {
-  if (text.find_first_of(" \t\r\n") != text.npos) return text;
   const auto value = try_json(text);
   return value && value->as<double>() != nullptr ? *value : Value(text);
 }

@@ -43,7 +43,7 @@ std::string decompressed(std::string_view bytes, std::size_t most) {
     if (result != LIBDEFLATE_INSUFFICIENT_SPACE) throw_no_png("a text that cannot be decompressed");
     if (room >= most)
       throw InputError({FaultKind::limit, "", Value("a longer text in the file"),
-                        "a text of " + std::to_string(most) + " bytes, unpacked"});
+                        "a text of " + std::to_string(most) + " bytes"});
   }
 }
 

@@ -23,38 +23,15 @@ std::string Place::pointer() const {
 Value excerpt(const Value& got) {
   constexpr std::size_t longest = 120;
   const auto* string = got.as<std::string>();
-  const std::string written = string != nullptr ? "" : to_json(got);
-  const std::string& text = string != nullptr ? *string : written;
-  return text.size() <= longest ? got : Value(excerpt_of(text, longest));
+  const std::string text = string != nullptr ? *string : to_json(got);
+  return text.size() <= longest ? got : Value(text.substr(0, longest) + "…");
 }
-
-std::string excerpt_of(std::string_view text, std::size_t most) {
-  constexpr std::size_t remark = 32;  // what tells of the rest is not itself cut, nor worth less
-  if (text.size() <= most + remark) return std::string(text);
-  std::size_t end = most;
-  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80) --end;
-  return std::string(text.substr(0, end)) + "… (" + std::to_string(text.size() - end) +
-         " bytes more)";
-}
-
-namespace {
-
-// A fault that an answer can repeat.
-Fault brief(Fault fault) {
-  constexpr std::size_t longest_pointer = 256, longest_rule = 800;
-  if (fault.got) fault.got = excerpt(*fault.got);
-  fault.pointer = excerpt_of(fault.pointer, longest_pointer);
-  fault.nearest = excerpt_of(fault.nearest, longest_pointer);
-  fault.allowed = excerpt_of(fault.allowed, longest_rule);
-  return fault;
-}
-
-}  // namespace
 
 void Faults::add(Fault fault) {
   ++count_;
   if (full()) return;
-  list_.push_back(brief(std::move(fault)));
+  if (fault.got) fault.got = excerpt(*fault.got);
+  list_.push_back(std::move(fault));
 }
 
 bool Faults::at(std::string_view pointer) const {
@@ -81,8 +58,7 @@ bool Faults::take(Bulk bulk, std::int64_t count) {
 }
 
 InputError::InputError(std::vector<Fault> faults) : faults_(std::move(faults)) {
-  for (Fault& fault : faults_) {
-    fault = brief(std::move(fault));
+  for (const Fault& fault : faults_) {
     if (!text_.empty()) text_ += '\n';
     text_ += describe(fault);
   }

@@ -51,9 +51,6 @@ struct Place {
 
 /// What came, cut short where its text is longer than 120 bytes: an answer must not echo a mesh.
 Value excerpt(const Value& got);
-/// A text cut short where it is longer than so many bytes, between characters: its start, and how
-/// much is left out: "abc… (3912 bytes more)".
-std::string excerpt_of(std::string_view text, std::size_t most);
 
 /// Bulk: things of which a few bytes of an input can hold millions: its pictures' pixels, its
 /// grids' cells.
@@ -90,8 +87,7 @@ class Faults {
   std::array<std::int64_t, 2> left_{most_of(Bulk::pixels), most_of(Bulk::cells)};
 };
 
-/// InputError: an input that cannot be used, with every fault found in it. What faults say is cut
-/// short: pointers and the nearest name to 256 bytes, what is allowed to 800.
+/// InputError: an input that cannot be used, with every fault found in it.
 class InputError : public std::exception {
  public:
   explicit InputError(std::vector<Fault> faults);

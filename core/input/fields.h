@@ -24,11 +24,7 @@ struct Spec {
   bool required = false;
   bool not_zero = false;      ///< 0 itself is not allowed
   std::size_t min_items = 0;  ///< the fewest elements of a list
-  std::size_t max_bytes = 0;  ///< the longest text, in UTF-8; 0: any
 };
-
-/// The longest name that answers repeat. Unit: bytes.
-inline constexpr std::size_t most_name_bytes = 256;
 
 /// Color: linear RGB, each >= 0. In JSON three numbers, or one number for a grey.
 struct Color {

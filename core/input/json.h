@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstddef>
-#include <stop_token>
 #include <string>
 #include <string_view>
 
@@ -18,9 +17,7 @@ struct JsonLimits {
 
 /// Errors: InputError of one `malformed` fault, at the place where the text breaks: not JSON,
 /// duplicate keys, ill-formed UTF-8, a number beyond double; `limit` beyond the limits.
-/// Stopped once that is asked for.
-Value parse_json(std::string_view text, const JsonLimits& limits = {},
-                 const std::stop_token& stop = {});
+Value parse_json(std::string_view text, const JsonLimits& limits = {});
 
 /// Canonical text: RFC 8785 (JSON Canonicalization Scheme): members sorted by UTF-16 code units,
 /// ECMAScript's shortest numbers, no white space. Ill-formed UTF-8 becomes U+FFFD.

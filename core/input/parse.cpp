@@ -9,7 +9,6 @@
 
 #include "core/input/errors.h"
 #include "core/input/json.h"
-#include "core/input/stopped.h"
 
 namespace tia {
 namespace {
@@ -18,8 +17,7 @@ using Json = nlohmann::json;
 
 class ValueBuilder final : public nlohmann::json_sax<Json> {
  public:
-  ValueBuilder(const JsonLimits& limits, const std::stop_token& stop)
-      : limits_(limits), stop_(stop) {}
+  explicit ValueBuilder(const JsonLimits& limits) : limits_(limits) {}
 
   Value take() { return std::move(root_); }
 
@@ -59,7 +57,7 @@ class ValueBuilder final : public nlohmann::json_sax<Json> {
   bool parse_error(std::size_t, const std::string&, const Json::exception& error) override {
     std::string_view said = error.what();  // "[json.exception.…] words": the words will do
     if (const auto end = said.find("] "); end != said.npos) said.remove_prefix(end + 2);
-    fail(FaultKind::malformed, std::nullopt, "JSON text: " + excerpt_of(said, 200));
+    fail(FaultKind::malformed, std::nullopt, "JSON text: " + std::string(said));
   }
 
  private:
@@ -84,8 +82,6 @@ class ValueBuilder final : public nlohmann::json_sax<Json> {
   // Puts the value where it belongs. The pointer stays good: a container grows only while it is
   // the innermost open one.
   Value* place(Value value) {
-    constexpr std::size_t often = 4096;  // values, between looks at whether it is to stop
-    if (++placed_ % often == 0) end_if_asked(stop_);
     Value* const parent = open_.empty() ? nullptr : open_.back();
     auto* const array = parent != nullptr ? parent->as<Value::Array>() : nullptr;
     const bool in_flat_array = array != nullptr && value.as<double>() != nullptr;
@@ -118,18 +114,17 @@ class ValueBuilder final : public nlohmann::json_sax<Json> {
   }
 
   JsonLimits limits_;
-  const std::stop_token& stop_;
   Value root_;
-  std::vector<Value*> open_;            // the containers around the current place, outermost first
-  std::size_t count_ = 0, placed_ = 0;  // of those that are limited, of all
+  std::vector<Value*> open_;  // the containers around the current place, outermost first
+  std::size_t count_ = 0;
 };
 
 }  // namespace
 
-Value parse_json(std::string_view text, const JsonLimits& limits, const std::stop_token& stop) {
+Value parse_json(std::string_view text, const JsonLimits& limits) {
   if (text.find('\0') != text.npos)  // where the library would take the text for ended
     throw InputError({FaultKind::malformed, "", std::nullopt, "JSON text: no NUL byte"});
-  ValueBuilder builder(limits, stop);
+  ValueBuilder builder(limits);
   Json::sax_parse(text.begin(), text.end(), &builder);
   return builder.take();
 }

@@ -42,14 +42,9 @@ Explanation explain(const Scene& scene, World world, const Ray<double>& ray,
 Explanation explain(const Scene& scene, World world, const View& view, int x, int y, int sample,
                     const RenderOptions& options, const std::stop_token& stop = {});
 
-/// The longest text that value_of's may have. Unit: bytes.
-inline constexpr std::size_t most_explanation_bytes = 4 << 20;
-
 /// {"pixel", "sample", "hits": [{"t", "object", "type", "point", "normal", "uv", "front",
 /// and of an equation's root "root": {"bracket": [from, to], "how", "degree"}}],
-/// "objects": [{"name", "pointer", "type"}],
 /// "tree": {"ray", "depth", "winner", "point", "normal", "terms", "color"}}.
-/// Errors: InputError (limit), before it is made, where its text might be too long.
 Value::Object value_of(const Explanation& explanation);
 /// The schema of that.
 Value explanation_schema(Definitions& named);

@@ -1,7 +1,4 @@
 // An explanation as JSON.
-#include <set>
-
-#include "core/input/json.h"
 #include "core/input/written.h"
 #include "core/render/explain.h"
 
@@ -15,77 +12,9 @@ Value::Object ray_value(const auto& ray) {
           {"direction", write_value(static_cast<Vec3d>(ray.direction))}};
 }
 
-/// Census: which objects an explanation names, and how long its text can be at most, counted before
-/// it is made. A number has at most 25 characters with its comma; what else stands in a row of its
-/// kind, the names of its members above all, is rounded up.
-class Census {
- public:
-  explicit Census(const Explanation& all) : all_(all) {
-    for (const Meeting& at : all.hits)
-      bytes_ += (at.bracket ? 600 : 450) + name(object_of(at.part));
-    count(*all.tree);
-  }
-  const std::set<std::size_t>& objects() const { return objects_; }
-  std::size_t bytes() const { return bytes_; }
-  int rows() const { return rows_; }
-
- private:
-  void count(const RayNode& node) {
-    ++rows_;
-    bytes_ += 700;
-    if (node.hit.t < infinity) bytes_ += name(object_of(static_cast<int>(node.hit.part)));
-    for (const Term& term : node.terms) {
-      ++rows_;
-      bytes_ += 240;
-      if (term.light.lamp >= 0) count(term.light);
-      if (term.node) count(*term.node);
-    }
-  }
-  void count(const LampNote& note) {
-    const Lamp& lamp = all_.world.lamps[static_cast<std::size_t>(note.lamp)];
-    bytes_ += 300 + (lamp.part >= 0 ? name(object_of(lamp.part)) : to_json(lamp.name).size());
-    if (note.blocker && *note.blocker >= 0) bytes_ += name(object_of(*note.blocker));
-  }
-  std::size_t object_of(int part) const {
-    return static_cast<std::size_t>(all_.world.part(part).object);
-  }
-  // How long its name is; in the table it stands once more, with its place.
-  std::size_t name(std::size_t object) {
-    const ObjectLabel& label = all_.labels[object];
-    const std::size_t bytes = to_json(label.name).size();
-    if (objects_.insert(object).second) bytes_ += 80 + bytes + to_json(label.pointer).size();
-    return bytes;
-  }
-
-  const Explanation& all_;
-  std::set<std::size_t> objects_;
-  std::size_t bytes_ = 0;
-  int rows_ = 0;
-};
-
-void check_length(const Census& census) {
-  if (census.bytes() <= most_explanation_bytes) return;
-  throw InputError({FaultKind::limit, "/max_depth",
-                    Value("a tree of " + std::to_string(census.rows()) + " rays and terms"),
-                    "an explanation of at most " + std::to_string(most_explanation_bytes) +
-                        " bytes: fewer reflections and refractions, lights or things met"});
-}
-
 class Writer {
  public:
   explicit Writer(const Explanation& all) : all_(all) {}
-
-  /// The objects that are named, each once: what has a name that others have, too, is told apart by
-  /// its place in the scene.
-  Value::Array objects(const std::set<std::size_t>& named) const {
-    Value::Array list;
-    for (const std::size_t i : named) {
-      const ObjectLabel& label = all_.labels[i];
-      list.push_back(Value::Object{
-          {"name", label.name}, {"pointer", label.pointer}, {"type", std::string(label.type)}});
-    }
-    return list;
-  }
 
   Value::Array hits() const {
     Value::Array hits;
@@ -199,12 +128,6 @@ Value hit_schema() {
        {"root", root, "of a surface that is an equation's: how it was found", false}});
 }
 
-Value object_entry_schema() {
-  return object_schema({{"name", name_schema(), "as hits and tree call it"},
-                        {"pointer", name_schema(), "its place in the scene: a JSON Pointer"},
-                        {"type", name_schema(), "of its shape"}});
-}
-
 Value node_schema(Definitions& named);
 
 Value term_schema(Definitions& named) {
@@ -249,14 +172,11 @@ Value explanation_schema(Definitions& named) {
          {"sample", count_schema(), "which of the pixel's rays", false},
          {"ray", ray_schema(named), "in double"},
          {"hits", list_schema(hit_schema()), "all along the ray, the nearest first, in double"},
-         {"objects", list_schema(object_entry_schema()), "all that hits and tree name, each once"},
          {"tree", node_schema(named), "what makes the colour, in the picture's own arithmetic"}});
   });
 }
 
 Value::Object value_of(const Explanation& all) {
-  const Census census(all);
-  check_length(census);
   const Writer writer(all);
   Value::Object tree = writer.node(*all.tree);
   Value::Object answer;
@@ -271,7 +191,6 @@ Value::Object value_of(const Explanation& all) {
   }
   answer.emplace_back("ray", ray_value(all.ray));
   answer.emplace_back("hits", writer.hits());
-  answer.emplace_back("objects", writer.objects(census.objects()));
   answer.emplace_back("tree", std::move(tree));
   return answer;
 }

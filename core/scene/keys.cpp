@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "core/input/stopped.h"
 #include "core/scene/read_scene.h"
 #include "core/scene/view.h"
 
@@ -56,45 +55,6 @@ Vec3d default_place(const Scene& scene, const Vec3d& towards) {
   return target + way * length(from - target);
 }
 
-/// Visitor: gives the scene's fields that a merge patch names what they are afterwards, and leaves
-/// the others as they are: to write and read a whole scene takes many times its memory.
-struct FieldPatcher {
-  detail::MemberReader& from;
-  Scene& scene;
-  template <class Member>
-  void operator()(std::string_view name, Member Scene::*member, const Spec& spec) {
-    const Value* change = from.member(name);
-    if (change == nullptr) return;
-    static const Scene usual;
-    Member after = usual.*member;
-    if (change->as<std::nullptr_t>() == nullptr) {
-      const bool merges = change->as<Value::Object>() != nullptr;
-      const Value value = merges ? merge_patch(write_value(scene.*member), *change) : *change;
-      read_value(value, from.at.at(name), spec, from.faults, after);
-    }
-    scene.*member = std::move(after);
-  }
-};
-
-// The scene after a merge patch (RFC 7396) of it, or what is wrong with that.
-Scene patched(const Scene& scene, const Value& patch, Faults& faults) {
-  Scene after = scene;
-  const Place all{};
-  detail::MemberReader from{*patch.as<Value::Object>(), all, faults};
-  Scene::fields(FieldPatcher{from, after});
-  from.finish();
-  if (faults.empty()) after.check_links(all, faults);
-  return after;
-}
-
-// What a key whose patch leaves no scene is refused with.
-Fault broken_patch(std::string pointer, std::string_view key, const Faults& faults) {
-  const std::size_t more = faults.count() - 1;
-  return {FaultKind::conflict, std::move(pointer), Value(key),
-          "a key whose patch leaves a scene; after this one " + describe(faults.list().front()) +
-              (more > 0 ? "; and " + std::to_string(more) + " faults more" : "")};
-}
-
 [[noreturn]] void unknown_key(const Scene& scene, std::string_view key, std::string_view pointer) {
   const auto known = keys_of(scene);
   throw InputError({FaultKind::unknown_name, std::string(pointer), Value(key),
@@ -126,20 +86,15 @@ Scene press(const Scene& scene, std::string_view key, std::string_view pointer) 
   if (binding == scene.keys.end()) unknown_key(scene, key, pointer);
   if (const auto* position = std::get_if<Vec3d>(&binding->second))
     return with_light(scene, *position, pointer);
-  Faults faults;
-  Scene after = patched(scene, std::get<Value>(binding->second), faults);
-  if (!faults.empty()) throw InputError(broken_patch(std::string(pointer), key, faults));
-  return after;
-}
-
-void check_keys(const Scene& scene, const Place& at, Faults& faults, const std::stop_token& stop) {
-  for (const auto& [key, binding] : scene.keys) {
-    end_if_asked(stop);
-    const auto* patch = std::get_if<Value>(&binding);
-    if (patch == nullptr || faults.full()) continue;
-    Faults own;
-    patched(scene, *patch, own);
-    if (!own.empty()) faults.add(broken_patch(at.at("keys").at(key).pointer(), key, own));
+  const Value patched = merge_patch(write_value(scene), std::get<Value>(binding->second));
+  try {
+    return read_described<Scene>(patched);
+  } catch (const InputError& error) {
+    const std::size_t more = error.faults().size() - 1;
+    throw InputError({FaultKind::conflict, std::string(pointer), Value(key),
+                      "a key whose patch leaves a scene; after this one " +
+                          describe(error.faults().front()) +
+                          (more > 0 ? "; and " + std::to_string(more) + " faults more" : "")});
   }
 }
 

@@ -1,7 +1,6 @@
 // What a key press or a light position does to a scene.
 #pragma once
 
-#include <stop_token>
 #include <string_view>
 #include <vector>
 
@@ -15,11 +14,6 @@ std::vector<std::string_view> keys_of(const Scene& scene);
 /// The scene after a key. Errors: InputError at `pointer` for a key that the scene does not know,
 /// or for a patch that does not leave a scene.
 Scene press(const Scene& scene, std::string_view key, std::string_view pointer = "/key");
-
-/// Adds the faults of bindings whose patch does not leave a scene, at /keys/NAME.
-/// Errors: Stopped, between two of them.
-void check_keys(const Scene& scene, const Place& at, Faults& faults,
-                const std::stop_token& stop = {});
 
 /// Whether that key moves the key light and changes nothing else. Domain: a key that it answers to.
 bool moves_light_only(const Scene& scene, std::string_view key);

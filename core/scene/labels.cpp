@@ -13,9 +13,8 @@ void add_objects(const std::vector<Object>& list, const Place& at,
       continue;
     }
     const auto type = [](const auto& shape) { return std::string_view(shape.type); };
-    const std::string pointer = here.pointer();
     labels.push_back(
-        {object.name.empty() ? pointer : object.name, pointer, std::visit(type, object.shape)});
+        {object.name.empty() ? here.pointer() : object.name, std::visit(type, object.shape)});
   }
 }
 
@@ -23,9 +22,9 @@ void add_objects(const std::vector<Object>& list, const Place& at,
 void add_light(const Light& light, const Place& at, std::vector<ObjectLabel>& labels) {
   if (light.awaited() != nullptr) return;
   if (std::holds_alternative<SphereLight>(light.kind))
-    labels.push_back({at.pointer(), at.pointer(), SphereLight::type});
+    labels.push_back({at.pointer(), SphereLight::type});
   if (std::holds_alternative<QuadLight>(light.kind))
-    labels.push_back({at.pointer(), at.pointer(), QuadLight::type});
+    labels.push_back({at.pointer(), QuadLight::type});
 }
 
 }  // namespace

@@ -9,10 +9,10 @@
 
 namespace tia {
 
-/// ObjectLabel: an object's `name`, where it has none its JSON Pointer into the scene; that
-/// pointer; and the `type` of its shape, of a luminous light that of the light.
+/// ObjectLabel: an object's `name`, where it has none its JSON Pointer into the scene; and the
+/// `type` of its shape, of a luminous light that of the light.
 struct ObjectLabel {
-  std::string name, pointer;
+  std::string name;
   std::string_view type;
 };
 
