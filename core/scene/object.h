@@ -26,7 +26,8 @@ struct Object {
 
   template <class Visitor>
   static void fields(Visitor&& visit) {
-    visit("name", &Object::name, Spec{.about = "what answers call it"});
+    visit("name", &Object::name,
+          Spec{.about = "what answers call it, in at most 256 bytes", .max_bytes = longest_name});
     visit.one_of(&Object::shape, Spec{.about = "the kind of shape", .required = true});
     visit("transform", &Object::transform,
           Spec{.about = "steps that place it, the first step first"});

@@ -51,7 +51,7 @@ class TreeCheck {
   void check(const Object& object, const Inherited& own, const Place& at) {
     if (!is_usable(own.place) && is_usable(object.transform.affine()))
       faults_.add({FaultKind::out_of_range, at.at("transform").pointer(),
-                   write_value(object.transform),
+                   excerpt(write_value(object.transform)),
                    "with the transforms around it a scale of 1e-9 to 1e9 on every axis"});
     if (own.luminous && own.copies > 1 && std::holds_alternative<Sphere>(object.shape))
       count_lights(own.copies, at);
