@@ -32,13 +32,13 @@ Sent sent_in(const Request& request, Service& service) {
   refuse_query(request);
   if (!is_png(request.body))
     throw HttpError("media-type", "send a PNG file, such as this server has sent");
-  return {recipe_in(request.body, service.config), sha256_hex(request.body)};
+  return {recipe_in(request.body, service.config, request.stop), sha256_hex(request.body)};
 }
 
 // Where the recipe comes from another version, what it draws is not known here.
 Value::Object verdict_on(const Recipe& recipe, const Request& request, Service& service) {
   if (recipe.version != full_version()) return {{"verdict", name_of(Verdict::other_version)}};
-  const auto asked = read_described<PictureRequest>(recipe.request);
+  const auto asked = read_described<PictureRequest>(recipe.request, {}, request.stop);
   Plan plan = plan_of(asked, service.studio);
   const auto found = picture_of(plan, etag_of(plan.recipe), request.stop, service);
   const std::string& expected = found.picture->bytes;
