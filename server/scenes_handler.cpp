@@ -1,5 +1,6 @@
 // /scenes: the gallery and the scenes that are kept. /schema/scene.json: what a scene may be.
 #include "core/input/written.h"
+#include "core/scene/keys.h"
 #include "core/scene/read_scene.h"
 #include "server/handlers.h"
 #include "server/parameters.h"
@@ -28,9 +29,11 @@ Response get_scene(const Request&, const std::string& name, Service& service) {
 
 Response post_scene(const Request& request, const std::string&, Service& service) {
   const auto ticket = service.admission.read(request.body.size(), request.stop);
-  const Value scene = body_json(request, "the scene as a JSON object, such as {\"objects\":[]}",
-                                service.config.json_limits());
-  const std::string id = service.studio.kept.keep(read_described<Scene>(scene));
+  const char* const what = "the scene as a JSON object, such as {\"objects\":[]}";
+  Scene scene = read_described<Scene>(body_json(request, what, service.config.json_limits()), {},
+                                      request.stop);  // the JSON tree ends here
+  check_keys(scene, request.stop);
+  const std::string id = service.studio.kept.keep(std::move(scene));
   const std::string location = "/scenes/" + id;
   return {.status = 201,
           .content_type = "application/json",
