@@ -21,8 +21,11 @@ std::string_view cut(std::string_view& text, char mark) {
   return trimmed(part);
 }
 
-// "0.5" as 500; nothing where it is no weight: 0 or 1, a dot, at most three digits.
-std::optional<int> weight_of(std::string_view text) {
+// "0.5" as 500; nothing where it is no weight: 0 or 1, a dot, at most three digits. Java's own
+// client writes .2 for 0.2.
+std::optional<int> weight_of(std::string_view written) {
+  std::string text(written);
+  if (text.starts_with('.')) text.insert(text.begin(), '0');
   if (text.empty() || text.size() > 5 || (text[0] != '0' && text[0] != '1')) return std::nullopt;
   if (text.size() > 1 && text[1] != '.') return std::nullopt;
   int weight = 0;
@@ -61,7 +64,7 @@ std::vector<Wish> wishes(std::string_view list) {
 // How closely a range fits the type: 0 not at all, 3 by name.
 int closeness(std::string_view range, std::string_view type) {
   if (range == type) return 3;
-  if (range == "*/*") return 1;
+  if (range == "*/*" || range == "*") return 1;  // the latter is Java's
   return range.ends_with("/*") && type.starts_with(range.substr(0, range.size() - 1)) ? 2 : 0;
 }
 

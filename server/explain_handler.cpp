@@ -63,7 +63,8 @@ Explanation explanation_of(const ExplainRequest& asked, const Service& service,
 ExplainRequest asked_of_body(const Request& request, Service& service) {
   const auto ticket = reading_ticket(request, service);
   const char* const what = "the parameters as a JSON object, such as {\"x\":320,\"y\":240}";
-  return read_described<ExplainRequest>(body_json(request, what, service.config.json_limits()));
+  return read_described<ExplainRequest>(body_json(request, what, service.config.json_limits()), {},
+                                        request.stop);
 }
 
 Response explained(const ExplainRequest& asked, const Request& request, Service& service) {

@@ -59,7 +59,7 @@ Value body_json(const Request& request, const std::string& what, const JsonLimit
   const bool declared_json = request.header("Content-Type").find("json") != std::string_view::npos;
   if (start == std::string::npos || (request.body[start] != '{' && !declared_json))
     throw HttpError("media-type", "send " + what);
-  return parse_json(request.body, limits);
+  return parse_json(request.body, limits, request.stop);
 }
 
 }  // namespace tia::server

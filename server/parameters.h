@@ -55,7 +55,7 @@ Value query_object(std::string_view query) {
 void refuse_query(const Request& request);
 
 /// The JSON that a body is, whatever type it declares where it starts with {: curl -d declares a
-/// form. `what` says what to send. Errors: InputError; HttpError (media-type).
+/// form. `what` says what to send. Errors: InputError; HttpError (media-type); Stopped.
 Value body_json(const Request& request, const std::string& what, const JsonLimits& limits = {});
 
 }  // namespace tia::server

@@ -26,10 +26,27 @@ std::string_view type_of(FaultKind kind) {
 
 Value error_entry(const Fault& fault) {
   Value::Object entry{{"pointer", fault.pointer}, {"allowed", fault.allowed}};
-  if (fault.got) entry.emplace_back("got", excerpt(*fault.got));
+  if (fault.got) entry.emplace_back("got", *fault.got);
   if (!fault.nearest.empty()) entry.emplace_back("nearest", fault.nearest);
   if (fault.column) entry.emplace_back("column", static_cast<double>(*fault.column));
   return entry;
+}
+
+// A document's detail; all that it has beside detail and errors, of which the id is the longest.
+constexpr std::size_t longest_detail = 2048, longest_rest = 512;
+
+// As many of the faults as a document has room for.
+Value::Array entries_of(const std::vector<Fault>& faults) {
+  std::size_t room = longest_problem - longest_detail - longest_rest;
+  Value::Array entries;
+  for (const Fault& fault : faults) {
+    Value entry = error_entry(fault);
+    const std::size_t bytes = to_json(entry).size() + 1;  // and a comma
+    if (bytes > room) break;
+    room -= bytes;
+    entries.push_back(std::move(entry));
+  }
+  return entries;
 }
 
 Response document(const ProblemRow& row, const std::string& detail, const Request& request,
@@ -37,7 +54,7 @@ Response document(const ProblemRow& row, const std::string& detail, const Reques
   Value::Object problem{{"type", problem_uri(row)},
                         {"title", row.title},
                         {"status", row.status},
-                        {"detail", detail},
+                        {"detail", excerpt_of(detail, longest_detail)},
                         {"instance", request.id}};
   if (!errors.empty()) problem.emplace_back("errors", std::move(errors));
   return {.status = row.status,
@@ -54,13 +71,13 @@ Response input_problem(const InputError& error, const Request& request) {
     return fault.kind == FaultKind::malformed;
   });
   const Fault& first = malformed == faults.end() ? faults.front() : *malformed;
-  Value::Array errors;
-  for (const Fault& fault : faults) errors.push_back(error_entry(fault));
-  Fault brief = first;
-  if (brief.got) brief.got = excerpt(*brief.got);
-  std::string detail = describe(brief);
+  Value::Array errors = entries_of(faults);
+  std::string detail = describe(first);
   if (faults.size() > 1)
-    detail = std::to_string(faults.size()) + " faults, listed in errors; one is " + detail;
+    detail =
+        std::to_string(faults.size()) + " faults, " +
+        (errors.size() < faults.size() ? "the first " + std::to_string(errors.size()) + " " : "") +
+        "listed in errors; one is " + detail;
   return document(problem_row(type_of(first.kind)), detail, request, std::move(errors));
 }
 

@@ -37,6 +37,9 @@ class StorageError : public std::runtime_error {
 /// An HttpError for somebody else to answer with.
 std::exception_ptr failure(std::string_view type, std::string detail, Headers headers = {});
 
+/// The longest problem document: faults that have no room in it are counted and left out. In bytes.
+constexpr std::size_t longest_problem = 16 << 10;
+
 /// The answer to a request that failed with this exception. Anything unforeseen is a 500 whose
 /// text stays here; it is logged.
 Response problem_response(const std::exception_ptr& failure, const Request& request);

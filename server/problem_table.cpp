@@ -78,7 +78,9 @@ constexpr std::array table{
 Value error_schema() {
   return object_schema(
       {{"pointer", plain_schema<std::string>(),
-        "where: a JSON Pointer (RFC 6901) into the request as a JSON object"},
+        "where: a JSON Pointer (RFC 6901) into the request as a JSON object; of a long one, or of "
+        "a "
+        "long name in it, the start and how much is left out, \"abc… (3912 bytes more)\""},
        {"allowed", plain_schema<std::string>(), "what may stand there, in words"},
        {"got", Value::Object{}, "what stood there, cut short; none where it is missing", false},
        {"nearest", plain_schema<std::string>(), "the known name nearest to it", false},
@@ -118,7 +120,8 @@ Value problem_schema(Definitions& named) {
               {"status", plain_schema<int>({.min = 400, .max = 599}), "the answer's status"},
               {"detail", plain_schema<std::string>(), "what went wrong this time"},
               {"instance", plain_schema<std::string>(), "the request's X-Request-Id"},
-              {"errors", list_schema(error_schema()), "all faults, the first 20", false}})
+              {"errors", list_schema(error_schema()),
+               "all faults, the first 20, or as many as 16 KiB have room for", false}})
              .as<Value::Object>());
     schema.emplace_back("oneOf", problem_kinds());
     return Value(std::move(schema));

@@ -4,6 +4,8 @@
 #include "core/film/png_text.h"
 #include "core/input/json.h"
 #include "server/digest.h"
+#include "server/operation/memory_account.h"
+#include "server/operation/memory_costs.h"
 
 namespace tia::server {
 namespace {
@@ -54,7 +56,7 @@ void refuse_untold(const Value& request) {
   const auto* parts = scene != nullptr ? scene->as<Value::Object>() : nullptr;
   const Value* objects = parts != nullptr ? find(*parts, "objects") : nullptr;
   if (objects != nullptr && objects->as<std::string>() != nullptr)
-    throw InputError({FaultKind::limit, "/scene/objects", *objects,
+    throw InputError({FaultKind::limit, "/scene/objects", excerpt(*objects),
                       "the picture of a scene whose objects hold at most " +
                           std::to_string(most_told_bytes) +
                           " bytes, for then its recipe tells them"});
@@ -74,9 +76,30 @@ Recipe read_recipe(Value&& value) {
   const Value* request = members != nullptr ? find(*members, "request") : nullptr;
   if (version == nullptr || request == nullptr || members->size() != 2 ||
       version->as<std::string>() == nullptr || request->as<Value::Object>() == nullptr)
-    throw InputError({FaultKind::malformed, "", value, "the recipe of a picture of Tia"});
+    throw InputError({FaultKind::malformed, "", excerpt(value), "the recipe of a picture of Tia"});
   refuse_untold(*request);
-  return {*version->as<std::string>(), *request};
+  Recipe recipe;
+  for (auto& [name, is] : *members) {
+    if (name == "version") recipe.version = std::move(*is.as<std::string>());
+    else recipe.request = std::move(is);
+  }
+  return recipe;
+}
+
+[[noreturn]] void too_long(std::size_t most) {
+  throw InputError({FaultKind::limit, "", Value("a file whose recipe is longer"),
+                    "a recipe of at most " + std::to_string(most) +
+                        " bytes when it is unpacked (option TIA_MAX_BODY_BYTES)"});
+}
+
+// A few bytes of a file may unpack to millions.
+std::optional<std::string> recipe_text_in(std::string_view png, std::size_t most) {
+  try {
+    return text_in(png, recipe_keyword, most);
+  } catch (const InputError& error) {
+    if (error.faults().front().kind != FaultKind::limit) throw;
+    too_long(most);
+  }
 }
 
 }  // namespace
@@ -96,13 +119,18 @@ std::string etag_of(std::string_view recipe) { return '"' + sha256_hex(recipe) +
 
 bool is_png(std::string_view body) { return body.starts_with(png_signature); }
 
-Recipe recipe_in(std::string_view png, const Config& config) {
-  const auto text = text_in(png, recipe_keyword, static_cast<std::size_t>(config.max_png_bytes));
+Recipe recipe_in(std::string_view png, const Config& config, const std::stop_token& stop) {
+  const auto most = static_cast<std::size_t>(config.max_body_bytes);
+  const auto text = recipe_text_in(png, most);
   if (!text)
     throw InputError({FaultKind::missing, "", std::nullopt,
                       "a PNG file as this server has sent it: its recipe is in a text chunk, which "
                       "some programs leave out when they save a picture"});
-  return read_recipe(parse_json(*text, limits_of(config)));
+  reserve_memory(memory_for(memory_cost::text, text->size()), "the picture's recipe", stop);
+  Recipe recipe = read_recipe(parse_json(*text, limits_of(config), stop));
+  // It is told again in canonical form, in which 1e20 has 21 digits.
+  if (start_of_json(recipe.request, most).size() > most) too_long(most);
+  return recipe;
 }
 
 void check_version(const Recipe& recipe) {

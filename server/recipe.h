@@ -3,6 +3,7 @@
 // so its SHA-256 is the picture's entity tag, known before any ray. A PNG carries it as its text.
 #pragma once
 
+#include <stop_token>
 #include <string>
 #include <string_view>
 
@@ -36,9 +37,10 @@ struct Recipe {
 /// Whether a body begins as every PNG file does.
 bool is_png(std::string_view body);
 
-/// Reads the recipe out of a PNG file, within the bounds of bodies. Errors: InputError: malformed or
-/// limit as text_in, and for a text that is no recipe; missing where there is none.
-Recipe recipe_in(std::string_view png, const Config& config);
+/// Reads the recipe out of a PNG file, within the bounds of JSON bodies: it is one, sent by other
+/// means. Errors: InputError: malformed as text_in, and for a text that is no recipe; missing where
+/// there is none; limit where it is longer than a body may be. Stopped.
+Recipe recipe_in(std::string_view png, const Config& config, const std::stop_token& stop = {});
 
 /// Errors: InputError (conflict) at /version for a recipe of another version than this.
 void check_version(const Recipe& recipe);

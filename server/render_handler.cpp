@@ -48,7 +48,7 @@ struct Asked {
 // Where no format is asked for, Accept chooses it. The JSON tree ends here, not with the picture.
 Asked asked_in(Value parameters, const Request& request) {
   const bool accepted = choose_format(parameters, request);
-  return {read_described<PictureRequest>(parameters), accepted};
+  return {read_described<PictureRequest>(parameters, {}, request.stop), accepted};
 }
 
 Value recipe_request(const Request& request, const Config& config) {

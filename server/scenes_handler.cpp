@@ -49,15 +49,13 @@ Response get_scene(const Request&, const std::string& name, Service& service) {
 
 Response post_scene(const Request& request, const std::string&, Service& service) {
   const auto ticket = reading_ticket(request, service);
-  const Value scene = body_json(request, "the scene as a JSON object, such as {\"objects\":[]}",
-                                service.config.json_limits());
-  Scene read = read_described<Scene>(scene);
-  Faults faults;
-  check_keys(read, {}, faults, request.stop);
-  faults.raise();
+  const char* const what = "the scene as a JSON object, such as {\"objects\":[]}";
+  Scene scene = read_described<Scene>(body_json(request, what, service.config.json_limits()), {},
+                                      request.stop);  // the JSON tree ends here
+  check_keys(scene, request.stop);
   const std::string key = random_key(), key_hash = sha256_hex(key);
   SceneStore& kept = service.studio.kept;
-  const std::string id = kept.keep(std::move(read), {share_of(request.peer), key_hash, 0});
+  const std::string id = kept.keep(std::move(scene), {share_of(request.peer), key_hash, 0});
   const std::string location = "/scenes/" + id;
   Response response{.status = 201,
                     .content_type = "application/json",

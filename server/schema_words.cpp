@@ -196,7 +196,9 @@ std::string schema_words(const Value& schema) {
   if (type == "object") return object_words(schema);
   if (type == "boolean") return code("true") + " or " + code("false");
   if (type == "null") return code("null");
-  return type == "string" ? "text" : "any value";
+  if (type != "string") return "any value";
+  const double* most = number_member(schema, "maxLength");
+  return most != nullptr ? "text of at most " + number_text(*most) + " characters" : "text";
 }
 
 FieldRow field_row(std::string_view name, const Value& schema, bool required) {

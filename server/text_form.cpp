@@ -13,9 +13,14 @@ std::optional<Value> try_json(std::string_view text) {
   }
 }
 
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
 }  // namespace
 
+// The parser would skip spaces, of which a query's + is one.
 Value number_from_text(std::string_view text) {
+  if (text.empty() || !(is_digit(text.front()) || text.front() == '-') || !is_digit(text.back()))
+    return text;
   const auto value = try_json(text);
   return value && value->as<double>() != nullptr ? *value : Value(text);
 }

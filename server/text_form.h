@@ -15,7 +15,7 @@
 
 namespace tia::server {
 
-/// A number's text as a number, any other as a string.
+/// A number's text as a number, any other as a string: so one with spaces around it.
 Value number_from_text(std::string_view text);
 /// "x,y,z" or "[x,y,z]" as an array of numbers, any other as a string.
 Value list_from_text(std::string_view text);

@@ -38,7 +38,7 @@ Sent sent_in(const Request& request, Service& service) {
 // Where the recipe comes from another version, what it draws is not known here.
 Value::Object verdict_on(const Recipe& recipe, const Request& request, Service& service) {
   if (recipe.version != full_version()) return {{"verdict", name_of(Verdict::other_version)}};
-  const auto asked = read_described<PictureRequest>(recipe.request);
+  const auto asked = read_described<PictureRequest>(recipe.request, {}, request.stop);
   const Asker asker = asker_of(request);
   Plan plan = plan_of(asked, service.studio, asker);
   const auto found = picture_of(plan, etag_of(plan.recipe), asker, service);

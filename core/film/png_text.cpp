@@ -39,7 +39,10 @@ std::string decompressed(std::string_view bytes, std::size_t most) {
     std::size_t size = 0;
     const libdeflate_result result = libdeflate_zlib_decompress(
         decompressor.get(), bytes.data(), bytes.size(), text.data(), text.size(), &size);
-    if (result == LIBDEFLATE_SUCCESS) return text.substr(0, size);
+    if (result == LIBDEFLATE_SUCCESS) {
+      text.resize(size);
+      return text;
+    }
     if (result != LIBDEFLATE_INSUFFICIENT_SPACE) throw_no_png("a text that cannot be decompressed");
     if (room >= most)
       throw InputError({FaultKind::limit, "", Value("a longer text in the file"),

@@ -6,39 +6,28 @@
 #include <cstdint>
 
 #include "core/input/json.h"
+#include "core/input/utf8.h"
 
 namespace tia {
 namespace {
 
 constexpr std::string_view replacement = "\xEF\xBF\xBD";  // U+FFFD
 
-// Length of the well-formed UTF-8 sequence at the front (0: ill-formed) and its code point.
-// Source: Unicode 15, table 3-7.
-struct CodePoint {
-  std::size_t length;
-  std::uint32_t value;
-};
-CodePoint decode(std::string_view s) {
-  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(s[i]); };
-  const unsigned lead = byte(0);
-  if (lead < 0x80) return {1, lead};
-  const std::size_t length = lead >= 0xF0 ? 4 : lead >= 0xE0 ? 3 : 2;
-  if (lead < 0xC2 || lead > 0xF4 || s.size() < length) return {0, 0};
-  std::uint32_t value = lead & (0xFFU >> (length + 1));
-  for (std::size_t i = 1; i < length; ++i) {
-    if ((byte(i) & 0xC0U) != 0x80U) return {0, 0};
-    value = (value << 6U) | (byte(i) & 0x3FU);
+/// Start: a text that is written until it is long enough.
+struct Start {
+  std::string text = {};
+  std::size_t enough = std::string::npos;
+  bool full() const { return text.size() > enough; }
+  Start& operator+=(auto more) {
+    text += more;
+    return *this;
   }
-  const bool overlong = (length == 3 && value < 0x800) || (length == 4 && value < 0x10000);
-  const bool surrogate = value >= 0xD800 && value <= 0xDFFF;
-  if (overlong || surrogate || value > 0x10FFFF) return {0, 0};
-  return {length, value};
-}
+};
 
-void write_string(std::string_view s, std::string& out) {
+void write_string(std::string_view s, Start& out) {
   out += '"';
-  while (!s.empty()) {
-    const auto [length, value] = decode(s);
+  while (!s.empty() && !out.full()) {
+    const auto [length, value] = decode_utf8(s);
     switch (value) {
       case '"': out += "\\\""; break;
       case '\\': out += "\\\\"; break;
@@ -74,18 +63,18 @@ bool utf16_less(std::string_view a, std::string_view b) {
                                       [&](char x, char y) { return rank(x) < rank(y); });
 }
 
-void write(const Value& value, std::string& out);
+void write(const Value& value, Start& out);
 
-void write_array(const Value::Array& array, std::string& out) {
+void write_array(const Value::Array& array, Start& out) {
   out += '[';
-  for (std::size_t i = 0; i < array.size(); ++i) {
+  for (std::size_t i = 0; i < array.size() && !out.full(); ++i) {
     if (i > 0) out += ',';
     write(array[i], out);
   }
   out += ']';
 }
 
-void write_object(const Value::Object& object, std::string& out) {
+void write_object(const Value::Object& object, Start& out) {
   std::vector<const Value::Member*> sorted;
   sorted.reserve(object.size());
   for (const auto& member : object) sorted.push_back(&member);
@@ -93,6 +82,7 @@ void write_object(const Value::Object& object, std::string& out) {
             [](const auto* a, const auto* b) { return utf16_less(a->first, b->first); });
   out += '{';
   for (const auto* member : sorted) {
+    if (out.full()) break;
     if (member != sorted.front()) out += ',';
     write_string(member->first, out);
     out += ':';
@@ -101,7 +91,7 @@ void write_object(const Value::Object& object, std::string& out) {
   out += '}';
 }
 
-void write(const Value& value, std::string& out) {
+void write(const Value& value, Start& out) {
   if (const auto* b = value.as<bool>()) out += *b ? "true" : "false";
   else if (const auto* d = value.as<double>()) out += number_text(*d);
   else if (const auto* s = value.as<std::string>()) write_string(*s, out);
@@ -141,10 +131,12 @@ std::string number_text(double number) {
   return out + (n > 0 ? "e+" : "e-") + std::to_string(std::abs(n - 1));
 }
 
-std::string to_json(const Value& value) {
-  std::string out;
+std::string to_json(const Value& value) { return start_of_json(value, std::string::npos); }
+
+std::string start_of_json(const Value& value, std::size_t enough) {
+  Start out{{}, enough};
   write(value, out);
-  return out;
+  return std::move(out.text);
 }
 
 }  // namespace tia

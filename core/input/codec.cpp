@@ -37,6 +37,24 @@ Value::Object number_schema(const Spec& spec, bool integer) {
   return schema;
 }
 
+bool short_enough(const std::string& text, const Place& at, const Spec& spec, Faults& faults) {
+  if (text.size() <= spec.max_bytes) return true;
+  faults.add({FaultKind::out_of_range, at.pointer(), excerpt(text), text_words(spec)});
+  return false;
+}
+
+std::string text_words(const Spec& spec) {
+  if (spec.max_bytes == Spec{}.max_bytes) return "a string";
+  return "a string of at most " + std::to_string(spec.max_bytes) + " bytes";
+}
+
+Value::Object text_schema(const Spec& spec) {
+  Value::Object schema{{"type", "string"}};
+  if (spec.max_bytes != Spec{}.max_bytes)
+    schema.emplace_back("maxLength", static_cast<double>(spec.max_bytes));
+  return schema;
+}
+
 std::string array_text(const Spec& spec) {
   if (spec.min_items == 0) return "an array";
   return "an array of at least " + std::to_string(spec.min_items);
@@ -53,8 +71,9 @@ const Value::Array* read_array(const Value& value, const Place& at, const Spec& 
 void unknown_word(const Value& got, const Place& at, const std::vector<std::string_view>& names,
                   Faults& faults) {
   const auto* word = got.as<std::string>();
-  faults.add({word != nullptr ? FaultKind::unknown_name : FaultKind::wrong_type, at.pointer(), got,
-              "one of " + listed(names), word != nullptr ? nearest_name(*word, names) : ""});
+  faults.add({word != nullptr ? FaultKind::unknown_name : FaultKind::wrong_type, at.pointer(),
+              excerpt(got), "one of " + listed(names),
+              word != nullptr ? nearest_name(*word, names) : ""});
 }
 
 }  // namespace tia::detail

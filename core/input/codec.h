@@ -78,7 +78,7 @@ Value::Object whole_schema() {
 namespace detail {
 
 inline void wrong_type(const Value& got, const Place& at, std::string allowed, Faults& faults) {
-  faults.add({FaultKind::wrong_type, at.pointer(), got, std::move(allowed)});
+  faults.add({FaultKind::wrong_type, at.pointer(), excerpt(got), std::move(allowed)});
 }
 
 /// A number in the field's range, or a fault and nothing. Never -0, which canonical text lacks.
@@ -96,6 +96,15 @@ Spec narrowed(Spec spec) {
   spec.max = std::min({spec.max, static_cast<double>(Limits::max()), exact});
   return spec;
 }
+
+/// Whether a text is no longer than the field's may be, or a fault.
+bool short_enough(const std::string& text, const Place& at, const Spec& spec, Faults& faults);
+/// "a string", "a string of at most 256 bytes"; the same as a schema, which counts characters.
+std::string text_words(const Spec& spec);
+Value::Object text_schema(const Spec& spec);
+
+/// What the names of maps may be.
+inline constexpr Spec name_spec{.about = "a name", .max_bytes = longest_name};
 
 /// "an array", "an array of at least 2".
 std::string array_text(const Spec& spec);
@@ -151,12 +160,13 @@ template <>
 struct Codec<std::string> {
   static void read(const Value& v, const Place& at, const Spec& spec, Faults& faults,
                    std::string& out) {
-    if (const auto* text = v.as<std::string>()) out = *text;
-    else detail::wrong_type(v, at, allowed(spec), faults);
+    const auto* text = v.as<std::string>();
+    if (text == nullptr) detail::wrong_type(v, at, allowed(spec), faults);
+    else if (detail::short_enough(*text, at, spec, faults)) out = *text;
   }
   static Value write(const std::string& v) { return v; }
-  static Value schema(const Spec&) { return Value::Object{{"type", "string"}}; }
-  static std::string allowed(const Spec&) { return "a string"; }
+  static Value schema(const Spec& spec) { return detail::text_schema(spec); }
+  static std::string allowed(const Spec& spec) { return detail::text_words(spec); }
 };
 
 template <Named E>

@@ -104,6 +104,19 @@ struct Codec<Color> {
 
 // ---- lists and maps of any length -----------------------------------------------------------
 
+namespace detail {
+
+/// How many T a list of them has at most, so that it takes no memory to grow. What is larger than
+/// a number is not read from numbers, the one thing of which a text has millions.
+template <class T>
+std::size_t places(const Value::Array& list) {
+  if constexpr (sizeof(T) <= sizeof(Value)) return list.size();
+  const auto may_be_one = [](const Value& each) { return each.as<double>() == nullptr; };
+  return static_cast<std::size_t>(std::count_if(list.begin(), list.end(), may_be_one));
+}
+
+}  // namespace detail
+
 template <class T>
 struct Codec<std::optional<T>> {
   static void read(const Value& v, const Place& at, const Spec& spec, Faults& faults,
@@ -125,6 +138,7 @@ struct Codec<std::vector<T>> {
     const auto* list = detail::read_array(v, at, spec, faults);
     if (list == nullptr) return;
     out.clear();
+    out.reserve(detail::places<T>(*list));
     for (std::size_t i = 0; i < list->size() && !faults.full(); ++i)
       read_value((*list)[i], at.at(i), spec, faults, out.emplace_back());
   }
@@ -150,7 +164,8 @@ struct Codec<std::map<std::string, T>> {
     out.clear();
     for (const auto& [name, value] : *members) {
       if (faults.full()) return;
-      read_value(value, at.at(name), spec, faults, out[name]);
+      if (detail::short_enough(name, at.at(name), detail::name_spec, faults))
+        read_value(value, at.at(name), spec, faults, out[name]);
     }
   }
   static Value write(const Map& v) {
@@ -159,7 +174,9 @@ struct Codec<std::map<std::string, T>> {
     return members;
   }
   static Value schema(const Spec& spec, Definitions& named) {
-    return Value::Object{{"type", "object"}, {"additionalProperties", schema_of<T>(spec, named)}};
+    return Value::Object{{"type", "object"},
+                         {"propertyNames", detail::text_schema(detail::name_spec)},
+                         {"additionalProperties", schema_of<T>(spec, named)}};
   }
   static std::string allowed(const Spec&) { return "an object"; }
 };

@@ -218,11 +218,11 @@ Value FieldsCodec<T>::schema(const Spec&, Definitions& named) {
   return schema.finish();
 }
 
-/// Reads a whole described object. Errors: InputError with all faults (up to 20).
+/// Reads a whole described object. Errors: InputError with all faults (up to 20); Stopped.
 template <Described T>
-T read_described(const Value& value, const Place& at = {}) {
+T read_described(const Value& value, const Place& at = {}, const std::stop_token& stop = {}) {
   T out{};
-  Faults faults;
+  Faults faults(stop);
   read_value(value, at, Spec{}, faults, out);
   faults.raise();
   return out;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <span>
 
 #include "core/input/json.h"
 
@@ -12,7 +13,7 @@ std::string Place::pointer() const {
   std::string text = parent != nullptr ? parent->pointer() : "";
   text += '/';
   if (is_index) return text + std::to_string(index);
-  for (const char c : key) {
+  for (const char c : excerpt_of(key, longest_name)) {
     if (c == '~') text += "~0";
     else if (c == '/') text += "~1";
     else text += c;
@@ -20,17 +21,32 @@ std::string Place::pointer() const {
   return text;
 }
 
-Value excerpt(const Value& got) {
-  constexpr std::size_t longest = 120;
-  const auto* string = got.as<std::string>();
-  const std::string text = string != nullptr ? *string : to_json(got);
-  return text.size() <= longest ? got : Value(text.substr(0, longest) + "…");
+namespace {
+
+constexpr std::size_t longest_pointer = 512, longest_allowed = 1024;
+
+// It remains a pointer: no ~ without its 0 or 1.
+std::string excerpt_of_pointer(const std::string& pointer) {
+  std::string text = excerpt_of(pointer, longest_pointer);
+  if (text == pointer) return text;
+  const std::size_t end = text.rfind("…");
+  if (text[end - 1] == '~') text.erase(end - 1, 1);
+  return text;
 }
+
+void shorten(Fault& fault) {
+  fault.pointer = excerpt_of_pointer(fault.pointer);
+  if (fault.got) fault.got = excerpt(*fault.got);
+  fault.allowed = excerpt_of(fault.allowed, longest_allowed);
+  fault.nearest = excerpt_of(fault.nearest, longest_name);
+}
+
+}  // namespace
 
 void Faults::add(Fault fault) {
   ++count_;
   if (full()) return;
-  if (fault.got) fault.got = excerpt(*fault.got);
+  shorten(fault);
   list_.push_back(std::move(fault));
 }
 
@@ -58,7 +74,8 @@ bool Faults::take(Bulk bulk, std::int64_t count) {
 }
 
 InputError::InputError(std::vector<Fault> faults) : faults_(std::move(faults)) {
-  for (const Fault& fault : faults_) {
+  for (Fault& fault : faults_) {
+    shorten(fault);
     if (!text_.empty()) text_ += '\n';
     text_ += describe(fault);
   }
@@ -97,11 +114,12 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 }  // namespace
 
 std::string nearest_name(std::string_view name, const std::vector<std::string_view>& known) {
-  constexpr std::size_t longest = 64;  // no known name is longer; bounds the work on hostile input
+  constexpr std::size_t longest = 64, most_tried = 2000;  // bounds the work on hostile input
   if (name.empty() || name.size() > longest) return "";
   std::string best;
   std::size_t fewest = std::min(1 + name.size() / 3, name.size() - 1);
-  for (const std::string_view candidate : known) {
+  for (const std::string_view candidate :
+       std::span(known).first(std::min(most_tried, known.size()))) {
     const std::size_t edits = edit_distance(name, candidate.substr(0, longest));
     if (edits < fewest || (edits == fewest && best.empty())) {
       fewest = edits;
@@ -112,14 +130,14 @@ std::string nearest_name(std::string_view name, const std::vector<std::string_vi
 }
 
 std::string listed(const std::vector<std::string_view>& names) {
-  constexpr std::size_t most = 40, longest = 64;
+  constexpr std::size_t most = 40, longest = 64, enough = 420;
   std::string text;
-  for (std::size_t i = 0; i < names.size() && i < most; ++i) {
+  std::size_t told = 0;
+  for (; told < std::min(most, names.size()) && text.size() < enough; ++told) {
     if (!text.empty()) text += ", ";
-    text += names[i].substr(0, longest);
-    if (names[i].size() > longest) text += "…";
+    text += excerpt_of(names[told], longest);
   }
-  if (names.size() > most) text += " and " + std::to_string(names.size() - most) + " more";
+  if (told < names.size()) text += " and " + std::to_string(names.size() - told) + " more";
   return text;
 }
 

@@ -7,11 +7,13 @@
 #include <cstdint>
 #include <exception>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include "core/input/stopped.h"
 #include "core/input/value.h"
 
 namespace tia {
@@ -26,13 +28,15 @@ enum class FaultKind {
   limit
 };
 
-/// Fault: one thing wrong at one place.
+/// Fault: one thing wrong at one place. Those that are collected or thrown are short: their texts
+/// are excerpts of what is longer, for answers repeat them.
 struct Fault {
   FaultKind kind = FaultKind::malformed;
-  std::string pointer;                     ///< RFC 6901 pointer into the input; "" is the whole
-  std::optional<Value> got;                ///< what stood there; none where something is missing
-  std::string allowed;                     ///< in words, with units
-  std::string nearest = {};                ///< for an unknown name: the nearest known one, else ""
+  std::string pointer;       ///< RFC 6901 pointer into the input; "" is the whole;
+                             ///< "/abc… (3912 bytes more)" is the start of a long one
+  std::optional<Value> got;  ///< what stood there; none where something is missing
+  std::string allowed;       ///< in words, with units
+  std::string nearest = {};  ///< for an unknown name: the nearest known one, else ""
   std::optional<std::size_t> column = {};  ///< inside a formula: where, from 1, in bytes
 };
 
@@ -45,11 +49,21 @@ struct Place {
 
   Place at(std::string_view name) const { return {this, name, 0, false}; }
   Place at(std::size_t i) const { return {this, {}, i, true}; }
-  /// RFC 6901: ~ and / inside a name are written ~0 and ~1.
+  /// RFC 6901: ~ and / inside a name are written ~0 and ~1. Of a long name it has an excerpt.
   std::string pointer() const;
 };
 
-/// What came, cut short where its text is longer than 120 bytes: an answer must not echo a mesh.
+/// The most bytes that a name may have which answers repeat: an object's, a material's, a key's, a
+/// parameter's.
+inline constexpr std::size_t longest_name = 256;
+
+/// The text, or its start and how much is left out: "abc… (3912 bytes more)", cut between two
+/// characters. Returns: what takes at most `most` bytes as a JSON string, its quotes not counted;
+/// an excerpt is its own excerpt. Domain: most >= 64.
+std::string excerpt_of(std::string_view text, std::size_t most);
+
+/// What came, or the start of its text where that is longer than 120 bytes: an answer must not echo
+/// a mesh. Cost: it neither copies nor writes out what is long.
 Value excerpt(const Value& got);
 
 /// Bulk: things of which a few bytes of an input can hold millions: its pictures' pixels, its
@@ -58,11 +72,12 @@ enum class Bulk { pixels, cells };
 /// The most that a whole input may hold.
 constexpr std::int64_t most_of(Bulk bulk) { return bulk == Bulk::pixels ? 1 << 24 : 1 << 25; }
 
-/// Faults: collects all faults of an input, keeps the first 20, each with an excerpt of what came.
-/// It also counts what comes in bulk.
+/// Faults: collects all faults of an input, keeps the first 20, each cut short. It also counts what
+/// comes in bulk, and ends reading that nobody wants any more.
 class Faults {
  public:
   static constexpr std::size_t most = 20;
+  explicit Faults(std::stop_token stop = {}) : stop_(std::move(stop)) {}
   void add(Fault fault);
   /// How many were added, those that were not kept included.
   std::size_t count() const { return count_; }
@@ -71,8 +86,12 @@ class Faults {
   bool at(std::string_view pointer) const;
   /// Whether something is wrong at a place or anywhere inside it.
   bool within(std::string_view pointer) const;
-  /// Nothing more will be kept: reading on would only cost time.
-  bool full() const { return list_.size() == most; }
+  /// Nothing more will be kept: reading on would only cost time. Readers of lists ask before each
+  /// element. Errors: Stopped, some thousand questions after that is asked for.
+  bool full() const {
+    if (++asked_ % 4096 == 0) end_if_asked(stop_);
+    return list_.size() == most;
+  }
   const std::vector<Fault>& list() const { return list_; }
   /// Errors: throws InputError if anything was added.
   void raise() const;
@@ -84,10 +103,12 @@ class Faults {
  private:
   std::vector<Fault> list_;
   std::size_t count_ = 0;
+  std::stop_token stop_;
+  mutable unsigned asked_ = 0;
   std::array<std::int64_t, 2> left_{most_of(Bulk::pixels), most_of(Bulk::cells)};
 };
 
-/// InputError: an input that cannot be used, with every fault found in it.
+/// InputError: an input that cannot be used, with every fault found in it, each cut short.
 class InputError : public std::exception {
  public:
   explicit InputError(std::vector<Fault> faults);
@@ -104,10 +125,12 @@ class InputError : public std::exception {
 /// One line in words: "/objects/3/radius: got -1, allowed: a number above 0".
 std::string describe(const Fault& fault);
 
-/// The known name nearest to the one given (fewest edits), or "" where none is near.
+/// The known name nearest to the one given (fewest edits), or "" where none is near. Of many known
+/// ones the first 2000 are tried.
 std::string nearest_name(std::string_view name, const std::vector<std::string_view>& known);
 
-/// The names as a list in words, "a, d, s, w": of many names the first 40, of long ones the start.
+/// The names as a list in words, "a, d, s, w": of many the first 40, or some 420 bytes; of long
+/// ones the start.
 std::string listed(const std::vector<std::string_view>& names);
 
 }  // namespace tia

@@ -24,6 +24,7 @@ struct Spec {
   bool required = false;
   bool not_zero = false;      ///< 0 itself is not allowed
   std::size_t min_items = 0;  ///< the fewest elements of a list
+  std::size_t max_bytes = std::numeric_limits<std::size_t>::max();  ///< the longest text
 };
 
 /// Color: linear RGB, each >= 0. In JSON three numbers, or one number for a grey.

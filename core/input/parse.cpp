@@ -8,16 +8,20 @@
 #include <vector>
 
 #include "core/input/errors.h"
+#include "core/input/item_counts.h"
 #include "core/input/json.h"
+#include "core/input/stopped.h"
 
 namespace tia {
 namespace {
 
 using Json = nlohmann::json;
 
+// What texts it is given it copies: the parser's own have room to grow.
 class ValueBuilder final : public nlohmann::json_sax<Json> {
  public:
-  explicit ValueBuilder(const JsonLimits& limits) : limits_(limits) {}
+  ValueBuilder(std::string_view text, const JsonLimits& limits, const std::stop_token& stop)
+      : limits_(limits), stop_(stop), item_counts_(item_counts(text, limits.values)) {}
 
   Value take() { return std::move(root_); }
 
@@ -26,15 +30,15 @@ class ValueBuilder final : public nlohmann::json_sax<Json> {
   bool number_integer(std::int64_t i) override { return add(Value(static_cast<double>(i))); }
   bool number_unsigned(std::uint64_t u) override { return add(Value(static_cast<double>(u))); }
   bool number_float(double d, const std::string&) override { return add(Value(d)); }
-  bool string(std::string& s) override { return add(Value(std::move(s))); }
+  bool string(std::string& s) override { return add(Value(std::string_view(s))); }
   bool binary(Json::binary_t&) override { return false; }
-  bool start_object(std::size_t) override { return open(Value(Value::Object{})); }
-  bool start_array(std::size_t) override { return open(Value(Value::Array{})); }
+  bool start_object(std::size_t) override { return open(Value::Object{}); }
+  bool start_array(std::size_t) override { return open(Value::Array{}); }
   bool end_array() override { return close(); }
 
   bool key(std::string& name) override {
     auto& members = *open_.back()->as<Value::Object>();
-    members.emplace_back(std::piecewise_construct, std::forward_as_tuple(std::move(name)),
+    members.emplace_back(std::piecewise_construct, std::forward_as_tuple(std::string_view(name)),
                          std::tuple());
     return true;
   }
@@ -47,7 +51,7 @@ class ValueBuilder final : public nlohmann::json_sax<Json> {
     std::sort(names.begin(), names.end());
     const auto twice = std::adjacent_find(names.begin(), names.end());
     if (twice != names.end()) {
-      const std::string name(*twice);
+      const std::string name = excerpt_of(*twice, longest_name);
       members.back().first = name;  // the place that the fault names
       fail(FaultKind::malformed, Value(name), "each key once in an object");
     }
@@ -57,7 +61,8 @@ class ValueBuilder final : public nlohmann::json_sax<Json> {
   bool parse_error(std::size_t, const std::string&, const Json::exception& error) override {
     std::string_view said = error.what();  // "[json.exception.…] words": the words will do
     if (const auto end = said.find("] "); end != said.npos) said.remove_prefix(end + 2);
-    fail(FaultKind::malformed, std::nullopt, "JSON text: " + std::string(said));
+    constexpr std::size_t longest = 240;  // it repeats the word that it stumbled over
+    fail(FaultKind::malformed, std::nullopt, "JSON text: " + excerpt_of(said, longest));
   }
 
  private:
@@ -66,11 +71,15 @@ class ValueBuilder final : public nlohmann::json_sax<Json> {
     return true;
   }
 
-  bool open(Value value) {
+  // Containers have their place from the start: one that grows takes up to three times as much.
+  template <class Container>
+  bool open(Container items) {
     if (open_.size() >= limits_.depth)
       fail(FaultKind::malformed, std::nullopt,
            "at most " + std::to_string(limits_.depth) + " levels of arrays and objects");
-    open_.push_back(place(std::move(value)));
+    Value* const placed = place(Value(std::move(items)));
+    open_.push_back(placed);
+    if (begun_ < item_counts_.size()) placed->as<Container>()->reserve(item_counts_[begun_++]);
     return true;
   }
 
@@ -82,6 +91,7 @@ class ValueBuilder final : public nlohmann::json_sax<Json> {
   // Puts the value where it belongs. The pointer stays good: a container grows only while it is
   // the innermost open one.
   Value* place(Value value) {
+    if (++placed_ % 4096 == 0) end_if_asked(stop_);
     Value* const parent = open_.empty() ? nullptr : open_.back();
     auto* const array = parent != nullptr ? parent->as<Value::Array>() : nullptr;
     const bool in_flat_array = array != nullptr && value.as<double>() != nullptr;
@@ -114,6 +124,9 @@ class ValueBuilder final : public nlohmann::json_sax<Json> {
   }
 
   JsonLimits limits_;
+  std::stop_token stop_;
+  std::vector<std::uint32_t> item_counts_;  // of the containers in their order
+  std::size_t begun_ = 0, placed_ = 0;
   Value root_;
   std::vector<Value*> open_;  // the containers around the current place, outermost first
   std::size_t count_ = 0;
@@ -121,10 +134,10 @@ class ValueBuilder final : public nlohmann::json_sax<Json> {
 
 }  // namespace
 
-Value parse_json(std::string_view text, const JsonLimits& limits) {
+Value parse_json(std::string_view text, const JsonLimits& limits, const std::stop_token& stop) {
   if (text.find('\0') != text.npos)  // where the library would take the text for ended
     throw InputError({FaultKind::malformed, "", std::nullopt, "JSON text: no NUL byte"});
-  ValueBuilder builder(limits);
+  ValueBuilder builder(text, limits, stop);
   Json::sax_parse(text.begin(), text.end(), &builder);
   return builder.take();
 }

@@ -65,7 +65,7 @@ std::string one_step() {
 void check_map(const Affine& map, const Place& at, const Value& got, const char* what,
                Faults& faults) {
   if (is_usable(map)) return;
-  faults.add({FaultKind::out_of_range, at.pointer(), got,
+  faults.add({FaultKind::out_of_range, at.pointer(), excerpt(got),
               std::string(what) + " scale every axis by 1e-9 to 1e9 and can be undone"});
 }
 
@@ -96,7 +96,7 @@ void read_step(const Value& v, const Place& at, Faults& faults, Step& out) {
   read_kind<Matrix>(from, out);
   from.finish();
   if (faults.count() == before && object->size() > 1)
-    faults.add({FaultKind::conflict, at.pointer(), v, "one key a step, " + one_step()});
+    faults.add({FaultKind::conflict, at.pointer(), excerpt(v), "one key a step, " + one_step()});
 }
 
 template <class Kind>
@@ -116,6 +116,7 @@ void Codec<Placement>::read(const Value& v, const Place& at, const Spec& spec, F
   if (list == nullptr) return;
   const std::size_t before = faults.count();
   Placement placement;
+  placement.steps.reserve(detail::places<Step>(*list));
   for (std::size_t i = 0; i < list->size() && !faults.full(); ++i)
     read_step((*list)[i], at.at(i), faults, placement.steps.emplace_back());
   if (faults.count() != before) return;

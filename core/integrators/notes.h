@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -64,23 +65,31 @@ struct NoNotes {
   void end(const auto&...) {}
 };
 
+/// NoteLimit: is asked before a ray or a term is taken down, so that no tree outgrows its answer.
+/// Errors: what these throw where there is no room for it.
+struct NoteLimit {
+  std::function<void(const Hit<float>&)> ray;
+  std::function<void(TermName, const LampNote&)> term;
+};
+
 /// Notes: takes down every term of a single ray and of those that it makes. A ray begins, has its
-/// terms, among them children that begin and end, and ends. Errors: InputError (limit) where there
-/// are too many for an answer.
+/// terms, among them children that begin and end, and ends. Errors: the limit's.
 class Notes {
  public:
   static constexpr bool taken = true;
   LampNote light{};  ///< whose terms come next
 
+  explicit Notes(const NoteLimit& limit) : limit_(limit) {}
+
   void begin(const Ray<float>& ray, int depth, const Hit<float>& hit, const Vec3f& point,
              const Vec3f& normal) {
-    take_note();
+    limit_.ray(hit);
     auto node = std::make_unique<RayNode>();
     *node = {.ray = ray, .depth = depth, .hit = hit, .point = point, .normal = normal};
     open_.push_back(std::move(node));
   }
   void term(TermName name, float weight, const Vec3f& value) {
-    take_note();
+    limit_.term(name, light);
     Term& term = open_.back()->terms.emplace_back();
     term.name = name;
     term.weight = weight;
@@ -102,14 +111,7 @@ class Notes {
   std::unique_ptr<RayNode> take() { return std::move(ended_); }
 
  private:
-  static constexpr int most = 30'000;  // an answer of some ten megabytes
-  void take_note() {
-    if (++taken_ > most)
-      throw InputError({FaultKind::limit, "/max_depth", std::nullopt,
-                        "a tree of at most " + std::to_string(most) + " rays and terms"});
-  }
-
-  int taken_ = 0;
+  const NoteLimit& limit_;
   std::vector<std::unique_ptr<RayNode>> open_;
   std::unique_ptr<RayNode> ended_;
 };

@@ -14,8 +14,8 @@ template Vec3<float> whitted(WorldScope&, const Ray<float>&, bool, const Draws<f
 template Vec3<double> whitted(WorldScope&, const Ray<double>&, bool, const Draws<double>&);
 
 std::unique_ptr<RayNode> explain_whitted(WorldScope& scope, const Ray<float>& ray,
-                                         const Draws<float>& draws) {
-  Notes notes;
+                                         const Draws<float>& draws, const NoteLimit& limit) {
+  Notes notes(limit);
   Whitted<WorldScope, float, Notes>(scope, notes).trace(ray, true, Path<float>{draws});
   return notes.take();
 }

@@ -151,8 +151,8 @@ Vec3<Real> whitted(BallScope& scope, const Ray<Real>& ray, Mask<Real> active,
   return Whitted<BallScope, Real>(scope, notes).trace(ray, active, Path<Real>{draws});
 }
 
-/// The whole tree of one camera ray, by the picture's own arithmetic.
+/// The whole tree of one camera ray, by the picture's own arithmetic. Errors: the limit's.
 std::unique_ptr<RayNode> explain_whitted(WorldScope& scope, const Ray<float>& ray,
-                                         const Draws<float>& draws);
+                                         const Draws<float>& draws, const NoteLimit& limit);
 
 }  // namespace tia

@@ -10,11 +10,25 @@ namespace {
 
 std::unique_ptr<RayNode> tree_of(const World& world, const Ray<float>& ray,
                                  const Draws<float>& draws, const RenderOptions& options,
-                                 const std::stop_token& stop) {
+                                 ExplanationSize& size, const std::stop_token& stop) {
   RayMeter meter(options.max_rays, options.max_work, stop);
   WorldScope scope{world, Effort([&](std::int64_t work) { meter.add_work(work); }),
                    rules_of(options.integrator, options.max_depth)};
-  return explain_whitted(scope, ray, draws);
+  const NoteLimit limit{[&](const Hit<float>& hit) { size.ray(hit); },
+                        [&](TermName name, const LampNote& light) { size.term(name, light); }};
+  return explain_whitted(scope, ray, draws, limit);
+}
+
+// What the ray meets, in double, and the tree of `rounded`, which is the same in float.
+void explain_rays(Explanation& all, const Scene& scene, const Ray<float>& rounded,
+                  const Draws<float>& draws, const RenderOptions& options,
+                  const std::stop_token& stop) {
+  ExplanationSize size(all.world, all.labels);
+  all.hits = all_hits(all.world, all.ray);
+  for (const Meeting& each : all.hits) size.hit(each);
+  all.tree = tree_of(all.world, rounded, draws, options, size, stop);
+  all.pointers = object_pointers(scene, size.objects());
+  all.most_bytes = size.bytes();
 }
 
 }  // namespace
@@ -22,9 +36,8 @@ std::unique_ptr<RayNode> tree_of(const World& world, const Ray<float>& ray,
 Explanation explain(const Scene& scene, World world, const Ray<double>& ray,
                     const RenderOptions& options, const std::stop_token& stop) {
   Explanation all{std::move(world), object_labels(scene), {}, ray, {}, {}};
-  all.hits = all_hits(all.world, ray);
   const Ray<float> rounded{lift<float>(ray.origin), normalize(lift<float>(ray.direction))};
-  all.tree = tree_of(all.world, rounded, Draws<float>{}, options, stop);
+  explain_rays(all, scene, rounded, Draws<float>{}, options, stop);
   return all;
 }
 
@@ -46,12 +59,11 @@ Explanation explain(const Scene& scene, World world, const View& view, int x, in
   const Vec2d raster{x + 0.5 + aim.dx, y + 0.5 + aim.dy};
   const Vec2d ndc{raster.u / view.width, raster.v / view.height};
   all.pixel = {x, y, sample, raster, ndc, {2 * ndc.u - 1, 1 - 2 * ndc.v}};
-  all.hits = all_hits(all.world, all.ray);
   const Draws<float> draws{{static_cast<std::uint32_t>(x)},
                            {static_cast<std::uint32_t>(y)},
                            static_cast<std::uint32_t>(sample),
                            sampler.key()};
-  all.tree = tree_of(all.world, ray(aim), draws, options, stop);
+  explain_rays(all, scene, ray(aim), draws, options, stop);
   return all;
 }
 

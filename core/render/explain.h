@@ -10,6 +10,7 @@
 #include "core/accel/all_hits.h"
 #include "core/input/codec.h"
 #include "core/integrators/notes.h"
+#include "core/render/explanation_size.h"
 #include "core/render/render.h"
 #include "core/scene/labels.h"
 #include "core/scene/view.h"
@@ -30,11 +31,14 @@ struct Explanation {
   Ray<double> ray;
   std::vector<Meeting> hits;  ///< all along the ray, the nearest first
   std::unique_ptr<RayNode> tree;
+  std::map<int, std::string> pointers{};  ///< into the scene, of all objects that are told of
+  std::size_t most_bytes = 0;             ///< what its JSON takes at most
 };
 
 /// A ray that belongs to no picture. Domain: the scene's world; a unit direction; an integrator of
 /// light.
-/// Errors: InputError (limit) where it crosses too much or its tree grows too large; Stopped.
+/// Errors: InputError (limit) where it crosses too much or its JSON would be longer than
+/// longest_explanation, which is counted before it takes memory; Stopped.
 Explanation explain(const Scene& scene, World world, const Ray<double>& ray,
                     const RenderOptions& options, const std::stop_token& stop = {});
 /// The ray of the sample of pixel (x, y); its tree's colour is that sample's, bit for bit.
@@ -42,9 +46,11 @@ Explanation explain(const Scene& scene, World world, const Ray<double>& ray,
 Explanation explain(const Scene& scene, World world, const View& view, int x, int y, int sample,
                     const RenderOptions& options, const std::stop_token& stop = {});
 
-/// {"pixel", "sample", "hits": [{"t", "object", "type", "point", "normal", "uv", "front",
+/// {"pixel", "sample", "hits": [{"t", "object", "id", "type", "point", "normal", "uv", "front",
 /// and of an equation's root "root": {"bracket": [from, to], "how", "degree"}}],
-/// "tree": {"ray", "depth", "winner", "point", "normal", "terms", "color"}}.
+/// "tree": {"ray", "depth", "winner", "winner_id", "point", "normal", "terms", "color"},
+/// "objects": [{"id", "name", "pointer", "type"}]}. An object's id is its number in the image of
+/// the integrator `object`; it tells those apart that have one name.
 Value::Object value_of(const Explanation& explanation);
 /// The schema of that.
 Value explanation_schema(Definitions& named);

@@ -22,6 +22,7 @@ class Writer {
       const ObjectLabel& object = label_of(at.part);
       Value::Object hit{{"t", at.t},
                         {"object", object.name},
+                        {"id", id_of(at.part)},
                         {"type", object.type},
                         {"point", write_value(at.point)},
                         {"normal", write_value(at.normal)},
@@ -33,6 +34,16 @@ class Writer {
     return hits;
   }
 
+  Value::Array objects() const {
+    Value::Array objects;
+    for (const auto& [number, pointer] : all_.pointers) {
+      const ObjectLabel& label = all_.labels[static_cast<std::size_t>(number)];
+      objects.push_back(Value::Object{
+          {"id", number + 1}, {"name", label.name}, {"pointer", pointer}, {"type", label.type}});
+    }
+    return objects;
+  }
+
   Value::Object node(const RayNode& node) const {
     const bool hit = node.hit.t < infinity;
     Value::Array terms;
@@ -41,6 +52,7 @@ class Writer {
     object.emplace_back("ray", ray_value(node.ray));
     object.emplace_back("depth", node.depth);
     object.emplace_back("winner", hit ? Value(label_of(part_of(node.hit)).name) : Value());
+    if (hit) object.emplace_back("winner_id", id_of(part_of(node.hit)));
     object.emplace_back("terms", std::move(terms));
     object.emplace_back("color", triple(node.color));
     if (hit) {
@@ -64,6 +76,8 @@ class Writer {
   const ObjectLabel& label_of(int part) const {
     return all_.labels[static_cast<std::size_t>(all_.world.part(part).object)];
   }
+  // The number in the image of the integrator `object`.
+  int id_of(int part) const { return all_.world.part(part).object + 1; }
   std::string lamp_name(const Lamp& lamp) const {
     if (lamp.part >= 0) return label_of(lamp.part).name;
     return lamp.name;
@@ -79,6 +93,7 @@ class Writer {
   void add_light(const LampNote& note, Value::Object& object) const {
     const Lamp& lamp = all_.world.lamps[static_cast<std::size_t>(note.lamp)];
     object.emplace_back("light", lamp_name(lamp));
+    if (lamp.part >= 0) object.emplace_back("light_id", id_of(lamp.part));
     // A directional light's is infinite, which JSON has no number for.
     object.emplace_back("distance",
                         note.from.distance < infinity ? Value(note.from.distance) : Value());
@@ -86,7 +101,9 @@ class Writer {
     object.emplace_back("n_dot_l", note.n_dot_l);
     object.emplace_back("visible", note.visible);
     object.emplace_back("fade", note.fade * note.from.strength);
-    if (note.blocker) object.emplace_back("blocker", name_of_part(*note.blocker));
+    if (!note.blocker) return;
+    object.emplace_back("blocker", name_of_part(*note.blocker));
+    if (*note.blocker >= 0) object.emplace_back("blocker_id", id_of(*note.blocker));
   }
   Value name_of_part(int part) const { return part < 0 ? Value() : Value(label_of(part).name); }
 
@@ -120,12 +137,20 @@ Value hit_schema() {
   return object_schema(
       {{"t", number_schema(), "the distance along the ray"},
        {"object", name_schema(), "its name, or a JSON Pointer into the scene"},
+       {"id", count_schema(1), "which of objects it is"},
        {"type", name_schema(), "of its shape"},
        {"point", triple_schema()},
        {"normal", triple_schema(), "of length 1"},
        {"uv", plain_schema<Pair>(), "where on the surface"},
        {"front", plain_schema<bool>(), "whether it is met from outside"},
        {"root", root, "of a surface that is an equation's: how it was found", false}});
+}
+
+Value object_entry_schema() {
+  return object_schema({{"id", count_schema(1), "its number in the image of the integrator object"},
+                        {"name", name_schema(), "its name, or its pointer"},
+                        {"pointer", name_schema(), "a JSON Pointer into the scene"},
+                        {"type", name_schema(), "of its shape"}});
 }
 
 Value node_schema(Definitions& named);
@@ -136,6 +161,7 @@ Value term_schema(Definitions& named) {
        {"weight", number_schema()},
        {"value", triple_schema(), "linear RGB; weight * value is what the term adds"},
        {"light", name_schema(), "diffuse, specular: the light's name", false},
+       {"light_id", count_schema(1), "which of objects it is, where it is one", false},
        {"distance", nullable_schema(number_schema({.min = 0})), "null where it is infinite", false},
        {"direction", triple_schema(), "towards the light", false},
        {"n_dot_l", number_schema(), "the cosine between normal and direction", false},
@@ -143,6 +169,7 @@ Value term_schema(Definitions& named) {
         false},
        {"fade", number_schema({.min = 0}), "what distance and direction leave of the light", false},
        {"blocker", nullable_schema(name_schema()), "what takes light first, null: nothing", false},
+       {"blocker_id", count_schema(1), "which of objects that is", false},
        {"node", node_schema(named), "reflection, refraction: the ray that follows", false}});
 }
 
@@ -152,6 +179,7 @@ Value node_schema(Definitions& named) {
         {{"ray", ray_schema(named)},
          {"depth", count_schema(), "how often it has been mirrored or refracted"},
          {"winner", nullable_schema(name_schema()), "what it meets first, null: nothing"},
+         {"winner_id", count_schema(1), "which of objects that is", false},
          {"terms", list_schema(term_schema(named)), "in the order in which they are added"},
          {"color", triple_schema(), "linear RGB: the sum of the terms"},
          {"t", number_schema(), "of the hit: the distance along the ray", false},
@@ -172,7 +200,9 @@ Value explanation_schema(Definitions& named) {
          {"sample", count_schema(), "which of the pixel's rays", false},
          {"ray", ray_schema(named), "in double"},
          {"hits", list_schema(hit_schema()), "all along the ray, the nearest first, in double"},
-         {"tree", node_schema(named), "what makes the colour, in the picture's own arithmetic"}});
+         {"tree", node_schema(named), "what makes the colour, in the picture's own arithmetic"},
+         {"objects", list_schema(object_entry_schema()),
+          "all that hits and tree name, each once: names need not be unique, ids are"}});
   });
 }
 
@@ -192,6 +222,7 @@ Value::Object value_of(const Explanation& all) {
   answer.emplace_back("ray", ray_value(all.ray));
   answer.emplace_back("hits", writer.hits());
   answer.emplace_back("tree", std::move(tree));
+  answer.emplace_back("objects", writer.objects());
   return answer;
 }
 

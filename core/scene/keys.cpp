@@ -61,6 +61,10 @@ Vec3d default_place(const Scene& scene, const Vec3d& towards) {
                     "one of " + listed(known), nearest_name(key, known)});
 }
 
+std::string others(std::size_t faults) {
+  return faults > 1 ? "; and " + std::to_string(faults - 1) + " faults more" : "";
+}
+
 }  // namespace
 
 std::vector<std::string_view> keys_of(const Scene& scene) {
@@ -90,26 +94,125 @@ Scene press(const Scene& scene, std::string_view key, std::string_view pointer) 
   try {
     return read_described<Scene>(patched);
   } catch (const InputError& error) {
-    const std::size_t more = error.faults().size() - 1;
     throw InputError({FaultKind::conflict, std::string(pointer), Value(key),
                       "a key whose patch leaves a scene; after this one " +
-                          describe(error.faults().front()) +
-                          (more > 0 ? "; and " + std::to_string(more) + " faults more" : "")});
+                          describe(error.faults().front()) + others(error.faults().size())});
   }
 }
+
+namespace {
+
+// What is wrong with a light after it has been put to a place, or nothing.
+std::optional<Fault> put(Light& light, const Vec3d& position, const Vec3d& target,
+                         std::string_view pointer) {
+  light.move_to(position, target);
+  Faults faults;
+  light.check_kind(faults);
+  if (faults.empty()) return std::nullopt;
+  return Fault{
+      FaultKind::out_of_range, std::string(pointer), write_value(position),
+      "a place that this light can shine from; there it has " + describe(faults.list().front())};
+}
+
+}  // namespace
 
 Scene with_light(Scene scene, const Vec3d& position, std::string_view pointer) {
   const Vec3d target = looked_at(scene, axis_of(scene));
   Light* light = key_light_of(scene);
   if (light == nullptr) light = &scene.lights.emplace_back();
-  light->move_to(position, target);
-  Faults faults;
-  light->check_kind(faults);
-  if (!faults.empty())
-    throw InputError({FaultKind::out_of_range, std::string(pointer), write_value(position),
-                      "a place that this light can shine from; there it has " +
-                          describe(faults.list().front())});
+  if (auto fault = put(*light, position, target, pointer)) throw InputError(std::move(*fault));
   return scene;
+}
+
+// ---- all keys at once -----------------------------------------------------------------------
+
+namespace {
+
+/// Visitor: writes the parts of a scene that a patch merges with, and those that it leaves but that
+/// refer to what it changes: objects wear materials.
+struct MergedParts {
+  const Scene& scene;
+  const Value::Object& patch;
+  Value::Object parts = {};
+
+  template <class Member>
+  void operator()(std::string_view name, Member Scene::*member, const Spec&) {
+    if (is_needed(name)) parts.emplace_back(name, write_value(scene.*member));
+  }
+
+ private:
+  bool is_needed(std::string_view name) const {
+    if (const Value* change = find(patch, name)) return change->as<Value::Object>() != nullptr;
+    if (name == "objects") return find(patch, "materials") != nullptr;
+    return name == "materials" && find(patch, "objects") != nullptr;
+  }
+};
+
+/// KeyCheck: tries one key after the other; what is found is in `faults`.
+class KeyCheck {
+ public:
+  KeyCheck(const Scene& scene, const std::stop_token& stop)
+      : scene_(scene), stop_(stop), target_(looked_at(scene, axis_of(scene))) {}
+
+  void operator()() {
+    const Place all{}, keys = all.at("keys");
+    for (const auto& [name, binding] : scene_.keys) {
+      if (faults.full()) return;
+      end_if_asked(stop_);
+      const std::string pointer = keys.at(name).pointer();
+      if (const auto* position = std::get_if<Vec3d>(&binding)) check(*position, pointer);
+      else if (!check(std::get<Value>(binding), pointer)) return;
+    }
+  }
+
+  Faults faults;
+
+ private:
+  static constexpr int most_patches = 100;
+  static constexpr std::size_t most_bytes = 16 << 20;
+
+  void check(const Vec3d& position, const std::string& pointer) {
+    const Light* own = key_light_of(scene_);
+    Light light = own != nullptr ? *own : Light{};
+    if (auto fault = put(light, position, target_, pointer)) faults.add(std::move(*fault));
+  }
+
+  // Whether there is room to try it.
+  bool check(const Value& patch, const std::string& pointer) {
+    MergedParts merged{scene_, *patch.as<Value::Object>()};
+    if (++patches_ <= most_patches) Scene::fields(merged);
+    bytes_ += to_json(merged.parts).size();
+    if (patches_ > most_patches || bytes_ > most_bytes) {
+      faults.add({FaultKind::limit, "/keys", std::nullopt,
+                  "at most " + std::to_string(most_patches) +
+                      " patches, which merge with at most " + std::to_string(most_bytes) +
+                      " bytes of the scene together"});
+      return false;
+    }
+    Faults found(stop_);
+    Scene changed;
+    read_value(merge_patch(std::move(merged.parts), patch), Place{}, Spec{}, found, changed);
+    if (!found.empty())
+      faults.add({FaultKind::conflict, pointer, std::nullopt,
+                  "a patch that leaves a scene; after this one " + describe(found.list().front()) +
+                      others(found.count())});
+    return true;
+  }
+
+  const Scene& scene_;
+  std::stop_token stop_;
+  Vec3d target_;
+  int patches_ = 0;
+  std::size_t bytes_ = 0;
+};
+
+}  // namespace
+
+void check_keys(const Scene& scene, const std::stop_token& stop) {
+  if (scene.keys.empty()) return;
+  KeyCheck check(scene, stop);
+  check();
+  check.faults.raise();
 }
 
 }  // namespace tia

@@ -1,6 +1,7 @@
 // What a key press or a light position does to a scene.
 #pragma once
 
+#include <stop_token>
 #include <string_view>
 #include <vector>
 
@@ -14,6 +15,13 @@ std::vector<std::string_view> keys_of(const Scene& scene);
 /// The scene after a key. Errors: InputError at `pointer` for a key that the scene does not know,
 /// or for a patch that does not leave a scene.
 Scene press(const Scene& scene, std::string_view key, std::string_view pointer = "/key");
+
+/// Tries every key that the scene binds. A patch is tried on those parts of the scene that it
+/// merges with or that refer to what it changes: only they can go wrong.
+/// Errors: InputError at /keys/NAME of each whose patch does not leave a scene or that puts the
+/// light where it cannot shine from; limit at /keys where there are more than 100 patches, or where
+/// they merge with more than 16 MiB of text. Stopped.
+void check_keys(const Scene& scene, const std::stop_token& stop = {});
 
 /// Whether that key moves the key light and changes nothing else. Domain: a key that it answers to.
 bool moves_light_only(const Scene& scene, std::string_view key);

@@ -1,42 +1,60 @@
 #include "core/scene/labels.h"
 
+#include <functional>
+
 namespace tia {
 namespace {
 
-void add_objects(const std::vector<Object>& list, const Place& at,
-                 std::vector<ObjectLabel>& labels) {
+/// What a visit is told of each thing that a ray can meet: its name, if it has one, and its type.
+using Visit = std::function<void(const std::string& name, std::string_view type, const Place&)>;
+
+void visit_objects(const std::vector<Object>& list, const Place& at, const Visit& visit) {
   for (std::size_t i = 0; i < list.size(); ++i) {
     const Object& object = list[i];
     const Place here = at.at(i);
     if (const auto* group = std::get_if<Group>(&object.shape)) {
-      add_objects(group->children, here.at("children"), labels);
+      visit_objects(group->children, here.at("children"), visit);
       continue;
     }
     const auto type = [](const auto& shape) { return std::string_view(shape.type); };
-    labels.push_back(
-        {object.name.empty() ? here.pointer() : object.name, std::visit(type, object.shape)});
+    visit(object.name, std::visit(type, object.shape), here);
   }
 }
 
 // Luminous ones are things that a ray can meet.
-void add_light(const Light& light, const Place& at, std::vector<ObjectLabel>& labels) {
+void visit_light(const Light& light, const Place& at, const Visit& visit) {
   if (light.awaited() != nullptr) return;
-  if (std::holds_alternative<SphereLight>(light.kind))
-    labels.push_back({at.pointer(), SphereLight::type});
-  if (std::holds_alternative<QuadLight>(light.kind))
-    labels.push_back({at.pointer(), QuadLight::type});
+  if (std::holds_alternative<SphereLight>(light.kind)) visit("", SphereLight::type, at);
+  if (std::holds_alternative<QuadLight>(light.kind)) visit("", QuadLight::type, at);
+}
+
+// Of all of them, in the order of their numbers.
+void visit_all(const Scene& scene, const Visit& visit) {
+  const Place all{}, lights = all.at("lights");
+  visit_objects(scene.objects, all.at("objects"), visit);
+  for (std::size_t i = 0; i < scene.lights.size(); ++i)
+    visit_light(scene.lights[i], lights.at(i), visit);
+  if (scene.key_light) visit_light(*scene.key_light, all.at("key_light"), visit);
 }
 
 }  // namespace
 
 std::vector<ObjectLabel> object_labels(const Scene& scene) {
   std::vector<ObjectLabel> labels;
-  const Place all{}, lights = all.at("lights");
-  add_objects(scene.objects, all.at("objects"), labels);
-  for (std::size_t i = 0; i < scene.lights.size(); ++i)
-    add_light(scene.lights[i], lights.at(i), labels);
-  if (scene.key_light) add_light(*scene.key_light, all.at("key_light"), labels);
+  visit_all(scene, [&](const std::string& name, std::string_view type, const Place& at) {
+    labels.push_back({name.empty() ? at.pointer() : name, type});
+  });
   return labels;
+}
+
+std::map<int, std::string> object_pointers(const Scene& scene, const std::set<int>& numbers) {
+  std::map<int, std::string> pointers;
+  int number = 0;
+  visit_all(scene, [&](const std::string&, std::string_view, const Place& at) {
+    if (numbers.contains(number)) pointers[number] = at.pointer();
+    ++number;
+  });
+  return pointers;
 }
 
 }  // namespace tia

@@ -1,6 +1,8 @@
 // What answers call the objects of a scene.
 #pragma once
 
+#include <map>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,5 +22,8 @@ struct ObjectLabel {
 /// in the scene's order, those inside groups in their place, then luminous lights that have a
 /// place, the key light last.
 std::vector<ObjectLabel> object_labels(const Scene& scene);
+
+/// The JSON Pointers into the scene of those of these numbers.
+std::map<int, std::string> object_pointers(const Scene& scene, const std::set<int>& numbers);
 
 }  // namespace tia

@@ -69,7 +69,8 @@ void Object::check(const Place& at, Faults& faults) const {
       [&]<class Kind>(const Kind& kind) {
         if constexpr (IsNumbered<Kind>) kind.check_materials(materials.size(), at, faults);
         else if (!materials.empty())
-          faults.add({FaultKind::conflict, at.at("materials").pointer(), write_value(materials),
+          faults.add({FaultKind::conflict, at.at("materials").pointer(),
+                      Value(std::to_string(materials.size()) + " materials"),
                       "one `material`; several only of " + numbered_names()});
       },
       shape);

@@ -28,13 +28,13 @@ struct Object {
   template <class Visitor>
   static void fields(Visitor&& visit) {
     visit("name", &Object::name,
-          Spec{.about = "what answers call it", .max_bytes = most_name_bytes});
+          Spec{.about = "what answers call it, in at most 256 bytes", .max_bytes = longest_name});
     visit.one_of(&Object::shape, Spec{.about = "the kind of shape", .required = true});
     visit("transform", &Object::transform,
           Spec{.about = "steps that place it, the first step first"});
     visit("material", &Object::material,
           Spec{.about = "a name from materials, or a material; else its nearest ancestor's",
-               .max_bytes = most_name_bytes});
+               .max_bytes = longest_name});
     visit(
         "materials", &Object::materials,
         Spec{.about = "those that the numbers of voxels mean, each a name or a material; number 1 "

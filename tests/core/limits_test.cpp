@@ -64,7 +64,7 @@ TEST(LimitNumbers, TwentyFaultsAreKept) {
 
 TEST(LimitNumbers, AFaultEchoes120Bytes) {
   EXPECT_EQ(excerpt(std::string(120, 'x')), Value(std::string(120, 'x')));
-  EXPECT_EQ(excerpt(std::string(121, 'x')), Value(std::string(120, 'x') + "…"));
+  EXPECT_EQ(excerpt(std::string(121, 'x')), Value(std::string(100, 'x') + "… (21 bytes more)"));
 }
 
 TEST(LimitNumbers, AListOfNamesNames40Of64BytesEach) {
@@ -72,7 +72,7 @@ TEST(LimitNumbers, AListOfNamesNames40Of64BytesEach) {
   EXPECT_EQ(listed(std::vector<std::string_view>(41, "a")), times(39, "a, ") + "a and 1 more");
   const std::string name(65, 'n');
   EXPECT_EQ(listed({std::string_view(name).substr(1)}), std::string(64, 'n'));
-  EXPECT_EQ(listed({name}), std::string(64, 'n') + "…");
+  EXPECT_EQ(listed({name}), std::string(45, 'n') + "… (20 bytes more)");
 }
 
 // ---- what comes in bulk ---------------------------------------------------------------------

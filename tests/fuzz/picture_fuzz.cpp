@@ -15,7 +15,7 @@ namespace {
 
 using namespace tia;
 
-constexpr std::size_t most_bytes = 1 << 16;
+constexpr std::size_t most_bytes = 1 << 20;  // to which a thousandth of it may unpack
 
 void must(bool holds) {
   if (!holds) std::abort();
@@ -24,7 +24,7 @@ void must(bool holds) {
 void read(std::string_view png) {
   try {
     server::Config config;
-    config.max_png_bytes = most_bytes;
+    config.max_body_bytes = most_bytes;
     const auto text = text_in(png, server::recipe_keyword, most_bytes);
     must(!text || text->size() <= most_bytes);
     const server::Recipe recipe = server::recipe_in(png, config);

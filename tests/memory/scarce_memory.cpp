@@ -27,7 +27,7 @@ void __interceptor_free(void*) __attribute__((weak));
 namespace {
 
 constexpr long never = std::numeric_limits<long>::max();
-std::atomic<long> asked = 0, first = never, last = never, live = 0;
+std::atomic<long> asked = 0, first = never, last = never, live = 0, bytes = 0, peak = 0;
 
 bool is_short() {
   const long n = ++asked;
@@ -36,8 +36,20 @@ bool is_short() {
   return true;
 }
 
+// What a piece takes: the C library puts its size before it.
+long bytes_of(void* piece) {
+  return static_cast<long>(malloc_usable_size(piece) + sizeof(std::size_t));
+}
+
+void add_bytes(void* piece) {
+  const long now = bytes += bytes_of(piece);
+  for (long most = peak; most < now && !peak.compare_exchange_weak(most, now);) continue;
+}
+
 void* counted(void* piece) {
-  if (piece != nullptr) ++live;
+  if (piece == nullptr) return nullptr;
+  ++live;
+  add_bytes(piece);
   return piece;
 }
 
@@ -58,6 +70,8 @@ bool end_shortage() {
 
 long allocations() { return asked; }
 long live_pieces() { return live; }
+long live_bytes() { return bytes; }
+long take_peak_bytes() { return peak.exchange(bytes); }
 
 }  // namespace tia::test
 
@@ -80,9 +94,12 @@ void* calloc(std::size_t count, std::size_t size) noexcept {
 void* realloc(void* piece, std::size_t size) noexcept {
   if (piece == nullptr) return malloc(size);
   if (is_short()) return nullptr;
+  const long before = bytes_of(piece);
   void* const moved = __interceptor_realloc != nullptr ? __interceptor_realloc(piece, size)
                                                        : __libc_realloc(piece, size);
   if (moved == nullptr && size == 0) --live;  // it was freed
+  if (moved != nullptr || size == 0) bytes -= before;
+  if (moved != nullptr) add_bytes(moved);
   return moved;
 }
 
@@ -102,6 +119,7 @@ int posix_memalign(void** piece, std::size_t unit, std::size_t size) noexcept {
 void free(void* piece) noexcept {
   if (piece == nullptr) return;
   --live;
+  bytes -= bytes_of(piece);
   if (__interceptor_free != nullptr) __interceptor_free(piece);
   else __libc_free(piece);
 }

@@ -18,4 +18,9 @@ long allocations();
 /// Pieces of memory that have been allocated and not freed.
 long live_pieces();
 
+/// What they take together, with what the C library adds to each, in bytes.
+long live_bytes();
+/// The most that was since the last call.
+long take_peak_bytes();
+
 }  // namespace tia::test

@@ -36,13 +36,14 @@ TEST(MediaWeight, IsOneUnlessSaidOtherwiseAndNoneForWhatIsNotNamed) {
 
 TEST(MediaWeight, IsWrittenWithThreeDigitsAtMost) {
   const std::pair<const char*, int> weights[] = {
-      {"0", 0}, {"1", 1000}, {"0.", 0}, {"1.000", 1000}, {"0.5", 500}, {"0.05", 50}, {"0.001", 1}};
+      {"0", 0},     {"1", 1000},  {"0.", 0},   {"1.000", 1000}, {"0.5", 500},
+      {"0.05", 50}, {"0.001", 1}, {".2", 200}, {".5", 500},     {".", 0}};
   for (const auto& [text, thousandths] : weights)
     EXPECT_EQ(weight(std::string("image/png;q=") + text), thousandths) << text;
 }
 
 TEST(MediaWeight, ARangeWhoseWeightCannotBeReadIsLeftOut) {
-  for (const char* text : {"", "2", "1.001", "0.0001", "-1", ".5", "a", "1e0", "0.5x"})
+  for (const char* text : {"", "2", "1.001", "0.0001", "-1", ".1234", "a", "1e0", "0.5x"})
     EXPECT_EQ(weight(std::string("image/png;q=") + text + ", */*;q=0.4"), 400) << text;
 }
 
@@ -59,13 +60,22 @@ TEST(MediaWeight, SeveralFieldsAreOneList) {
   EXPECT_EQ(media_weight(request, "image/png"), 500);
 }
 
+// What java.net.URLConnection sends unless told otherwise.
+TEST(MediaWeight, OfJavasOwnClientIsAFifth) {
+  const char* const java = "text/html, image/gif, image/jpeg, *; q=.2, */*; q=.2";
+  EXPECT_EQ(weight(java), 200);
+  EXPECT_EQ(weight("*"), 1000);
+  EXPECT_EQ(weight("*;q=0.3, image/png;q=0.1"), 100);
+  EXPECT_EQ(host().get("/render?width=8&height=6", {{"Accept", java}}).status, 200);
+}
+
 bool takes_gzip(const std::string& accept) {
   return takes_coding(accepting(accept, "Accept-Encoding"), "gzip");
 }
 
 TEST(TakesCoding, WhereItIsNamedAndNotWorseThanNone) {
   for (const char* accept : {"gzip", "deflate, gzip, br", "GZIP;q=0.001", "*", "br, *;q=0.1",
-                             "gzip;q=0.5, identity;q=0.5", "identity;q=0, gzip;q=0.1"})
+                             "gzip;q=0.5, identity;q=0.5", "identity;q=0, gzip;q=0.1", "gzip;q=.2"})
     EXPECT_TRUE(takes_gzip(accept)) << accept;
   for (const char* accept : {"", "br", "gzip;q=0", "*;q=0", "gzip;q=0, *", "identity",
                              "gzip;q=0.5, identity", "gzipped", "gzip;q=x"})

@@ -137,6 +137,7 @@ TEST(SchemaWords, SayWhatASchemaAllows) {
        "a list of integers, each at least 0"},
       {R"({"type":"array","minItems":2,"items":{"type":"string"}})",
        "a list of at least 2, each text"},
+      {R"({"type":"string","maxLength":256})", "text of at most 256 characters"},
       {R"({"enum":["a","b"]})", "one of <code>a</code>, <code>b</code>"},
       {R"({"anyOf":[{"$ref":"#/$defs/thing"},{"type":"null"}]})",
        "<a href=\"#json-thing\">thing</a> or <code>null</code>"},

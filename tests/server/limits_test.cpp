@@ -138,13 +138,17 @@ TEST(LimitNumbers, TenThousandScenesAreKept) {
   EXPECT_TRUE(store.find(second));
 }
 
-// Whether the recipe of a ball's picture tells the ball, whose name fills up its bytes.
+// Whether the recipe of balls' picture tells the balls, whose names fill up their bytes.
 bool is_told(std::size_t bytes) {
+  constexpr std::size_t balls = 1500;
   const auto named = [](std::size_t size) {
-    return R"({"objects":[{"type":"sphere","center":[0,0,-9],"radius":1,"name":")" +
-           std::string(size, 'n') + "\"}]}";
+    std::string list;
+    for (std::size_t i = 0; i < balls; ++i)
+      list += R"(,{"type":"sphere","center":[0,0,-9],"radius":1,"name":")" +
+              std::string(size / balls + (i < size % balls ? 1 : 0), 'n') + "\"}";
+    return R"({"objects":[)" + list.substr(1) + "]}";
   };
-  const std::size_t others = digest_of_objects(read_scene(named(1))).all.bytes - 1;
+  const std::size_t others = digest_of_objects(read_scene(named(balls))).all.bytes - balls;
   const std::string scene = named(bytes - others);
   EXPECT_EQ(digest_of_objects(read_scene(scene)).all.bytes, bytes);
   const Response drawn = host().post("/render", R"({"width":8,"height":8,"scene":)" + scene + "}");

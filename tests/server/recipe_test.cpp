@@ -190,15 +190,36 @@ TEST(Verify, TakesNothingButAPng) {
             "/problems/conflict");
 }
 
-// A text that unpacks to more than any recipe may hold costs its bytes, and no more.
-TEST(Recipe, ThatUnpacksWithoutEndIsRefused) {
-  Config config;
-  config.max_png_bytes = 100'000;
-  Host host(config);
-  const std::string drawn = picture();
-  const std::string bomb = with_recipe(drawn, std::string(1 << 20, ' '));
-  ASSERT_LT(bomb.size(), 20'000U);
-  EXPECT_EQ(problem_of(host.post("/verify", bomb, "image/png")).type, "/problems/limit");
+// A text that unpacks to more than a body may hold costs a body's bytes (RecipeMemory), and no
+// more.
+TEST(Recipe, ThatUnpacksToMoreThanABodyIsRefused) {
+  const std::string drawn = picture(), text = recipe_text(drawn);
+  const auto padded = [&](std::size_t size) {
+    return with_recipe(drawn, text + std::string(size - text.size(), ' '));
+  };
+  const std::size_t most = 4 << 20;  // which is a few KB of the file
+  for (const char* path : {"/render", "/verify"}) {
+    EXPECT_EQ(host().post(path, padded(most), "image/png").status, 200);
+    const ProblemError refused = only_error(host().post(path, padded(most + 1), "image/png"));
+    EXPECT_THAT(refused.allowed, testing::HasSubstr("TIA_MAX_BODY_BYTES"));
+  }
+}
+
+// /verify tells the request again, in canonical form.
+TEST(Recipe, ThatIsLongerInCanonicalFormThanABodyIsRefused) {
+  std::string numbers = "[1e20";
+  for (int i = 0; i < 250'000; ++i) numbers += ",1e20";
+  const std::string text = R"({"version":"0","request":{"scene":)" + numbers + "]}}";
+  EXPECT_EQ(problem_of(verified(with_recipe(picture(), text))).type, "/problems/limit");
+}
+
+TEST(Recipe, IsReadNoFurtherOnceNobodyWaits) {
+  std::string text = "[0";
+  for (int i = 0; i < 9'999; ++i) text += ",0";
+  const std::string bomb = with_recipe(picture(), text + "]");
+  std::stop_source source;
+  source.request_stop();
+  EXPECT_THROW(recipe_in(bomb, Config{}, source.get_token()), Stopped);
 }
 
 // ---- how long a body may be -----------------------------------------------------------------

@@ -14,8 +14,9 @@ TEST(NumberFromText, ReadsJsonNumbers) {
 }
 
 TEST(NumberFromText, KeepsAllElseAsTheTextThatCame) {
-  for (const char* text : {"", "abc", "8px", "0x10", "+1", ".5", "5.", "NaN", "Infinity", "1e400",
-                           "-", "1,2", "[1]", "\"1\"", "true", "null", "{}", "1 2"})
+  for (const char* text :
+       {"",    "abc", "8px", "0x10", "+1",  ".5",    "5.",   "NaN",  "Infinity", "1e400", "-",
+        "1,2", " 16", "16 ", "1\n",  "[1]", "\"1\"", "true", "null", "{}",       "1 2"})
     EXPECT_EQ(number_from_text(text), Value(text)) << text;
 }
 

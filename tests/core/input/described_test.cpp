@@ -136,10 +136,12 @@ TEST(Described, LongValuesAreCutShortInFaults) {
   const std::string name(500, 'x');
   const auto faults = test::faults_of([&] { read_node(("{\"type\":\"" + name + "\"}").c_str()); });
   ASSERT_EQ(faults.size(), 1U);
-  EXPECT_EQ(*faults[0].got, Value(std::string(120, 'x') + "…"));
+  EXPECT_EQ(*faults[0].got, Value(std::string(100, 'x') + "… (400 bytes more)"));
   Faults bare;
   bare.add({wrong_type, "", Value(Value::Array(1000, Value(1))), "less"});
-  EXPECT_LT(to_json(*bare.list()[0].got).size(), 130U);
+  const std::string got = to_json(*bare.list()[0].got);
+  EXPECT_LT(got.size(), 130U);
+  EXPECT_TRUE(got.ends_with("1,1… (an array of 1000)\"")) << got;
 }
 
 // ---- writing ----------------------------------------------------------------------------------

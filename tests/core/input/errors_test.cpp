@@ -96,7 +96,14 @@ TEST(Listed, OfManyNamesTheFirstFortyOfALongOneTheStart) {
   many.resize(45, "n");
   EXPECT_EQ(listed(many), forty + " and 5 more");
   const std::string name(100, 'n');
-  EXPECT_EQ(listed({name}), std::string(64, 'n') + "…");
+  EXPECT_EQ(listed({name}), std::string(44, 'n') + "… (56 bytes more)");
+}
+
+TEST(Listed, OfLongNamesSome420Bytes) {
+  const std::string name(64, 'n');
+  const std::string all = listed(std::vector<std::string_view>(30, name));
+  EXPECT_LT(all.size(), 500U);
+  EXPECT_TRUE(all.ends_with("n and 23 more")) << all;
 }
 
 }  // namespace

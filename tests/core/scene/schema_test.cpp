@@ -33,6 +33,17 @@ const Value& kind_of(const Value& list, std::string_view type, std::string_view 
   throw std::out_of_range("no such kind");
 }
 
+TEST(SceneSchema, NamesHaveAtMost256Characters) {
+  for (const std::size_t length : {256U, 257U}) {
+    const std::string name(length, 'n');
+    const bool fits = length == 256;
+    for (const std::string& scene :
+         {R"({"materials":{")" + name + "\":{}}}", R"({"keys":{")" + name + R"(":{"title":"x"}}})",
+          R"({"objects":[{"type":"sphere","center":[0,0,0],"radius":1,"name":")" + name + "\"}]}"})
+      EXPECT_EQ(valid(scene.c_str()), fits) << scene;
+  }
+}
+
 TEST(SceneSchema, IsAnObjectSchemaOf2020) {
   EXPECT_EQ(schema_at({"$schema"}), Value("https://json-schema.org/draft/2020-12/schema"));
   EXPECT_EQ(schema_at({"type"}), Value("object"));

@@ -21,6 +21,13 @@ bool has_type(const Value& value, const std::string& type) {
   throw std::runtime_error("type " + type);
 }
 
+// All bytes but those that go on with a character of UTF-8.
+double characters(const std::string& text) {
+  return static_cast<double>(std::count_if(text.begin(), text.end(), [](char byte) {
+    return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U;
+  }));
+}
+
 bool matches_pattern(const std::string& value, const std::string& pattern) {
   thread_local std::map<std::string, std::regex> compiled;
   const auto at = compiled.try_emplace(pattern, pattern).first;
@@ -65,8 +72,8 @@ bool JsonSchema::obeys(const std::string& word, const Value& is, const Value& va
   if (word == "oneOf") return matches(value, is) == 1;
   if (word == "anyOf") return matches(value, is) >= 1;
   if (word == "not") return !valid(value, is);
-  for (const char* of_members :
-       {"properties", "additionalProperties", "required", "minProperties", "maxProperties"})
+  for (const char* of_members : {"properties", "propertyNames", "additionalProperties", "required",
+                                 "minProperties", "maxProperties"})
     if (word == of_members)
       return value.as<Value::Object>() == nullptr ||
              members_obey(word, is, as_object(value), schema);
@@ -76,6 +83,8 @@ bool JsonSchema::obeys(const std::string& word, const Value& is, const Value& va
   for (const char* of_numbers : {"minimum", "exclusiveMinimum", "maximum", "exclusiveMaximum"})
     if (word == of_numbers)
       return value.as<double>() == nullptr || number_obeys(word, as_number(is), as_number(value));
+  if (word == "maxLength")
+    return value.as<std::string>() == nullptr || characters(as_text(value)) <= as_number(is);
   if (word == "pattern")
     return value.as<std::string>() == nullptr || matches_pattern(as_text(value), as_text(is));
   throw std::runtime_error("schema word " + word);
@@ -92,6 +101,10 @@ bool JsonSchema::members_obey(const std::string& word, const Value& is,
   }
   const Value* named = find(schema, "properties");
   for (const auto& [name, member] : members) {
+    if (word == "propertyNames") {
+      if (!valid(Value(name), is)) return false;
+      continue;
+    }
     const Value* property = named != nullptr ? find(as_object(*named), name) : nullptr;
     if (word == "properties" ? property != nullptr && !valid(member, *property)
                              : property == nullptr && !valid(member, is))

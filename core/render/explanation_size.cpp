@@ -1,0 +1,58 @@
+#include "core/render/explanation_size.h"
+
+namespace tia {
+namespace {
+
+// Canonical text: the longest number is -2.2250738585072014e-308, one more for a comma.
+constexpr std::size_t number = 25, three = 3 * number + 2;
+
+std::size_t text_bytes(std::string_view text) { return to_json(Value(text)).size(); }
+
+// Names and quotes of members, brackets, commas; `true` and short words such as a type's.
+constexpr std::size_t hit_frame = 120, bracket_frame = 80, ray_frame = 140, term_frame = 70,
+                      light_frame = 90, id_member = 32, object_frame = 80;
+
+}  // namespace
+
+void ExplanationSize::take(std::size_t bytes, const char* pointer, const char* remedy) {
+  bytes_ += bytes;
+  if (bytes_ > longest_explanation)
+    throw InputError(
+        {FaultKind::limit, pointer, std::nullopt,
+         "an explanation of at most " + std::to_string(longest_explanation) + " bytes; " + remedy});
+}
+
+std::size_t ExplanationSize::naming(int part) {
+  if (part < 0) return std::string_view("null").size();
+  const int object = world_.part(part).object;
+  const std::string& name = labels_[static_cast<std::size_t>(object)].name;
+  const std::size_t bytes = text_bytes(name);
+  if (!objects_.insert(object).second) return bytes + id_member;
+  constexpr std::size_t longest_pointer = 512;  // (Fault)
+  return 2 * bytes + id_member + object_frame + longest_pointer;
+}
+
+void ExplanationSize::hit(const Meeting& at) {
+  std::size_t bytes = hit_frame + number + 2 * three + 2 * number + naming(at.part);
+  if (at.bracket) bytes += bracket_frame + 3 * number + text_bytes(at.bracket->how);
+  take(bytes, "", "this ray crosses too many surfaces for one");
+}
+
+void ExplanationSize::ray(const Hit<float>& hit) {
+  const std::size_t bytes =
+      ray_frame + 6 * three + number + naming(hit.t < infinity ? static_cast<int>(hit.part) : -1);
+  take(bytes, "/max_depth", "a lower max_depth makes fewer mirrored and refracted rays");
+}
+
+void ExplanationSize::term(TermName, const LampNote& light) {
+  std::size_t bytes = term_frame + number + three;
+  if (light.lamp >= 0) {
+    const Lamp& lamp = world_.lamps[static_cast<std::size_t>(light.lamp)];
+    bytes += light_frame + 4 * number + three;
+    bytes += lamp.part >= 0 ? naming(lamp.part) : text_bytes(lamp.name);
+    if (light.blocker) bytes += naming(*light.blocker);
+  }
+  take(bytes, "/max_depth", "fewer lights, or a lower max_depth, make fewer terms");
+}
+
+}  // namespace tia

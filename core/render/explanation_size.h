@@ -1,0 +1,45 @@
+// How many bytes an explanation takes as JSON, counted before any of it is made.
+#pragma once
+
+#include <cstddef>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "core/accel/all_hits.h"
+#include "core/integrators/notes.h"
+#include "core/scene/labels.h"
+
+namespace tia {
+
+/// The longest explanation, in bytes of its JSON.
+inline constexpr std::size_t longest_explanation = 4 << 20;
+
+/// ExplanationSize: takes what is told in turn and counts the most that it can be.
+/// Errors: InputError (limit) where it would be more than longest_explanation.
+class ExplanationSize {
+ public:
+  /// Of the world's objects. Both outlive it.
+  ExplanationSize(const World& world, const std::vector<ObjectLabel>& labels)
+      : world_(world), labels_(labels) {}
+
+  void hit(const Meeting& at);
+  void ray(const Hit<float>& hit);
+  void term(TermName name, const LampNote& light);
+
+  std::size_t bytes() const { return bytes_; }
+  /// The numbers of all objects that are told of.
+  const std::set<int>& objects() const { return objects_; }
+
+ private:
+  void take(std::size_t bytes, const char* pointer, const char* remedy);
+  // Of the member that names a part's object, and, the first time, of the object's entry.
+  std::size_t naming(int part);
+
+  const World& world_;
+  const std::vector<ObjectLabel>& labels_;
+  std::set<int> objects_{};
+  std::size_t bytes_ = 1024;  // pixel, sample, ray, the frame of all
+};
+
+}  // namespace tia
