@@ -17,8 +17,10 @@ std::string name_in(std::string_view host) {
   return lower(host.substr(0, colon));
 }
 
+// Not every name that begins with 127. is an address.
 bool is_loopback(const std::string& host) {
-  return host == "localhost" || host == "::1" || host == "[::1]" || host.starts_with("127.");
+  static const auto addresses = Network::parse("127.0.0.0/8");
+  return host == "localhost" || host == "::1" || host == "[::1]" || addresses->contains(host);
 }
 
 bool is_ours(const std::string& name, const Config& config) {

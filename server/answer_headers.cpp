@@ -29,6 +29,10 @@ const std::vector<HeaderRow>& header_rows() {
       {"X-Request-Id",
        "the request's id: the client's own, where it is fit for a log, or a new one",
        "^[A-Za-z0-9._-]{1,64}$"},
+      {"traceparent",
+       "where the request has a valid one: its trace, and the id of what this answer took part in "
+       "it (W3C Trace Context)",
+       "^00-[0-9a-f]{32}-[0-9a-f]{16}-0[0-3]$", false},
   };
   return rows;
 }

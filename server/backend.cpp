@@ -18,15 +18,16 @@ Backend::Backend(const Config& given, const Gallery& gallery, std::unique_ptr<Sc
       memory(config.memory_bytes),
       kept(config.max_scenes_bytes, std::move(file)),
       admission(admission_options(config)),
-      geometries(config.max_geometry_bytes, &memory),
-      pressed(config.max_scenes_bytes, admission, memory),
       pool(config.threads),
+      geometries(config.max_geometry_bytes, &memory),
+      pressed(config.max_scenes_bytes, long_work, memory),
       pictures(config.cache_bytes, &memory),
       service{config,  {gallery, kept, geometries, pressed, pool, config.limits()},
               memory,  admission,
-              costs,   metrics,
+              long_work, costs,   metrics,
               pictures} {
   kept.book_with(memory);
+  kept.read_as(long_work, config.json_limits().values);
   kept.forget_after(config.scene_keep_s);
   // What is soonest had again goes first.
   memory.on_shortage([this](std::int64_t bytes) { return pictures.give_way(bytes); });

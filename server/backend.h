@@ -16,10 +16,11 @@ class Backend {
   MemoryAccount memory;
   SceneStore kept;
   Admission admission;
+  Pool pool;
+  LongWork long_work{admission, pool};
   CostMemory costs;
   GeometryStore geometries;
   PressedScenes pressed;
-  Pool pool;
   Metrics metrics;
   PictureStore pictures;
   Service service;

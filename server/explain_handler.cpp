@@ -45,34 +45,46 @@ RenderOptions options_of(const ExplainRequest& asked, const Scene& scene, const 
   return options;
 }
 
-Explanation explanation_of(const ExplainRequest& asked, const Service& service,
-                           const Asker& asker) {
+Explanation explanation_in(const ExplainRequest& asked, const Scene& scene, World world,
+                           const RenderOptions& options, const std::stop_token& stop) {
+  if (asked.ray)
+    return explain(scene, std::move(world), {asked.ray->origin, normalize(asked.ray->direction)},
+                   options, stop);
+  const View view = view_of(scene.camera, asked.width, asked.height);
+  return explain(scene, std::move(world), view, *asked.x, *asked.y, asked.sample, options, stop);
+}
+
+std::string explanation_of(const ExplainRequest& asked, const Service& service, const Asker& asker,
+                           Flow& flow) {
   const KnownScene scene = scene_of(asked, service.studio, asker);
-  const std::stop_token& stop = asker.stop;
-  Flow flow{std::hash<std::string>{}(asker.client)};
   const RenderOptions options = options_of(asked, *scene, service);
   Pool& pool = service.studio.pool;
-  World world = service.studio.geometries.compile(scene, pool.workers(pool.threads(), stop, &flow));
-  if (asked.ray)
-    return explain(*scene, std::move(world), {asked.ray->origin, normalize(asked.ray->direction)},
-                   options, stop);
-  const View view = view_of(scene->camera, asked.width, asked.height);
-  return explain(*scene, std::move(world), view, *asked.x, *asked.y, asked.sample, options, stop);
+  World world =
+      service.studio.geometries.compile(scene, pool.workers(pool.threads(), asker.stop, &flow));
+  std::string text;
+  const auto tell = [&] {
+    text = to_json(value_of(explanation_in(asked, *scene, std::move(world), options, asker.stop)));
+  };
+  pool.alone(tell, asker.stop, &flow);
+  return text;
 }
 
 ExplainRequest asked_of_body(const Request& request, Service& service) {
-  const auto ticket = reading_ticket(request, service);
-  const char* const what = "the parameters as a JSON object, such as {\"x\":320,\"y\":240}";
-  return read_described<ExplainRequest>(body_json(request, what, service.config.json_limits()), {},
-                                        request.stop);
+  return read_body(request, service, [&] {
+    const char* const what = "the parameters as a JSON object, such as {\"x\":320,\"y\":240}";
+    return read_described<ExplainRequest>(body_json(request, what, service.config.json_limits()),
+                                          {}, request.stop);
+  });
 }
 
 Response explained(const ExplainRequest& asked, const Request& request, Service& service) {
   check_size(asked.width, asked.height, service.studio.limits);
   const Asker asker = asker_of(request);
-  const auto ticket = service.admission.enter({}, asker.client, asker.stop);
+  auto ticket = service.admission.enter({}, asker.client, asker.stop);
+  Flow flow{asker.number()};
+  flow.became_long = [&] { ticket.turn_heavy(); };
   return {.content_type = "application/json",
-          .body = to_json(value_of(explanation_of(asked, service, asker))),
+          .body = explanation_of(asked, service, asker, flow),
           .headers = {{"Cache-Control", "no-cache"}}};
 }
 

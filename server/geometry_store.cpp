@@ -6,11 +6,19 @@
 #include <optional>
 #include <utility>
 
+#include "server/operation/memory_costs.h"
+#include "server/scene_bytes.h"
+
 namespace tia::server {
 namespace {
 
 // An entry's own, with its places in list and tables; a mesh's in its table.
 constexpr std::size_t geometry_entry_bytes = 256, mesh_bytes = 128;
+
+void claim_for(std::size_t object_bytes, const Workers& workers) {
+  reserve_memory(memory_for(memory_cost::build, object_bytes), "what the objects compile to",
+                 workers.stop());
+}
 
 }  // namespace
 
@@ -36,12 +44,16 @@ class GeometryStore::Meshes {
 };
 
 World GeometryStore::compile(const KnownScene& scene, const Workers& workers) {
-  if (!keeps_) return tia::compile(*scene, workers);
+  if (!keeps_) {
+    claim_for(scene.objects ? scene.objects->bytes : bytes_of(*scene), workers);
+    return tia::compile(*scene, workers);
+  }
   std::optional<ObjectsDigest> digest;
   if (!scene.objects) digest = digest_of_objects(*scene);
   SharedGeometry geometry = find((digest ? digest->all : *scene.objects).digest);
   if (!geometry) {
     if (!digest) digest = digest_of_objects(*scene);  // for that of each mesh
+    claim_for(digest->all.bytes, workers);
     geometry = build(*scene, *digest, workers);
   }
   return tia::compile(*scene, std::move(geometry), workers);
@@ -114,11 +126,6 @@ std::int64_t GeometryStore::give_way(std::int64_t bytes) {
   surplus = take_surplus(before > less ? before - less : 0);
   share_.book(counts_.bytes);
   return static_cast<std::int64_t>(before - counts_.bytes);
-}
-
-bool GeometryStore::contains(const Digest& objects) const {
-  const std::lock_guard lock(mutex_);
-  return geometries_.contains(objects);
 }
 
 GeometryStore::Geometries::Entries GeometryStore::take_surplus(std::size_t most) {

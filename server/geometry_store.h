@@ -37,8 +37,6 @@ class GeometryStore {
   /// Errors: Stopped, which leaves the store as it was.
   World compile(const KnownScene& scene, const Workers& workers);
 
-  /// Whether it has what compile() would find for a scene of that name.
-  bool contains(const Digest& objects) const;
   StoreCounts counts() const;
   /// Lets go of those that nobody has asked for longest. Returns: how many bytes.
   std::int64_t give_way(std::int64_t bytes);

@@ -151,6 +151,10 @@ void log_exchange(const Exchange& exchange) {
       .add("request_bytes", request.body.size())
       .add("answer_bytes", exchange.body_bytes)
       .add("us", static_cast<std::size_t>(1000 * exchange.ms));
+  if (request.trace)
+    line.add("trace_id", Value(request.trace->trace_id))
+        .add("parent_id", Value(request.trace->parent_id))
+        .add("span_id", Value(request.trace->span_id));
   const std::string_view problem = exchange.response.problem;
   if (!problem.empty()) line.add("problem", Value(problem));
   for (const auto& [name, value] : exchange.response.log) line.add(name.c_str(), value);

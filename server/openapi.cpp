@@ -28,9 +28,9 @@ Value reference(const char* to, std::string_view name) {
 
 using HeaderNames = std::vector<std::string_view>;
 
-// Every answer carries the request's id and, where CORS knows origins, varies with them.
+// Every answer carries the request's ids and, where CORS knows origins, varies with them.
 Value headers_object(HeaderNames names) {
-  for (const char* any : {"Vary", "X-Request-Id"}) names.emplace_back(any);
+  for (const char* any : {"Vary", "X-Request-Id", "traceparent"}) names.emplace_back(any);
   Value::Object headers;
   for (const std::string_view name : names)
     if (find(headers, name) == nullptr) headers.emplace_back(name, reference("headers", name));

@@ -1,6 +1,7 @@
 #include "server/picture.h"
 
 #include <algorithm>
+#include <functional>
 
 #include "core/film/png_text.h"
 #include "core/integrators/shown.h"
@@ -44,7 +45,16 @@ std::string_view media_type_of(Format format) {
 Plan plan_of(const PictureRequest& asked, const Studio& studio, const Asker& asker) {
   check_size(asked.width, asked.height, studio.limits);
   KnownScene scene = scene_of(asked, studio, asker);
-  if (!scene.objects) scene.objects = digest_of_objects(*scene).all;
+  Flow flow{asker.number()};
+  // What is not known by a name may be large.
+  const bool is_new = !scene.objects;
+  const auto in_turn = [&](const std::function<void()>& work) {
+    if (is_new) studio.pool.alone(work, asker.stop, &flow);
+    else work();
+  };
+  in_turn([&] {
+    if (is_new) scene.objects = digest_of_objects(*scene).all;
+  });
   RenderOptions options = options_of(asked, *scene, studio);
   options.threads = std::min(asked.threads.value_or(studio.pool.threads()), studio.pool.threads());
   const Window window = asked.window();
@@ -57,7 +67,7 @@ Plan plan_of(const PictureRequest& asked, const Studio& studio, const Asker& ask
       .options = options,
       .display = {shown(options.integrator), asked.transfer.value_or(scene->options.transfer)},
       .format = asked.format};
-  plan.recipe = recipe_of(asked, plan);
+  in_turn([&] { plan.recipe = recipe_of(asked, plan); });
   return plan;
 }
 
@@ -68,14 +78,11 @@ double Plan::rays() const {
 
 namespace {
 
-// What is compiled already is the store's.
-std::int64_t memory_of(const Plan& plan, const Studio& studio) {
+std::int64_t memory_of(const Plan& plan) {
   const auto pixels = static_cast<std::size_t>(plan.window.width()) *
                       static_cast<std::size_t>(plan.window.height());
-  const bool is_there = studio.geometries.contains(plan.scene.objects->digest);
   return memory_for(memory_cost::request, 1) +
-         memory_for(plan.format == Format::pfm ? memory_cost::linear : memory_cost::png, pixels) +
-         memory_for(memory_cost::build, is_there ? 0 : plan.scene.objects->bytes);
+         memory_for(plan.format == Format::pfm ? memory_cost::linear : memory_cost::png, pixels);
 }
 
 }  // namespace
@@ -86,8 +93,8 @@ Picture draw(const Plan& plan, const Studio& studio, const std::stop_token& stop
   Flow own;
   Flow& flow = plan.options.flow != nullptr ? *plan.options.flow : own;
   const Workers workers = studio.pool.workers(plan.options.threads, stop, &flow);
-  reserve_memory(memory_of(plan, studio), "this picture", stop);
   const World world = studio.geometries.compile(plan.scene, workers);
+  reserve_memory(memory_of(plan), "this picture", stop);
   picture.degenerate = world.degenerate;
   picture.timing.build = watch.lap_ms();
 

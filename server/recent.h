@@ -9,6 +9,8 @@
 #include <unordered_map>
 #include <utility>
 
+#include "server/operation/memory_account.h"
+
 namespace tia::server {
 
 template <class Key, class Value, class Hash = std::hash<Key>>
@@ -18,8 +20,17 @@ class Recent {
     Key key;
     Value value;
   };
-  /// What has been taken out, for the caller to destroy when no lock is held.
-  using Entries = std::list<Entry>;
+  /// Entries: what has been taken out, for the caller to destroy when no lock is held. It was the
+  /// store's: its end gives nothing back to the claim of who happens to push it out.
+  struct Entries : std::list<Entry> {
+    Entries() = default;
+    Entries(Entries&&) = default;
+    Entries& operator=(Entries&&) = default;
+    ~Entries() {
+      const ClaimScope nobodys(nullptr);
+      this->clear();
+    }
+  };
 
   bool contains(const Key& key) const { return table_.contains(key); }
   std::size_t size() const { return entries_.size(); }

@@ -4,8 +4,6 @@
 #include "core/film/png_text.h"
 #include "core/input/json.h"
 #include "server/digest.h"
-#include "server/operation/memory_account.h"
-#include "server/operation/memory_costs.h"
 
 namespace tia::server {
 namespace {
@@ -70,7 +68,7 @@ JsonLimits limits_of(const Config& config) {
   return limits;
 }
 
-Recipe read_recipe(Value&& value) {
+Recipe recipe_of(Value&& value) {
   auto* members = value.as<Value::Object>();
   const Value* version = members != nullptr ? find(*members, "version") : nullptr;
   const Value* request = members != nullptr ? find(*members, "request") : nullptr;
@@ -92,16 +90,6 @@ Recipe read_recipe(Value&& value) {
                         " bytes when it is unpacked (option TIA_MAX_BODY_BYTES)"});
 }
 
-// A few bytes of a file may unpack to millions.
-std::optional<std::string> recipe_text_in(std::string_view png, std::size_t most) {
-  try {
-    return text_in(png, recipe_keyword, most);
-  } catch (const InputError& error) {
-    if (error.faults().front().kind != FaultKind::limit) throw;
-    too_long(most);
-  }
-}
-
 }  // namespace
 
 std::string recipe_of(const PictureRequest& asked, const Plan& plan) {
@@ -119,16 +107,24 @@ std::string etag_of(std::string_view recipe) { return '"' + sha256_hex(recipe) +
 
 bool is_png(std::string_view body) { return body.starts_with(png_signature); }
 
-Recipe recipe_in(std::string_view png, const Config& config, const std::stop_token& stop) {
+// A few bytes of a file may unpack to millions.
+std::string recipe_text_in(std::string_view png, const Config& config) {
   const auto most = static_cast<std::size_t>(config.max_body_bytes);
-  const auto text = recipe_text_in(png, most);
-  if (!text)
-    throw InputError({FaultKind::missing, "", std::nullopt,
-                      "a PNG file as this server has sent it: its recipe is in a text chunk, which "
-                      "some programs leave out when they save a picture"});
-  reserve_memory(memory_for(memory_cost::text, text->size()), "the picture's recipe", stop);
-  Recipe recipe = read_recipe(parse_json(*text, limits_of(config), stop));
+  try {
+    if (auto text = text_in(png, recipe_keyword, most)) return std::move(*text);
+  } catch (const InputError& error) {
+    if (error.faults().front().kind != FaultKind::limit) throw;
+    too_long(most);
+  }
+  throw InputError({FaultKind::missing, "", std::nullopt,
+                    "a PNG file as this server has sent it: its recipe is in a text chunk, which "
+                    "some programs leave out when they save a picture"});
+}
+
+Recipe read_recipe(std::string_view text, const Config& config, const std::stop_token& stop) {
+  Recipe recipe = recipe_of(parse_json(text, limits_of(config), stop));
   // It is told again in canonical form, in which 1e20 has 21 digits.
+  const auto most = static_cast<std::size_t>(config.max_body_bytes);
   if (start_of_json(recipe.request, most).size() > most) too_long(most);
   return recipe;
 }

@@ -37,10 +37,13 @@ struct Recipe {
 /// Whether a body begins as every PNG file does.
 bool is_png(std::string_view body);
 
-/// Reads the recipe out of a PNG file, within the bounds of JSON bodies: it is one, sent by other
-/// means. Errors: InputError: malformed as text_in, and for a text that is no recipe; missing where
-/// there is none; limit where it is longer than a body may be. Stopped.
-Recipe recipe_in(std::string_view png, const Config& config, const std::stop_token& stop = {});
+/// The text of the recipe in a PNG file. Errors: InputError: malformed as text_in; missing where
+/// there is none; limit where it is longer than a body may be.
+std::string recipe_text_in(std::string_view png, const Config& config);
+
+/// Reads it within the bounds of JSON bodies: it is one, sent by other means. Errors: InputError:
+/// malformed for a text that is no recipe; limit where it is longer than a body may be. Stopped.
+Recipe read_recipe(std::string_view text, const Config& config, const std::stop_token& stop = {});
 
 /// Errors: InputError (conflict) at /version for a recipe of another version than this.
 void check_version(const Recipe& recipe);

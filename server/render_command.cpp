@@ -68,7 +68,8 @@ void render_to_file(const std::string& scene, const std::string& file,
   GeometryStore none_shared(0);  // there is one picture to draw
   MemoryAccount account(config.memory_bytes);
   Admission alone({});
-  PressedScenes none_pressed(0, alone, account);
+  LongWork long_work(alone, pool);
+  PressedScenes none_pressed(0, long_work, account);
   const Studio studio{gallery, none_kept, none_shared, none_pressed, pool, config.limits()};
   const auto request = read_described<PictureRequest>(asked);
   const std::string_view other = request.format == Format::pfm ? ".png" : ".pfm";

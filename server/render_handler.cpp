@@ -5,6 +5,7 @@
 #include <new>
 
 #include "server/accept.h"
+#include "server/digest.h"
 #include "server/etag.h"
 #include "server/handlers.h"
 #include "server/headers.h"
@@ -51,21 +52,23 @@ Asked asked_in(Value parameters, const Request& request) {
   return {read_described<PictureRequest>(parameters, {}, request.stop), accepted};
 }
 
-Value recipe_request(const Request& request, const Config& config) {
+Asked asked_in_picture(const Request& request, Service& service) {
   refuse_query(request);
-  Recipe recipe = recipe_in(request.body, config, request.stop);
-  check_version(recipe);
-  return std::move(recipe.request);
+  return read_recipe_of_body(request, service, [&](Recipe recipe) {
+    check_version(recipe);
+    return asked_in(std::move(recipe.request), request);
+  });
 }
 
 Asked asked_in_body(const Request& request, Service& service) {
-  const auto ticket = reading_ticket(request, service);
-  if (is_png(request.body)) return asked_in(recipe_request(request, service.config), request);
-  return asked_in(body_json(request,
-                            "the parameters as a JSON object, such as {\"key\":\"a\"}, or a PNG "
-                            "that this server has sent",
-                            service.config.json_limits()),
-                  request);
+  if (is_png(request.body)) return asked_in_picture(request, service);
+  return read_body(request, service, [&] {
+    return asked_in(body_json(request,
+                              "the parameters as a JSON object, such as {\"key\":\"a\"}, or a PNG "
+                              "that this server has sent",
+                              service.config.json_limits()),
+                    request);
+  });
 }
 
 /// What is said of a picture, whether it is sent or not.
@@ -148,7 +151,7 @@ Picture with_memory_for(const Attempt& attempt, const std::stop_token& stop) {
 }
 
 // What tells how much a ray takes: what it meets, how it is traced, and the lights but for where
-// they are, so that a light that is dragged is known.
+// they are, so that a light that is dragged is known. By its digest: of many lights it would be long.
 std::string scene_key(const Plan& plan) {
   std::string key = hex(plan.scene.objects->digest);
   const auto add = [&](const auto&... parts) { ((key += ' ' + std::to_string(parts)), ...); };
@@ -159,13 +162,13 @@ std::string scene_key(const Plan& plan) {
     for (const auto& [name, value] : *written.as<Value::Object>())
       if (value.as<Value::Array>() == nullptr) key += ' ' + to_json(value);
   }
-  return key;
+  return sha256_hex(key);
 }
 
 Picture drawn(Plan& plan, const Asker& asker, const std::stop_token& stop, Service& service) {
   const double rays = plan.rays();
   const std::string scene = scene_key(plan);
-  Flow flow{std::hash<std::string>{}(asker.client)};
+  Flow flow{asker.number()};
   Stopwatch watch;
   // It begins with a ticket and ends with it.
   auto ticket = service.admission.enter(service.costs.of(scene, rays), asker.client, stop);
@@ -174,6 +177,8 @@ Picture drawn(Plan& plan, const Asker& asker, const std::stop_token& stop, Servi
   plan.options.spent = [&](std::int64_t rays_done, std::int64_t tests) {
     ticket.has_done(rays_done, tests);
   };
+  // It may be parked then, and must not keep a light one's place, however few its rays are.
+  flow.became_long = [&] { ticket.turn_heavy(); };
   MemoryClaim* const claim = MemoryClaim::current();
   const auto attempt = [&] {
     Picture picture = draw(plan, service.studio, stop);
@@ -210,7 +215,7 @@ std::optional<Response> known_picture(const Request& request, Service& service) 
   if ((request.method != "GET" && !request.is_head()) || request.path() != "/render")
     return std::nullopt;
   const auto known = service.targets.find(KnownTargets::name_of(request));
-  if (!known || !is_known_scene(known->scene, service.studio)) return std::nullopt;
+  if (!known || !is_at_hand(known->scene, service.studio)) return std::nullopt;
   if (has_already(request, known->etag)) return with(not_modified(), known->validators);
   if (request.is_head())
     return with({.content_type = known->content_type, .body = "", .unsized = true},

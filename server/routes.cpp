@@ -54,6 +54,7 @@ Response dispatch(const Request& request, Service& service) {
 // What every answer carries, whatever made it.
 Response dressed(Response response, const Request& request, const Service& service) {
   guard(response);
+  if (request.trace) response.headers.emplace_back("traceparent", request.trace->traceparent());
   share(response, request, service.config.cors_origins);
   return response;
 }
@@ -65,21 +66,11 @@ Response finished(Response response, const Request& request, const Service& serv
 
 }  // namespace
 
-Admission::Ticket reading_ticket(const Request& request, Service& service) {
-  auto ticket = service.admission.read(request.body.size(), share_of(request.peer), request.stop);
-  reserve_memory(memory_for(memory_cost::text, request.body.size()), "what the body says",
-                 request.stop);
-  return ticket;
-}
+namespace {
 
-Response answer(const Request& request, Service& service) {
-  MemoryClaim claim(service.memory);
-  const ClaimScope scope(&claim);
+Response answer_or_refusal(const Request& request, MemoryClaim& claim, Service& service) {
   try {
-    Response response = finished(dispatch(request, service), request, service);
-    if (claim.most_used() > 0)
-      response.log.emplace_back("memory_bytes", static_cast<double>(claim.most_used()));
-    return response;
+    return finished(dispatch(request, service), request, service);
   } catch (const std::bad_alloc&) {
     const auto failure =
         claim.was_refused() ? std::make_exception_ptr(claim.refusal()) : std::current_exception();
@@ -88,6 +79,22 @@ Response answer(const Request& request, Service& service) {
   } catch (...) {
     return refusal(std::current_exception(), request, service);
   }
+}
+
+}  // namespace
+
+LongWork::Need body_need(const Request& request, const Service& service) {
+  const std::size_t bytes = request.body.size();
+  return {bytes, memory_for_text(bytes, service.config.json_limits().values), "what the body says"};
+}
+
+Response answer(const Request& request, Service& service) {
+  MemoryClaim claim(service.memory, share_of(request.peer));
+  const ClaimScope scope(&claim);
+  Response response = answer_or_refusal(request, claim, service);
+  if (claim.most_used() > 0)
+    response.log.emplace_back("memory_bytes", static_cast<double>(claim.most_used()));
+  return response;
 }
 
 std::optional<Response> answer_from_memory(const Request& request, Service& service) {

@@ -27,6 +27,7 @@ struct Service {
   Studio studio;
   MemoryAccount& memory;
   Admission& admission;
+  LongWork& long_work;
   CostMemory& costs;
   Metrics& metrics;
   PictureStore& pictures;

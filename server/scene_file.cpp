@@ -146,14 +146,22 @@ void SceneFile::prepare(std::int64_t max_bytes) {
 // What version 1 has kept belongs to nobody: it can only fall out of use, from now on.
 void SceneFile::lay_out(const std::string& version) {
   run("CREATE TABLE IF NOT EXISTS scenes (id TEXT PRIMARY KEY NOT NULL, text TEXT NOT NULL, "
-      "client TEXT NOT NULL DEFAULT '', used INTEGER NOT NULL DEFAULT 0)");
+      "client TEXT NOT NULL DEFAULT '', used INTEGER NOT NULL DEFAULT 0, "
+      "bytes INTEGER NOT NULL DEFAULT 0)");
   if (version == "1") {
     run("ALTER TABLE scenes ADD COLUMN client TEXT NOT NULL DEFAULT ''");
     run("ALTER TABLE scenes ADD COLUMN used INTEGER NOT NULL DEFAULT 0");
-    run("UPDATE scenes SET used = CAST(strftime('%s', 'now') AS INTEGER)");
+    run("ALTER TABLE scenes ADD COLUMN bytes INTEGER NOT NULL DEFAULT 0");
+    run("UPDATE scenes SET used = CAST(strftime('%s', 'now') AS INTEGER), "
+        "bytes = length(CAST(text AS BLOB))");
   }
+  // What is asked with every request must not walk through all scenes.
+  run("CREATE INDEX IF NOT EXISTS scenes_by_use ON scenes (used)");
+  run("CREATE INDEX IF NOT EXISTS scenes_by_client ON scenes (client, bytes)");
   run("CREATE TABLE IF NOT EXISTS owners (id TEXT NOT NULL, key_hash TEXT NOT NULL, "
       "PRIMARY KEY (id, key_hash)) WITHOUT ROWID");
+  run("CREATE TRIGGER IF NOT EXISTS scenes_go AFTER DELETE ON scenes "
+      "BEGIN DELETE FROM owners WHERE id = OLD.id; END");
 }
 
 // Only who is alone with the file can make it one that is shared. Where several try at once SQLite
@@ -174,12 +182,13 @@ void SceneFile::keep(const std::string& id, const std::string& text, const Owner
   check_share(id, text, owner);
   Transaction all(*this);
   Statement insert(*this,
-                   "INSERT INTO scenes (id, text, client, used) VALUES (?, ?, ?, ?) "
+                   "INSERT INTO scenes (id, text, client, used, bytes) VALUES (?, ?, ?, ?, ?) "
                    "ON CONFLICT (id) DO UPDATE SET used = max(used, excluded.used)");
   insert.bind(1, id);
   insert.bind(2, text);
   insert.bind(3, owner.client);
   insert.bind(4, owner.time_s);
+  insert.bind(5, static_cast<std::int64_t>(text.size()));
   insert.next();
   if (!owner.key_hash.empty()) {
     Statement own(*this,
@@ -199,10 +208,11 @@ void SceneFile::keep(const std::string& id, const std::string& text, const Owner
 // Half of the file at most is one client's.
 void SceneFile::check_share(const std::string& id, const std::string& text, const Owner& owner) {
   if (owner.client.empty()) return;
-  Statement held(*this,
-                 "SELECT coalesce(sum(length(text)), 0) FROM scenes WHERE client = ? AND id <> ?");
+  Statement known(*this, "SELECT 1 FROM scenes WHERE id = ?");
+  known.bind(1, id);
+  if (known.next()) return;
+  Statement held(*this, "SELECT coalesce(sum(bytes), 0) FROM scenes WHERE client = ?");
   held.bind(1, owner.client);
-  held.bind(2, id);
   held.next();
   if (std::stoll(held.text()) + static_cast<std::int64_t>(text.size()) > max_bytes_ / 2)
     throw HttpError("storage-full",
@@ -243,6 +253,15 @@ Removal SceneFile::remove(const std::string& id, const std::string& key_hash) tr
   refuse(failure);
 }
 
+bool SceneFile::contains(const std::string& id) try {
+  const std::lock_guard lock(mutex_);
+  Statement known(*this, "SELECT 1 FROM scenes WHERE id = ?");
+  known.bind(1, id);
+  return known.next();
+} catch (const Failure& failure) {
+  refuse(failure);
+}
+
 bool SceneFile::knows_owner(const std::string& id, const std::string& key_hash) try {
   const std::lock_guard lock(mutex_);
   Statement known(*this, "SELECT 1 FROM owners WHERE id = ? AND key_hash = ?");
@@ -255,11 +274,15 @@ bool SceneFile::knows_owner(const std::string& id, const std::string& key_hash) 
 
 void SceneFile::forget_unused_since(std::int64_t time_s) try {
   const std::lock_guard lock(mutex_);
+  {
+    Statement old(*this, "SELECT 1 FROM scenes WHERE used < ? LIMIT 1");
+    old.bind(1, time_s);
+    if (!old.next()) return;
+  }
   Transaction all(*this);
   Statement gone(*this, "DELETE FROM scenes WHERE used < ?");
   gone.bind(1, time_s);
   gone.next();
-  run("DELETE FROM owners WHERE id NOT IN (SELECT id FROM scenes)");
   all.commit();
   measure();
 } catch (const Failure& failure) {

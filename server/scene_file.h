@@ -43,6 +43,8 @@ class SceneFile {
   void keep(const std::string& id, const std::string& text, const Owner& owner = {});
   /// The text of that id, or nothing. Errors: HttpError (storage), for one that is damaged, too.
   std::optional<std::string> find(const std::string& id);
+  /// Whether there is one. Errors: HttpError (storage).
+  bool contains(const std::string& id);
   /// That somebody uses it now. Errors: HttpError (storage).
   void touch(const std::string& id, std::int64_t now_s);
   /// Takes the owner of that key off it; it goes with its last one. Errors: HttpError (storage).

@@ -6,6 +6,7 @@
 
 #include "core/scene/read_scene.h"
 #include "server/digest.h"
+#include "server/operation/memory_costs.h"
 #include "server/scene_bytes.h"
 
 namespace tia::server {
@@ -42,39 +43,57 @@ std::string SceneStore::keep(Scene scene, Owner owner) {
   return id;
 }
 
-KnownScene SceneStore::find(const std::string& id) {
+KnownScene SceneStore::find(const std::string& id, const Asker& asker) {
   if (KnownScene scene = in_memory(id)) return scene;
   if (!file_ || id.size() != 2 * Digest{}.size()) return {};
   if (keep_s_ > 0) file_->forget_unused_since(now_() - keep_s_);
   const auto text = file_->find(id);
   if (!text) return {};
   if (keep_s_ > 0) file_->touch(id, now_());
-  constexpr JsonLimits any{.values = std::numeric_limits<std::size_t>::max()};
-  return remember(id, read_described<Scene>(parse_json(*text, any)), {});  // checked when kept
+  const auto read_it = [&] { return read(id, *text, asker.stop); };
+  if (long_work_ == nullptr) return read_it();
+  const std::int64_t memory = memory_for_text(text->size(), most_values_);
+  return (*long_work_)({text->size(), memory, "the kept scene"}, asker, read_it);
 }
 
+KnownScene SceneStore::read(const std::string& id, const std::string& text,
+                            const std::stop_token& stop) {
+  if (KnownScene scene = in_memory(id)) return scene;  // somebody has read it meanwhile
+  constexpr JsonLimits any{.values = std::numeric_limits<std::size_t>::max()};
+  // It has been checked when it was kept.
+  return remember(id, read_described<Scene>(parse_json(text, any, stop), {}, stop), {});
+}
+
+// The file is told without the lock: it may have to wait for other processes.
 KnownScene SceneStore::in_memory(const std::string& id) {
   Scenes::Entries unused;
-  const std::lock_guard lock(mutex_);
+  std::unique_lock lock(mutex_);
   take_unused(unused);
   Kept* const kept = scenes_.find(id);
   if (kept == nullptr) return {};
-  use(id, *kept);
-  return kept->scene;
+  const bool must_tell = use(*kept);
+  if (must_tell) kept->told_s = kept->used_s;
+  const KnownScene scene = kept->scene;
+  lock.unlock();
+  if (must_tell) file_->touch(id, now_());
+  return scene;
 }
 
-void SceneStore::use(const std::string& id, Kept& kept) {
+bool SceneStore::is_at_hand(const std::string& id) {
+  const std::lock_guard lock(mutex_);
+  Kept* const kept = scenes_.find(id);
+  return kept != nullptr && !is_unused(*kept) && !use(*kept);
+}
+
+bool SceneStore::use(Kept& kept) const {
   kept.used_s = now_();
-  if (!file_ || keep_s_ == 0) return;
-  if (kept.used_s - kept.told_s < std::min(most_told_s, keep_s_ / 4)) return;
-  kept.told_s = kept.used_s;
-  file_->touch(id, kept.used_s);
+  return file_ && keep_s_ > 0 && kept.used_s - kept.told_s >= std::min(most_told_s, keep_s_ / 4);
 }
 
 Removal SceneStore::remove(const std::string& id, const std::string& key_hash) {
   if (file_) {
     const Removal removal = file_->remove(id, key_hash);
-    if (removal != Removal::done || file_->find(id)) return removal;
+    if (removal != Removal::done || file_->contains(id)) return removal;
   }
   Scenes::Entries gone;
   const std::lock_guard lock(mutex_);
@@ -85,8 +104,18 @@ Removal SceneStore::remove(const std::string& id, const std::string& key_hash) {
   return Removal::done;
 }
 
-// Where it fits into memory it stays there.
+// Where it fits into memory it stays there: unless the file has lost it meanwhile, for who takes it
+// out of the file looks into memory after that.
 KnownScene SceneStore::remember(const std::string& id, Scene scene, const Owner& owner) {
+  KnownScene made = put(id, std::move(scene), owner);
+  if (!file_ || file_->contains(id)) return made;
+  Scenes::Entries gone;
+  const std::lock_guard lock(mutex_);
+  take(id, gone);
+  return made;
+}
+
+KnownScene SceneStore::put(const std::string& id, Scene scene, const Owner& owner) {
   const std::size_t bytes = scene_entry_bytes + bytes_of(scene);
   const ObjectsName objects = digest_of_objects(scene).all;
   Kept kept{

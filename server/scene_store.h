@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "server/operation/long_work.h"
 #include "server/operation/memory_account.h"
 #include "server/recent.h"
 #include "server/scene_digest.h"
@@ -42,11 +43,18 @@ class SceneStore {
   /// Returns: its id, the SHA-256 of its canonical text.
   /// Errors: InputError (limit) for a scene that does not fit alone; as SceneFile::keep.
   std::string keep(Scene scene, Owner owner = {});
+  /// From now on scenes are read from the file as long work, and have at most so many JSON values.
+  void read_as(LongWork& long_work, std::size_t most_values) {
+    long_work_ = &long_work;
+    most_values_ = most_values;
+  }
   /// The scene of that id, which is the one last asked for from now on; or null.
-  /// Errors: as SceneFile::find.
-  KnownScene find(const std::string& id);
-  /// The same, where it is in memory.
+  /// Errors: as SceneFile::find; HttpError (busy, too-large), Stopped.
+  KnownScene find(const std::string& id, const Asker& asker = {});
+  /// The same, where it is in memory. Errors: as SceneFile::touch.
   KnownScene in_memory(const std::string& id);
+  /// Whether it is in memory, and its use need not be told to the file, which may take long.
+  bool is_at_hand(const std::string& id);
   /// Takes the owner of that key off the scene, which goes with its last one. Other processes that
   /// share the file know it as long as it is in their memory. Errors: as SceneFile::remove.
   Removal remove(const std::string& id, const std::string& key_hash);
@@ -69,13 +77,16 @@ class SceneStore {
     std::int64_t used_s = 0, told_s = 0;  // when it was used, and when the file was told
   };
   using Scenes = Recent<std::string, Kept>;
+  KnownScene read(const std::string& id, const std::string& text, const std::stop_token& stop);
   KnownScene remember(const std::string& id, Scene scene, const Owner& owner);
+  KnownScene put(const std::string& id, Scene scene, const Owner& owner);
   void take(const std::string& id, Scenes::Entries& into);
   void take_unused(Scenes::Entries& into);
   // Takes out what is too much: of the client's own first.
   void take_surplus(const std::string& client, Scenes::Entries& into);
   bool is_unused(const Kept& kept) const { return keep_s_ > 0 && kept.used_s < now_() - keep_s_; }
-  void use(const std::string& id, Kept& kept);
+  // That it is used now. Returns: whether the file has to be told.
+  bool use(Kept& kept) const;
 
   std::unique_ptr<SceneFile> file_;  // null: they are kept in memory only
   const std::size_t max_bytes_, max_scenes_;
@@ -85,6 +96,8 @@ class SceneStore {
   std::int64_t keep_s_ = 0;  // 0: for ever
   Now now_ = system_now;
   std::unique_ptr<MemoryShare> share_;
+  LongWork* long_work_ = nullptr;
+  std::size_t most_values_ = 0;
 };
 
 }  // namespace tia::server

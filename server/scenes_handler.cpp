@@ -8,8 +8,10 @@
 #include "core/scene/read_scene.h"
 #include "server/digest.h"
 #include "server/handlers.h"
+#include "server/operation/memory_costs.h"
 #include "server/parameters.h"
 #include "server/problem.h"
+#include "server/scene_bytes.h"
 
 namespace tia::server {
 namespace {
@@ -39,20 +41,28 @@ Response get_scenes(const Request&, const std::string&, Service& service) {
   return {.content_type = "application/json", .body = service.studio.gallery.listing()};
 }
 
-Response get_scene(const Request&, const std::string& name, Service& service) {
+Response get_scene(const Request& request, const std::string& name, Service& service) {
   const Gallery& gallery = service.studio.gallery;
   if (const KnownScene scene = gallery.find(name)) return scene_text(*scene);
-  if (const KnownScene kept = service.studio.kept.find(name)) return scene_text(*kept);
+  const Asker asker = asker_of(request);
+  if (const KnownScene kept = service.studio.kept.find(name, asker)) {
+    const std::size_t bytes = bytes_of(*kept);
+    const std::int64_t memory = memory_for(memory_cost::patch, bytes);
+    return service.long_work({bytes, memory, "the scene's text"}, asker,
+                             [&] { return scene_text(*kept); });
+  }
   throw HttpError("not-found", "no scene is called that; there are: " + listed(gallery.names()) +
                                    ", and those lately sent to POST /scenes, by their ids");
 }
 
 Response post_scene(const Request& request, const std::string&, Service& service) {
-  const auto ticket = reading_ticket(request, service);
-  const char* const what = "the scene as a JSON object, such as {\"objects\":[]}";
-  Scene scene = read_described<Scene>(body_json(request, what, service.config.json_limits()), {},
-                                      request.stop);  // the JSON tree ends here
-  check_keys(scene, request.stop);
+  Scene scene = read_body(request, service, [&] {
+    const char* const what = "the scene as a JSON object, such as {\"objects\":[]}";
+    Scene read = read_described<Scene>(body_json(request, what, service.config.json_limits()), {},
+                                       request.stop);  // the JSON tree ends here
+    check_keys(read, request.stop);
+    return read;
+  });
   const std::string key = random_key(), key_hash = sha256_hex(key);
   SceneStore& kept = service.studio.kept;
   const std::string id = kept.keep(std::move(scene), {share_of(request.peer), key_hash, 0});

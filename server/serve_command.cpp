@@ -22,6 +22,7 @@ namespace {
 using std::chrono::milliseconds;
 
 constexpr int without_ticket = 8;  // requests that are read, or find what they want in a store
+constexpr int spare = 8;           // for clients that ask for little, whatever others do
 
 // Buffers of an ordinary picture stay warm in the heap (fresh pages would cost it a tenth of its
 // time); those of a poster go back to the system, and so does what a rush of requests left.
@@ -75,7 +76,9 @@ HttpOptions http_options(const Config& config) {
   options.connections = config.connections;
   // One each, to work or to wait: what waits and what works is bounded by its tickets; the rest is
   // for what needs none.
-  options.workers = config.queue + 2 * config.renders + without_ticket;
+  options.workers = config.queue + 2 * config.renders + without_ticket + spare;
+  options.spare_workers = spare;
+  options.share_of = share_of;
   options.deadline = milliseconds(config.deadline_ms);
   // A quarter of the memory, of which the largest picture that is sent back may take a half.
   options.most_held_bytes = static_cast<std::size_t>(config.memory_bytes / 4);

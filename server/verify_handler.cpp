@@ -1,4 +1,6 @@
 // /verify: a PNG in, whether its bytes are what this version draws from its recipe out.
+#include <optional>
+
 #include "core/input/json.h"
 #include "core/input/written.h"
 #include "server/digest.h"
@@ -24,23 +26,26 @@ namespace {
 /// Sent: a picture that has come back.
 struct Sent {
   Recipe recipe;
+  std::optional<PictureRequest> asked;  // none: of another version what it draws is not known here
   std::string sha256;
 };
 
 Sent sent_in(const Request& request, Service& service) {
-  const auto ticket = reading_ticket(request, service);
   refuse_query(request);
   if (!is_png(request.body))
     throw HttpError("media-type", "send a PNG file, such as this server has sent");
-  return {recipe_in(request.body, service.config, request.stop), sha256_hex(request.body)};
+  return read_recipe_of_body(request, service, [&](Recipe recipe) {
+    Sent sent{std::move(recipe), {}, sha256_hex(request.body)};
+    if (sent.recipe.version == full_version())
+      sent.asked = read_described<PictureRequest>(sent.recipe.request, {}, request.stop);
+    return sent;
+  });
 }
 
-// Where the recipe comes from another version, what it draws is not known here.
-Value::Object verdict_on(const Recipe& recipe, const Request& request, Service& service) {
-  if (recipe.version != full_version()) return {{"verdict", name_of(Verdict::other_version)}};
-  const auto asked = read_described<PictureRequest>(recipe.request, {}, request.stop);
+Value::Object verdict_on(const Sent& sent, const Request& request, Service& service) {
+  if (!sent.asked) return {{"verdict", name_of(Verdict::other_version)}};
   const Asker asker = asker_of(request);
-  Plan plan = plan_of(asked, service.studio, asker);
+  Plan plan = plan_of(*sent.asked, service.studio, asker);
   const auto found = picture_of(plan, etag_of(plan.recipe), asker, service);
   const std::string& expected = found.picture->bytes;
   return {{"verdict", name_of(expected == request.body ? Verdict::same : Verdict::different)},
@@ -50,12 +55,12 @@ Value::Object verdict_on(const Recipe& recipe, const Request& request, Service& 
 }  // namespace
 
 Response post_verify(const Request& request, const std::string&, Service& service) {
-  const auto [recipe, sha256] = sent_in(request, service);
-  Value::Object told = verdict_on(recipe, request, service);
-  told.emplace_back("sha256", sha256);
+  const Sent sent = sent_in(request, service);
+  Value::Object told = verdict_on(sent, request, service);
+  told.emplace_back("sha256", sent.sha256);
   told.emplace_back("version", full_version());
-  told.emplace_back("drawn_by", recipe.version);
-  told.emplace_back("request", recipe.request);
+  told.emplace_back("drawn_by", sent.recipe.version);
+  told.emplace_back("request", sent.recipe.request);
   return {.content_type = "application/json",
           .body = to_json(told),
           .headers = {{"Cache-Control", "no-store"}}};

@@ -77,13 +77,13 @@ void ViewRequest::check(const Place& at, Faults& faults) const {
         {FaultKind::conflict, at.at("light").pointer(), write_value(*light), "key or light"});
 }
 
-bool is_known_scene(const std::string& name, const Studio& studio) {
-  return studio.gallery.find(name) || studio.kept.in_memory(name);
+bool is_at_hand(const std::string& name, const Studio& studio) {
+  return studio.gallery.find(name) || studio.kept.is_at_hand(name);
 }
 
-KnownScene find_scene(const std::string& name, const Studio& studio) {
+KnownScene find_scene(const std::string& name, const Studio& studio, const Asker& asker) {
   if (KnownScene scene = studio.gallery.find(name)) return scene;
-  if (KnownScene scene = studio.kept.find(name)) return scene;
+  if (KnownScene scene = studio.kept.find(name, asker)) return scene;
   const std::vector<std::string_view> known = studio.gallery.names();
   throw InputError({FaultKind::unknown_name, "/scene", Value(name),
                     "a scene's name (" + listed(known) +
@@ -93,7 +93,7 @@ KnownScene find_scene(const std::string& name, const Studio& studio) {
 
 KnownScene scene_of(const ViewRequest& asked, const Studio& studio, const Asker& asker) {
   const auto* name = std::get_if<std::string>(&asked.scene);
-  KnownScene scene = name != nullptr ? find_scene(*name, studio)
+  KnownScene scene = name != nullptr ? find_scene(*name, studio, asker)
                                      : KnownScene{not_owned(std::get<Scene>(asked.scene))};
   if (asked.camera) {
     Scene changed = *scene;
@@ -101,11 +101,15 @@ KnownScene scene_of(const ViewRequest& asked, const Studio& studio, const Asker&
     scene = same_objects(scene, std::move(changed));
   }
   if (asked.key) {
-    if (moves_light_only(*scene, *asked.key)) return same_objects(scene, press(*scene, *asked.key));
+    if (moves_light_only(*scene, *asked.key))
+      return same_objects(
+          scene, press(*scene, *asked.key, *studio.pressed.middles_of(scene, asker)));
     const bool is_named = name != nullptr && !asked.camera;
-    return studio.pressed.get(is_named ? *name : "", scene, *asked.key, asker.client, asker.stop);
+    return studio.pressed.get(is_named ? *name : "", scene, *asked.key, asker);
   }
-  if (asked.light) return same_objects(scene, with_light(*scene, *asked.light));
+  if (asked.light)
+    return same_objects(
+        scene, with_light(*scene, *asked.light, *studio.pressed.middles_of(scene, asker)));
   return scene;
 }
 

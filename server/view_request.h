@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "core/core.h"
+#include "server/operation/asker.h"
 #include "server/gallery.h"
 #include "server/geometry_store.h"
 #include "server/pressed_scenes.h"
@@ -92,17 +93,11 @@ struct Studio {
   Limits limits;
 };
 
-/// Asker: whom a request is from, by whatever clients are told apart by, and until when.
-struct Asker {
-  std::string client;
-  std::stop_token stop;
-};
+/// Whether there is a scene of that name or id in memory, and nothing else has to be asked.
+bool is_at_hand(const std::string& name, const Studio& studio);
 
-/// Whether there is a scene of that name or id, as far as memory knows.
-bool is_known_scene(const std::string& name, const Studio& studio);
-
-/// The scene of that name or id. Errors: InputError (unknown_name) at /scene.
-KnownScene find_scene(const std::string& name, const Studio& studio);
+/// The scene of that name or id. Errors: InputError (unknown_name) at /scene; as SceneStore::find.
+KnownScene find_scene(const std::string& name, const Studio& studio, const Asker& asker);
 
 /// The scene that is asked for: with its camera patched, then its key pressed or its light moved.
 /// It may be the request's own, and lives no longer. Errors: InputError; as PressedScenes::get.

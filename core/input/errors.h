@@ -93,12 +93,18 @@ class Faults {
     return list_.size() == most;
   }
   const std::vector<Fault>& list() const { return list_; }
+  /// What ends reading.
+  const std::stop_token& stop() const { return stop_; }
   /// Errors: throws InputError if anything was added.
   void raise() const;
 
   /// Takes so many from those that the whole input may hold. Returns: whether so many were left;
   /// else none are taken.
   bool take(Bulk bulk, std::int64_t count);
+  /// How many have been taken.
+  std::int64_t taken(Bulk bulk) const {
+    return most_of(bulk) - left_[static_cast<std::size_t>(bulk)];
+  }
 
  private:
   std::vector<Fault> list_;

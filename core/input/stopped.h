@@ -1,4 +1,5 @@
-// Stopped: how a call ends whose caller no longer wants the answer.
+// Stopped: how a call ends whose caller no longer wants the answer. Where it looks for that, it also
+// lets others go first.
 #pragma once
 
 #include <exception>
@@ -12,8 +13,19 @@ class Stopped : public std::exception {
   const char* what() const noexcept override { return "stopped"; }
 };
 
-/// Errors: Stopped once that is asked for.
+/// Courtesy: who decides whether others may go first, wherever work could be stopped.
+class Courtesy {
+ public:
+  virtual ~Courtesy() = default;
+  /// Returns when it is the caller's turn again. Errors: Stopped.
+  virtual void let_others_go() = 0;
+};
+/// Of the work that this thread does; null: it waits for nobody.
+constinit inline thread_local Courtesy* courtesy = nullptr;
+
+/// Lets others go first where that is due. Errors: Stopped once that is asked for.
 inline void end_if_asked(const std::stop_token& stop) {
+  if (courtesy != nullptr) courtesy->let_others_go();
   if (stop.stop_requested()) throw Stopped();
 }
 

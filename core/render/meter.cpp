@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "core/input/stopped.h"
 #include "core/render/pool.h"
 #include "core/scene/limits.h"
 
@@ -20,13 +21,13 @@ void RayMeter::add(RayTally& rays) {
 }
 
 void RayMeter::add_work(std::int64_t work) {
-  if (stop_.stop_requested()) throw Stopped();
+  end_if_asked(stop_);
   if (work_.fetch_add(work) + work > max_work_) throw too_much_work(max_work_);
   tell();
 }
 
 void RayMeter::add_many(RayTally& rays) {
-  if (stop_.stop_requested()) throw Stopped();
+  end_if_asked(stop_);
   add(rays);
 }
 

@@ -32,8 +32,10 @@ struct Pool::Hand {
 
 struct Pool::Job : Turn {
   Job(int tasks, int most, const std::stop_token& asked, const std::function<void(int)>& what,
-      Flow& request)
-      : Turn(tasks, most, request), stop(asked), task(what) {}
+      Flow& request, bool alone = false)
+      : Turn(tasks, most, request), is_alone(alone), stop(asked), task(what) {}
+
+  const bool is_alone;  // only its caller can do it
 
   const std::stop_token& stop;
   const std::function<void(int)>& task;
@@ -64,6 +66,64 @@ struct Pool::Job : Turn {
       task(i);
     } while (clock() < end);
   }
+};
+
+/// Lone: a caller that does its one task alone, which is not over until all of it is done.
+class Pool::Lone : public Courtesy {
+ public:
+  Lone(Pool& pool, const std::stop_token& stop, Flow& flow)
+      : pool_(pool), stop_(stop), job_(1, 1, stop, nothing, flow, true) {
+    const std::lock_guard lock(pool_.mutex_);
+    pool_.turns_.enter(job_, pool_.clock_());
+    pool_.call_hands();
+  }
+  ~Lone() {
+    const std::lock_guard lock(pool_.mutex_);
+    if (at_work_) rest();
+    if (job_.caller.job != nullptr) pool_.unseat(job_.caller);
+    job_.next = job_.count;
+    pool_.turns_.leave(job_, pool_.clock_());
+    pool_.call_hands();
+  }
+  Lone(const Lone&) = delete;
+  Lone& operator=(const Lone&) = delete;
+
+  void take_turn() {
+    std::unique_lock lock(pool_.mutex_);
+    if (!job_.caller.called.wait(lock, stop_, [&] { return job_.caller.job != nullptr; }))
+      throw Stopped();
+    since_ = pool_.clock_();
+    Turns::begin(job_, since_);
+    at_work_ = true;
+  }
+  void let_others_go() override {
+    const Nanoseconds now = pool_.clock_();
+    if (now - since_ < Turns::look || stop_.stop_requested()) return;
+    std::unique_lock lock(pool_.mutex_);
+    pool_.turns_.spend(job_, now - since_);
+    since_ = now;
+    if (pool_.turns_.stays(job_, now)) return;
+    rest();
+    pool_.unseat(job_.caller);
+    pool_.call_hands();
+    lock.unlock();
+    take_turn();
+  }
+
+ private:
+  void rest() {
+    const Nanoseconds now = pool_.clock_();
+    pool_.turns_.spend(job_, now - since_);
+    Turns::end(job_, now);
+    at_work_ = false;
+  }
+
+  static inline const std::function<void(int)> nothing;
+  Pool& pool_;
+  const std::stop_token& stop_;
+  Job job_;
+  Nanoseconds since_ = 0;
+  bool at_work_ = false;
 };
 
 Nanoseconds Pool::steady_clock() {
@@ -108,6 +168,19 @@ void Pool::for_each(int count, int max_threads, const std::stop_token& stop,
   end_if_asked(stop);
 }
 
+void Pool::alone(const std::function<void()>& work, const std::stop_token& stop, Flow* flow) {
+  if (inside_task) return work();
+  Flow own;
+  Lone lone(*this, stop, flow != nullptr ? *flow : own);
+  lone.take_turn();
+  struct Inside {
+    explicit Inside(Courtesy* of) { inside_task = true, courtesy = of; }
+    ~Inside() { inside_task = false, courtesy = nullptr; }
+  };
+  const Inside inside(&lone);
+  work();
+}
+
 Workers Pool::workers(int max_threads, const std::stop_token& stop, Flow* flow) {
   const auto share = [this, max_threads, stop, flow](int count, const Workers::Task& task) {
     for_each(count, max_threads, stop, task, flow);
@@ -118,7 +191,10 @@ Workers Pool::workers(int max_threads, const std::stop_token& stop, Flow* flow) 
 void Pool::serve(Hand& hand, const std::stop_token& ending) {
   std::unique_lock lock(mutex_);
   for (;;) {
-    if (Job* job = next_job()) {
+    Job* job = nullptr;
+    do call_hands();
+    while ((job = next_job()) != nullptr && job->is_alone);  // which its caller has to do
+    if (job != nullptr) {
       seat(hand, *job);
     } else {
       idle_.push_back(&hand);

@@ -150,7 +150,9 @@ void Turns::spend(Turn& job, Nanoseconds time) {
   client.level += time / (2 * std::max<Nanoseconds>(present, 1));
   level_ += time / (4 * static_cast<Nanoseconds>(clients_.size()));
   job.flow.attained += time;
-  job.flow.is_long = job.flow.is_long || job.flow.attained >= long_service;
+  if (job.flow.is_long || job.flow.attained < long_service) return;
+  job.flow.is_long = true;
+  if (job.flow.became_long) job.flow.became_long();
 }
 
 }  // namespace tia

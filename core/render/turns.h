@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <functional>
 #include <list>
 #include <vector>
 
@@ -28,6 +29,7 @@ struct Flow {
   std::uint64_t client = 0;  ///< whom it is for, by any number that tells clients apart
   bool is_long = false;      ///< it takes long: so foreseen, or it has had Turns::long_service
   Nanoseconds attained = 0;  ///< the service that it has had
+  std::function<void()> became_long{};  ///< called once it has, by any thread, while turns are taken
 
   // Turns' own, from job to job.
   std::int64_t order = 0;                 ///< of its first coming; 0: it has not come yet

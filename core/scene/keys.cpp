@@ -17,15 +17,11 @@ constexpr DefaultKey default_keys[] = {
 
 // look_at, else the point of the view axis that lies as deep as the objects with bounds do on
 // average.
-Vec3d looked_at(const Scene& scene, const Vec3d& axis) {
+Vec3d looked_at(const Scene& scene, const Vec3d& axis, const Middles& middles) {
   if (scene.camera.look_at) return *scene.camera.look_at;
-  double depth = 0, count = 0;
-  for (const Object& object : scene.objects) {
-    const Aabb box = bounds_of(object);
-    if (box.empty() || !box.bounded()) continue;
-    depth += dot(box.center() - scene.camera.location, axis);
-    count += 1;
-  }
+  double depth = 0;
+  for (const Vec3d& middle : middles) depth += dot(middle - scene.camera.location, axis);
+  const auto count = static_cast<double>(middles.size());
   return scene.camera.location + axis * (depth > 0 ? depth / count : 1);
 }
 
@@ -41,13 +37,13 @@ Vec3d axis_of(const Scene& scene) { return normalize(view_of(scene.camera, 1, 1)
 
 // As seen from the camera, around the point looked at, at the distance that the light had (the
 // eye's, where it had none).
-Vec3d default_place(const Scene& scene, const Vec3d& towards) {
+Vec3d default_place(const Scene& scene, const Vec3d& towards, const Middles& middles) {
   const View view = view_of(scene.camera, 1, 1);
   const Vec3d axis = normalize(view.forward);
   const Vec3d right = normalize(view.right);
   const Vec3d across = cross(right, axis);
   const Vec3d up = dot(across, view.up) < 0 ? -across : across;  // a view plane may mirror
-  const Vec3d target = looked_at(scene, axis);
+  const Vec3d target = looked_at(scene, axis, middles);
   const Light* light = key_light_of(scene);
   const auto place = light != nullptr ? light->place() : std::nullopt;
   const Vec3d from = place.value_or(scene.camera.location);
@@ -80,16 +76,28 @@ bool moves_light_only(const Scene& scene, std::string_view key) {
   return binding == scene.keys.end() || std::holds_alternative<Vec3d>(binding->second);
 }
 
-Scene press(const Scene& scene, std::string_view key, std::string_view pointer) {
+Middles middles_of(const Scene& scene, const std::stop_token& stop) {
+  Middles middles;
+  if (scene.camera.look_at) return middles;
+  for (const Object& object : scene.objects) {
+    const Aabb box = bounds_of(object, stop);
+    if (!box.empty() && box.bounded()) middles.push_back(box.center());
+  }
+  return middles;
+}
+
+Scene press(const Scene& scene, std::string_view key, const Middles& middles,
+            std::string_view pointer) {
   if (scene.keys.empty()) {
     for (const DefaultKey& each : default_keys)
-      if (each.key == key) return with_light(scene, default_place(scene, each.towards), pointer);
+      if (each.key == key)
+        return with_light(scene, default_place(scene, each.towards, middles), middles, pointer);
     unknown_key(scene, key, pointer);
   }
   const auto binding = scene.keys.find(std::string(key));
   if (binding == scene.keys.end()) unknown_key(scene, key, pointer);
   if (const auto* position = std::get_if<Vec3d>(&binding->second))
-    return with_light(scene, *position, pointer);
+    return with_light(scene, *position, middles, pointer);
   const Value patched = merge_patch(write_value(scene), std::get<Value>(binding->second));
   try {
     return read_described<Scene>(patched);
@@ -116,8 +124,9 @@ std::optional<Fault> put(Light& light, const Vec3d& position, const Vec3d& targe
 
 }  // namespace
 
-Scene with_light(Scene scene, const Vec3d& position, std::string_view pointer) {
-  const Vec3d target = looked_at(scene, axis_of(scene));
+Scene with_light(Scene scene, const Vec3d& position, const Middles& middles,
+                 std::string_view pointer) {
+  const Vec3d target = looked_at(scene, axis_of(scene), middles);
   Light* light = key_light_of(scene);
   if (light == nullptr) light = &scene.lights.emplace_back();
   if (auto fault = put(*light, position, target, pointer)) throw InputError(std::move(*fault));
@@ -152,7 +161,9 @@ struct MergedParts {
 class KeyCheck {
  public:
   KeyCheck(const Scene& scene, const std::stop_token& stop)
-      : scene_(scene), stop_(stop), target_(looked_at(scene, axis_of(scene))) {}
+      : scene_(scene),
+        stop_(stop),
+        target_(looked_at(scene, axis_of(scene), middles_of(scene, stop))) {}
 
   void operator()() {
     const Place all{}, keys = all.at("keys");
@@ -170,6 +181,7 @@ class KeyCheck {
  private:
   static constexpr int most_patches = 100;
   static constexpr std::size_t most_bytes = 16 << 20;
+  static constexpr std::int64_t most_bulk = 1 << 27;  // of pixels three quarters of a second
 
   void check(const Vec3d& position, const std::string& pointer) {
     const Light* own = key_light_of(scene_);
@@ -182,13 +194,7 @@ class KeyCheck {
     MergedParts merged{scene_, *patch.as<Value::Object>()};
     if (++patches_ <= most_patches) Scene::fields(merged);
     bytes_ += to_json(merged.parts).size();
-    if (patches_ > most_patches || bytes_ > most_bytes) {
-      faults.add({FaultKind::limit, "/keys", std::nullopt,
-                  "at most " + std::to_string(most_patches) +
-                      " patches, which merge with at most " + std::to_string(most_bytes) +
-                      " bytes of the scene together"});
-      return false;
-    }
+    if (patches_ > most_patches || bytes_ > most_bytes) return too_much();
     Faults found(stop_);
     Scene changed;
     read_value(merge_patch(std::move(merged.parts), patch), Place{}, Spec{}, found, changed);
@@ -196,7 +202,16 @@ class KeyCheck {
       faults.add({FaultKind::conflict, pointer, std::nullopt,
                   "a patch that leaves a scene; after this one " + describe(found.list().front()) +
                       others(found.count())});
-    return true;
+    bulk_ += found.taken(Bulk::pixels) + found.taken(Bulk::cells);
+    return bulk_ <= most_bulk || too_much();
+  }
+
+  bool too_much() {
+    faults.add({FaultKind::limit, "/keys", std::nullopt,
+                "at most " + std::to_string(most_patches) + " patches, which merge with at most " +
+                    std::to_string(most_bytes) + " bytes of the scene together, and in which " +
+                    std::to_string(most_bulk) + " pixels and cells are read"});
+    return false;
   }
 
   const Scene& scene_;
@@ -204,6 +219,7 @@ class KeyCheck {
   Vec3d target_;
   int patches_ = 0;
   std::size_t bytes_ = 0;
+  std::int64_t bulk_ = 0;
 };
 
 }  // namespace

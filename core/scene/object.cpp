@@ -13,19 +13,19 @@ Aabb bounds_of(const Mesh& mesh) {
   return box;
 }
 
-Aabb bounds_of(const Csg& csg) {
-  Aabb box = bounds_of(csg.children.front());
+Aabb bounds_of(const Csg& csg, const std::stop_token& stop) {
+  Aabb box = bounds_of(csg.children.front(), stop);
   if (csg.operation == Operation::difference) return box;
   for (std::size_t i = 1; i < csg.children.size(); ++i) {
-    const Aabb child = bounds_of(csg.children[i]);
+    const Aabb child = bounds_of(csg.children[i], stop);
     box = csg.operation == Operation::union_ ? around(box, child) : common(box, child);
   }
   return box.empty() ? Aabb{} : box;
 }
 
-Aabb bounds_of(const Group& group) {
+Aabb bounds_of(const Group& group, const std::stop_token& stop) {
   Aabb box;
-  for (const Object& child : group.children) box = around(box, bounds_of(child));
+  for (const Object& child : group.children) box = around(box, bounds_of(child, stop));
   return group.repeat ? group.repeat->swept(box) : box;
 }
 
@@ -99,11 +99,13 @@ std::string solid_names() {
   return names;
 }
 
-Aabb bounds_of(const Object& object) {
+Aabb bounds_of(const Object& object, const std::stop_token& stop) {
+  end_if_asked(stop);
   const Aabb box = std::visit(
-      []<class Kind>(const Kind& kind) {
+      [&]<class Kind>(const Kind& kind) {
         if constexpr (requires { bounds(kind); }) return bounds(kind);  // with less than a form
         else if constexpr (IsSurface<Kind>) return bounds(prepare(kind));
+        else if constexpr (requires { bounds_of(kind, stop); }) return bounds_of(kind, stop);
         else return bounds_of(kind);
       },
       object.shape);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <variant>
 #include <vector>
@@ -57,6 +58,7 @@ std::string solid_names();
 
 /// A box around an object in its parent's space; infinite where the object is, empty where there
 /// is nothing of it. Domain: an object that was read without a fault.
-Aabb bounds_of(const Object& object);
+/// Cost: of a surface whose form tells its box, making that form: milliseconds. Errors: Stopped.
+Aabb bounds_of(const Object& object, const std::stop_token& stop = {});
 
 }  // namespace tia

@@ -122,7 +122,7 @@ class TreeCheck {
     for (std::size_t i = 0; i < group.children.size() && !faults_.full(); ++i) {
       const Place child = children.at(i);
       if (faults_.within(child.pointer())) continue;  // what it is cannot be told
-      const Aabb box = bounds_of(group.children[i]);
+      const Aabb box = bounds_of(group.children[i], faults_.stop());
       if (box.empty() || box.bounded()) continue;
       faults_.add({FaultKind::conflict, at.at("repeat").pointer(), write_value(*group.repeat),
                    "a group whose children have bounds; " + child.pointer() + " has none"});

@@ -25,6 +25,7 @@ static_assert(last_words.size() - last_words.find('{') == 173);
 
 Request without_body(const Request& from) {
   Request to{from.method, from.target, from.headers, "", from.id, from.peer};
+  to.trace = from.trace;
   to.arrived = from.arrived;
   return to;
 }
@@ -43,7 +44,7 @@ void Connection::begin(Request request) {
   } else if (auto known = application.from_memory(turn_->request)) {
     turn_->make([&](const Request&) { return std::move(*known); }, house_.closing, [] {});
     hand_over(*turn_);
-  } else if (house_.free_workers == 0) {
+  } else if (!house_.has_worker_for(house_.options.share_of(turn_->request.peer))) {
     fail_turn(failure("busy", "all that may wait here does (option TIA_QUEUE)",
                       {{"Retry-After", std::to_string(application.retry_after())}}));
   } else {
@@ -52,6 +53,8 @@ void Connection::begin(Request request) {
 }
 
 void Connection::work() {
+  turn_->client = house_.options.share_of(turn_->request.peer);
+  int& own = house_.at_work[turn_->client];
   house_.workers.post([self = shared_from_this(), turn = turn_] {
     House& house = self->house_;
     turn->make(house.application.answer, house.closing,
@@ -59,6 +62,7 @@ void Connection::work() {
     house.tell([self, turn] { self->finish(turn); });
   });
   --house_.free_workers;  // last: nothing is taken where memory for the rest is short
+  ++own;
   enter(Phase::answering, house_.options.deadline);
 }
 
@@ -69,6 +73,8 @@ void Connection::pump() {
 
 void Connection::finish(const std::shared_ptr<Turn>& turn) {
   ++house_.free_workers;
+  const auto own = house_.at_work.find(turn->client);
+  if (--own->second == 0) house_.at_work.erase(own);
   house_.last_work = Clock::now();
   if (turn != turn_ || phase_ != Phase::answering) return;  // nobody waits for it any more
   if (turn->is_cut) return leave();

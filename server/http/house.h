@@ -9,7 +9,9 @@
 #include <new>
 #include <optional>
 #include <set>
+#include <string>
 #include <thread>
+#include <unordered_map>
 
 #include "server/http/http_server.h"
 #include "server/http/patience.h"
@@ -29,6 +31,7 @@ struct House {
   asio::io_context io{1};
   WorkerThreads workers{options.workers};
   int free_workers = options.workers;
+  std::unordered_map<std::string, int> at_work;  ///< workers, by client; none of 0
   std::optional<Clock::time_point> last_work;  ///< none since the application was told of its end
   std::set<std::shared_ptr<Connection>> connections;
   std::atomic<int> open = 0;           ///< connections, for other threads
@@ -50,6 +53,13 @@ struct House {
   void hold(std::ptrdiff_t more) {
     held_bytes += static_cast<std::size_t>(more);
     application.held(more);
+  }
+  /// Whether there is a worker for a request of that client: however many one client asks for, the
+  /// last ones are for others.
+  bool has_worker_for(const std::string& client) const {
+    if (free_workers > options.spare_workers) return true;
+    const auto own = at_work.find(client);
+    return free_workers > 0 && (own == at_work.end() || own->second < 2);
   }
   bool holds_too_much() const { return held_bytes > options.most_held_bytes; }
 };

@@ -12,6 +12,7 @@
 #include <thread>
 #include <vector>
 
+#include "server/http/answer_writer.h"
 #include "server/http/connection.h"
 #include "server/http/doors.h"
 
@@ -48,6 +49,8 @@ class HttpServer::Listener {
             [this](tcp::socket socket) { welcome(std::move(socket)); }, [this] { make_room(); }) {
     allow_descriptors(house_.options.connections);
     tzset();  // reads the zone's file, which strftime would do at the first answer
+    Response first;  // at which the library makes tables: by no two threads at once
+    static_cast<void>(answer_bytes(first, false, false));
   }
   ~Listener() { house_.workers.join(); }
 

@@ -21,9 +21,14 @@ struct HttpOptions {
   std::int64_t max_png_bytes = 64 << 20;  ///< of a body of type image/png
   int connections = 1024;                 ///< beyond them the one that has waited longest is closed
   int workers = 16;                       ///< requests that may be in work at once; beyond them 429
+  int spare_workers = 0;                  ///< of these, for clients that have fewer than two in work
   std::chrono::milliseconds deadline{30'000};  ///< from a request's last byte to its answer
   std::size_t most_held_bytes = 256 << 20;     ///< of requests and answers, of all connections
   TrustsProxy trusts_proxy = [](const std::string&) { return false; };
+  /// By what clients are told apart, of their addresses.
+  std::function<std::string(const std::string&)> share_of = [](const std::string& address) {
+    return address;
+  };
 };
 
 /// Exchange: a request that is done with.

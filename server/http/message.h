@@ -4,6 +4,7 @@
 #include <chrono>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <stop_token>
 #include <string>
 #include <string_view>
@@ -11,6 +12,7 @@
 #include <vector>
 
 #include "core/input/value.h"
+#include "server/http/trace_context.h"
 
 namespace tia::server {
 
@@ -33,6 +35,7 @@ struct Request {
   std::string id;  ///< X-Request-Id: the client's where it is fit for a log line, else our own
   std::string peer = {};  ///< the client's address, as its proxies tell it where they are trusted
   bool is_http_1_0 = false;
+  std::optional<TraceContext> trace = {};  ///< where who asks has sent a traceparent
   std::stop_token stop = {};  ///< requested once nobody waits for the answer any more
   Clock::time_point arrived = Clock::now();  ///< when its last byte had come
 

@@ -1,9 +1,9 @@
 #include "server/http/request_reader.h"
 
 #include <algorithm>
-#include <random>
 #include <utility>
 
+#include "server/http/trace_context.h"
 #include "server/problem.h"
 
 namespace tia::server {
@@ -63,6 +63,7 @@ bool RequestReader::read_head() {
   request_.headers = std::move(head_.headers);
   request_.is_http_1_0 = head_.is_http_1_0;
   request_.id = request_id(request_.header("X-Request-Id"));
+  request_.trace = trace_context(request_.header("traceparent"));
   const bool is_png = same_word(request_.header("Content-Type"), "image/png");
   const BodyLimit& limit = is_png ? limits_.png : limits_.any;
   chunks_ = ChunkDecoder(limit);
@@ -92,14 +93,7 @@ std::string request_id(std::string_view asked) {
   };
   if (!asked.empty() && asked.size() <= 64 && std::all_of(asked.begin(), asked.end(), fit))
     return std::string(asked);
-  thread_local std::mt19937_64 random{std::random_device{}()};
-  std::string id(16, '0');
-  std::uint64_t word = random();
-  for (char& c : id) {
-    c = "0123456789abcdef"[word & 15U];
-    word >>= 4U;
-  }
-  return id;
+  return random_digits(16);
 }
 
 }  // namespace tia::server

@@ -13,6 +13,14 @@ int Admission::Kind::held_by(const std::string& client) const {
   return static_cast<int>(std::ranges::count(inside, client, &Entrant::client));
 }
 
+int Admission::Kind::clients_inside() const {
+  int clients = 0;
+  for (auto each = inside.begin(); each != inside.end(); ++each)
+    clients += std::none_of(inside.begin(), each,
+                            [&](const Entrant& known) { return known.client == each->client; });
+  return clients;
+}
+
 Admission::Admission(const Options& o)
     : queue_(o.queue),
       threads_(o.threads),
@@ -57,7 +65,8 @@ Admission::Ticket Admission::enter_as(std::size_t kind, Entrant entrant,
   changed_.wait(lock, stop, [&] { return who->is_in || who->is_pushed_out; });
   if (!who->is_in) {
     give_up();
-    if (who->is_pushed_out) throw busy("the queue is full (option TIA_QUEUE)");
+    if (who->is_pushed_out)
+      throw busy("the queue is full, and others have less of it (option TIA_QUEUE)");
     throw Stopped();
   }
   lock.unlock();
@@ -82,12 +91,12 @@ void Admission::find_place(const Entrant& who) {
       "a quarter of the queue is full of posters (option TIA_QUEUE)"};
   const Kind& mine = kinds_[who.kind];
   const bool own_full = static_cast<int>(mine.waiting.size()) > mine.most_waiting;
-  if (!own_full && all_waiting() <= queue_) return;
+  if (!own_full && all_waiting() - in_places_ <= queue_) return;
   if (!push_out(own_full ? who.kind : kinds, who.client)) throw busy(full_queue[who.kind]);
 }
 
 // Of that kind, or of any, sends the newest of the client away that has most of the queue, if that
-// is at least as much as this one has with the new one. Returns: whether there was such a one.
+// is more than this one has with the new one. Returns: whether there was such a one.
 bool Admission::push_out(std::size_t kind, const std::string& client) {
   const auto places_of = [&](const std::string& whose) {
     std::ptrdiff_t places = 0;
@@ -97,14 +106,15 @@ bool Admission::push_out(std::size_t kind, const std::string& client) {
       });
     return places;
   };
-  std::ptrdiff_t most = places_of(client);
+  const std::ptrdiff_t own = places_of(client);
+  std::ptrdiff_t most = own;
   Entrant* newest = nullptr;
   for (std::size_t i = 0; i < kinds; ++i) {
     if (kind != kinds && kind != i) continue;
     for (Entrant& who : kinds_[i].waiting) {
-      if (who.client == client || who.is_pushed_out) continue;
+      if (who.is_pushed_out) continue;
       const std::ptrdiff_t places = places_of(who.client);
-      if (places < most) continue;
+      if (places <= own || places < most) continue;
       most = places;
       newest = &who;
     }
@@ -155,8 +165,11 @@ bool Admission::has_room(const Entrant& who) const {
                        (who.kind != reading && light_places_taken() >= kinds_[light].most);
   if (!is_full) return true;
   if (kind.held_by(who.client) > 0 || kind.at_work() >= 2 * kind.most) return false;
-  return std::ranges::any_of(
-      kind.inside, [&](const Entrant& each) { return 2 * kind.held_by(each.client) > kind.most; });
+  const int fair = std::max(1, kind.most / (kind.clients_inside() + 1));
+  return std::ranges::any_of(kind.inside, [&](const Entrant& each) {
+    const int held = kind.held_by(each.client);
+    return held > fair || 2 * held > kind.most;
+  });
 }
 
 bool Admission::may_enter(const Entrant& who) const {
@@ -193,7 +206,7 @@ void Admission::leave(Entrants::iterator who) {
 
 Admission::Place Admission::wait_for_others() {
   const std::lock_guard lock(mutex_);
-  if (all_waiting() >= std::max(queue_, kinds_[light].most))
+  if (in_places_ >= std::max(queue_, kinds_[light].most))
     throw busy("the queue is full (option TIA_QUEUE)");
   ++in_places_;
   return Place(this);

@@ -27,8 +27,9 @@ namespace tia::server {
 /// (core/render/turns.h). What could not end in time does not begin.
 ///
 /// While others wait one client keeps no more than half: whose client holds none finds room beyond
-/// the tickets where another holds more than half of them; and where the queue is full, the newest
-/// of the client that has most of it makes room for one that has less (longest queue drop).
+/// the tickets where another holds more than half of them, or than its share with the newcomer; and
+/// where the queue is full, the newest of the client that has most of it makes room for one that has
+/// less (longest queue drop). Who waits for what others draw takes no place of who waits to draw.
 /// Source: McKenney, "Stochastic fairness queueing" (1990), section 3.
 class Admission {
  public:
@@ -69,8 +70,10 @@ class Admission {
     /// Tells what has been done so far. Light work that turns out heavy from then on takes no light
     /// one's place. Any thread may call.
     void has_done(std::int64_t rays, std::int64_t tests) {
-      if (rays > most_light_rays || tests > most_light_tests) from_->turn_heavy(who_);
+      if (rays > most_light_rays || tests > most_light_tests) turn_heavy();
     }
+    /// Light work turns out heavy for another reason. Any thread may call.
+    void turn_heavy() { from_->turn_heavy(who_); }
 
    private:
     friend Admission;
@@ -121,6 +124,7 @@ class Admission {
 
     int at_work() const { return static_cast<int>(inside.size()); }
     int held_by(const std::string& client) const;
+    int clients_inside() const;
   };
   Ticket enter_as(std::size_t kind, Entrant entrant, const std::stop_token& stop);
   void check_time(const Kind& kind, double seconds) const;

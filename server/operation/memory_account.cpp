@@ -27,6 +27,12 @@ HttpError too_large(std::string_view what, std::int64_t bytes, std::int64_t most
                            " MiB (option TIA_MEMORY_BYTES)"};
 }
 
+HttpError no_memory() {
+  return {"busy",
+          "all memory that the server may take is in use (option TIA_MEMORY_BYTES)",
+          {{"Retry-After", "1"}}};
+}
+
 // The number in a file of the control group, or none: "max" is no number.
 std::int64_t number_in(const char* path, std::int64_t none) {
   std::ifstream file(path);
@@ -72,28 +78,64 @@ int MemoryAccount::waiting() const {
   return static_cast<int>(waiting_.size());
 }
 
-// Larger ones leave an eighth to small ones, and wait for those of them that came before.
-bool MemoryAccount::take_fairly(std::int64_t bytes, bool is_first) noexcept {
-  const bool small = bytes <= most_small();
-  if (!small && (!is_first || free() - bytes < limit_ / 8)) return false;
+MemoryAccount::Client* MemoryAccount::enter(const std::string& client) {
+  if (client.empty()) return nullptr;
+  const std::lock_guard lock(mutex_);
+  Client& known = clients_[client];
+  ++known.claims;
+  return &known;
+}
+
+void MemoryAccount::leave(const std::string& client) noexcept {
+  if (client.empty()) return;
+  const std::lock_guard lock(mutex_);
+  const auto known = clients_.find(client);
+  if (--known->second.claims == 0) clients_.erase(known);
+}
+
+// Whether other requests of its client have so much that this one has to wait for them.
+bool MemoryAccount::has_its_share(const Waiter& who) const noexcept {
+  if (who.client == nullptr || who.bytes <= most_small()) return false;
+  const std::int64_t others = who.client->granted - who.own;
+  return others > 0 && who.client->granted + who.bytes > most_of_client();
+}
+
+bool MemoryAccount::take_more(std::int64_t own, std::int64_t bytes) noexcept {
+  if (own + bytes > most_small() && free() - bytes < limit_ / 8) return false;
   return take(requests, bytes);
 }
 
-void MemoryAccount::wait_for(std::int64_t bytes, const std::stop_token& stop) {
+// Larger ones leave an eighth to small ones, and wait for those of them that came before.
+bool MemoryAccount::take_fairly(Waiters::const_iterator who) noexcept {
+  const bool small = who->bytes <= most_small();
+  if (!small) {
+    const auto waits_itself = [&](const Waiter& each) { return has_its_share(each); };
+    const bool is_first = std::all_of(waiting_.cbegin(), who, waits_itself);
+    if (!is_first || has_its_share(*who) || free() - who->bytes < limit_ / 8) return false;
+  }
+  return take(requests, who->bytes);
+}
+
+bool MemoryAccount::wait_for(const Waiter& who, const std::stop_token& stop) {
+  const std::int64_t bytes = who.bytes;
   std::unique_lock lock(mutex_);
-  const auto place = waiting_.insert(waiting_.end(), 0);
-  const auto taken = [&] { return take_fairly(bytes, place == waiting_.begin()); };
+  const auto place = waiting_.insert(waiting_.end(), who);
+  const auto taken = [&] { return take_fairly(place); };
   bool is_taken = taken();
   if (!is_taken) ++waits_;
-  while (!is_taken && !stop.stop_requested()) {
-    lock.unlock();
-    make_room(bytes <= most_small() ? bytes : bytes + limit_ / 8);
-    lock.lock();
+  const auto until = std::chrono::steady_clock::now() + most_wait;
+  while (!is_taken && !stop.stop_requested() && std::chrono::steady_clock::now() < until) {
+    if (!has_its_share(*place)) {
+      lock.unlock();
+      make_room(bytes <= most_small() ? bytes : bytes + limit_ / 8);
+      lock.lock();
+    }
     is_taken = less_held_.wait_for(lock, stop, look, taken);
   }
   waiting_.erase(place);
   less_held_.notify_all();
-  if (!is_taken) throw Stopped();
+  if (!is_taken) end_if_asked(stop);
+  return is_taken;
 }
 
 // ---- shares ---------------------------------------------------------------------------------
@@ -119,16 +161,24 @@ void MemoryClaim::reserve(std::int64_t bytes, std::string_view what, const std::
     throw too_large(what, wanted, account_.most_of_one());
   }
   Stopwatch watch;
-  account_.wait_for(more, stop);
-  granted_ += more;
+  const bool is_granted = account_.wait_for({more, granted_, client_}, stop);
   waited_ms_ += watch.lap_ms();
+  if (!is_granted) {
+    ++account_.refusals_;
+    throw no_memory();
+  }
+  grant(more);
+}
+
+void MemoryClaim::grant(std::int64_t bytes) noexcept {
+  granted_ += bytes;
+  if (client_ != nullptr) client_->granted += bytes;
+  if (bytes < 0) account_.add(MemoryAccount::requests, bytes);
 }
 
 void MemoryClaim::settle() noexcept {
   const std::int64_t idle = granted_ - std::max<std::int64_t>(used_, 0);
-  if (idle <= 0) return;
-  granted_ -= idle;
-  account_.add(MemoryAccount::requests, -idle);
+  if (idle > 0) grant(-idle);
 }
 
 bool MemoryClaim::charge(std::int64_t bytes) noexcept {
@@ -136,14 +186,14 @@ bool MemoryClaim::charge(std::int64_t bytes) noexcept {
   const std::int64_t more = used - granted_;
   if (more > 0) {
     const std::int64_t step = std::max(more, growth);
-    const bool wide = account_.take(MemoryAccount::requests, step);
-    if (!wide && !account_.take(MemoryAccount::requests, more)) {
+    const bool wide = account_.take_more(granted_, step);
+    if (!wide && !account_.take_more(granted_, more)) {
       used_ -= bytes;
       was_refused_ = true;
       ++account_.refusals_;
       return false;
     }
-    granted_ += wide ? step : more;
+    grant(wide ? step : more);
   }
   std::int64_t most = most_used_;
   while (most < used && !most_used_.compare_exchange_weak(most, used)) continue;
@@ -155,9 +205,7 @@ MemoryClaim* MemoryClaim::current() { return static_cast<MemoryClaim*>(task_cont
 HttpError MemoryClaim::refusal() const {
   if (most_used_ > account_.most_of_one() / 2)
     return too_large("this request", most_used_ + growth, account_.most_of_one());
-  return {"busy",
-          "all memory that the server may take is in use (option TIA_MEMORY_BYTES)",
-          {{"Retry-After", "1"}}};
+  return no_memory();
 }
 
 ClaimScope::ClaimScope(MemoryClaim* claim) : outside_(std::exchange(task_context, claim)) {}
@@ -189,7 +237,7 @@ std::int64_t addresses_beyond(std::int64_t memory_bytes) {
   if (getrlimit(RLIMIT_AS, &space) != 0 || space.rlim_cur == RLIM_INFINITY) return 0;
   const auto limit = static_cast<std::int64_t>(space.rlim_cur);
   const std::int64_t taken = number_in("/proc/self/statm", 0) * sysconf(_SC_PAGESIZE);
-  const std::int64_t scattered = limit / 16;  // between the pieces that are in use
+  const std::int64_t scattered = limit / 8;  // between the pieces that are in use
   return std::max<std::int64_t>(0, memory_bytes + taken + scattered - limit);
 }
 

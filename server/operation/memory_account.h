@@ -4,13 +4,16 @@
 
 #include <array>
 #include <atomic>
+#include <chrono>
 #include <condition_variable>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <list>
+#include <map>
 #include <mutex>
 #include <stop_token>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -21,6 +24,8 @@ namespace tia::server {
 /// MemoryAccount: what the program may take, and what has how much of it. Any thread may call.
 class MemoryAccount {
  public:
+  /// Who waits longer for memory is refused: what holds it may itself wait for this one.
+  static constexpr std::chrono::seconds most_wait{2};
   /// What memory is held for. The rows of `tia_memory_bytes`.
   enum Holder : std::size_t { program, connections, requests, pictures, geometries, scenes };
   static constexpr std::array<std::string_view, 6> holders{"program",  "connections", "requests",
@@ -52,6 +57,10 @@ class MemoryAccount {
   /// Asks them until so many bytes are free. Returns: whether they are.
   bool make_room(std::int64_t bytes);
 
+  /// The most that one client's requests may have together, but for small ones, so that some is
+  /// left for others; one request alone may have more.
+  std::int64_t most_of_client() const { return most_of_one() / 2; }
+
   /// How often claims had to wait, and were refused.
   std::int64_t waits() const { return waits_; }
   std::int64_t refusals() const { return refusals_; }
@@ -59,9 +68,26 @@ class MemoryAccount {
 
  private:
   friend class MemoryClaim;
-  // Books it for a request, or waits until that is possible. Errors: Stopped.
-  void wait_for(std::int64_t bytes, const std::stop_token& stop);
-  bool take_fairly(std::int64_t bytes, bool is_first) noexcept;
+  /// Client: what its requests have been granted together.
+  struct Client {
+    std::atomic<std::int64_t> granted = 0;
+    int claims = 0;
+  };
+  /// Waiter: who needs more for its request.
+  struct Waiter {
+    std::int64_t bytes = 0, own = 0;  // what it needs, and has already
+    const Client* client = nullptr;   // null: of nobody's
+  };
+  using Waiters = std::list<Waiter>;
+  Client* enter(const std::string& client);
+  void leave(const std::string& client) noexcept;
+  // Books it for a request, or waits until that is possible. Returns: whether it was in time.
+  // Errors: Stopped.
+  [[nodiscard]] bool wait_for(const Waiter& who, const std::stop_token& stop);
+  bool take_fairly(Waiters::const_iterator who) noexcept;
+  // Books it at once for a request that has so much, unless it is large and the eighth is at stake.
+  bool take_more(std::int64_t own, std::int64_t bytes) noexcept;
+  bool has_its_share(const Waiter& who) const noexcept;
 
   const std::int64_t limit_;
   std::atomic<std::int64_t> total_ = 0, waits_ = 0, refusals_ = 0;
@@ -69,7 +95,8 @@ class MemoryAccount {
   std::vector<GiveWay> give_way_;
   mutable std::mutex mutex_;
   std::condition_variable_any less_held_;
-  std::list<int> waiting_;  // one entry each, in the order of coming
+  Waiters waiting_;  // in the order of coming
+  std::map<std::string, Client> clients_;
 };
 
 /// MemoryShare: what a store holds of the account, and may hold at most. The store guards it.
@@ -99,14 +126,20 @@ class MemoryShare {
 /// request. The threads that work for the request may charge at once.
 class MemoryClaim {
  public:
-  explicit MemoryClaim(MemoryAccount& account) : account_(account) {}
-  ~MemoryClaim() { account_.add(MemoryAccount::requests, -granted_); }
+  /// `client`: whose request it is; "": nobody's, who has no share.
+  explicit MemoryClaim(MemoryAccount& account, const std::string& client = "")
+      : account_(account), name_(client), client_(account.enter(client)) {}
+  ~MemoryClaim() {
+    grant(-granted_);
+    account_.leave(name_);
+  }
   MemoryClaim(const MemoryClaim&) = delete;
   MemoryClaim& operator=(const MemoryClaim&) = delete;
 
   /// Makes sure that so many bytes more than are in use now may be taken: at once, after caches
   /// have given way, or after a wait. `what` needs them, in words.
-  /// Errors: HttpError (too-large) where the account can never give them; Stopped.
+  /// Errors: HttpError: too-large where the account can never give them, busy where it has not for
+  /// most_wait; Stopped.
   void reserve(std::int64_t bytes, std::string_view what, const std::stop_token& stop);
   /// Gives back what is not in use.
   void settle() noexcept;
@@ -130,7 +163,12 @@ class MemoryClaim {
   HttpError refusal() const;
 
  private:
+  // Books what the account has given, or, negative, gives it back.
+  void grant(std::int64_t bytes) noexcept;
+
   MemoryAccount& account_;
+  const std::string name_;
+  MemoryAccount::Client* const client_;  // null: nobody's
   std::atomic<std::int64_t> granted_ = 0, used_ = 0, most_used_ = 0;
   std::atomic<bool> was_refused_ = false;
   double waited_ms_ = 0;

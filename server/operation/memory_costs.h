@@ -20,6 +20,8 @@ namespace memory_cost {
 
 inline constexpr MemoryCost text{"text", "byte of JSON text", 40,
                                  "its tree, and the scene that is read from it"};
+inline constexpr MemoryCost value{"value", "JSON value, as many as may be in so long a text", 400,
+                                  "the same, where the text says much in few bytes"};
 inline constexpr MemoryCost patch{"patch", "byte of a scene in memory", 8,
                                   "the scene written as a tree, patched, and read again"};
 inline constexpr MemoryCost build{"build", "byte of what the objects say", 12,
@@ -33,6 +35,9 @@ inline constexpr MemoryCost request{"request", "request", 1 << 20, "all else"};
 
 /// All rows.
 std::span<const MemoryCost> memory_costs();
+
+/// Of a text of JSON with at most so many values: the larger of the two rows. Space/units: bytes.
+std::int64_t memory_for_text(std::size_t bytes, std::size_t most_values);
 
 /// Space/units: bytes.
 inline std::int64_t memory_for(const MemoryCost& cost, std::size_t count) {

@@ -21,7 +21,7 @@ test('time, rays, bytes and size are those of the last answer', () =>
     const bytes = await last.body();
     await page.locator('.whole .bytes dd').getByText(bytes.length.toLocaleString('en'), { exact: true }).waitFor();
     const phases = entries(headers['server-timing']);
-    assert.deepEqual(phases.map(([name]) => name), ['queue', 'parse', 'build', 'trace', 'encode']);
+    assert.deepEqual(phases.map(([name]) => name), ['queue', 'wait', 'parse', 'build', 'trace', 'encode']);
     for (const [name, ms] of phases) assert.equal(await told(page, 'phases', name), `${words(ms)} ms`);
     const sum = phases.reduce((total, [, ms]) => total + ms, 0);
     assert.equal(await page.locator('#panel-numbers .figure').first().textContent(), `${words(sum)} ms`);

@@ -11,7 +11,10 @@
 #include "core/formulas/parse.h"
 #include "core/input/errors.h"
 #include "core/input/json.h"
+#include "core/input/written.h"
 #include "core/lights/sphere_light.h"
+#include "core/scene/keys.h"
+#include "core/scene/read_scene.h"
 #include "core/shapes/algebraic_term.h"
 #include "core/shapes/mesh.h"
 #include "core/shapes/occupied.h"
@@ -73,6 +76,16 @@ TEST(LimitNumbers, AListOfNamesNames40Of64BytesEach) {
   const std::string name(65, 'n');
   EXPECT_EQ(listed({std::string_view(name).substr(1)}), std::string(64, 'n'));
   EXPECT_EQ(listed({name}), std::string(45, 'n') + "… (20 bytes more)");
+}
+
+TEST(LimitNumbers, APointerHas512BytesAndWhatIsAllowed1024) {
+  const auto kept = [](std::size_t pointer, std::size_t allowed) {
+    const std::string place = "/" + std::string(pointer - 1, 'p'), words(allowed, 'w');
+    const Fault fault = InputError({FaultKind::limit, place, {}, words}).faults().front();
+    return std::pair(fault.pointer == place, fault.allowed == words);
+  };
+  EXPECT_EQ(kept(512, 1024), std::pair(true, true));
+  EXPECT_EQ(kept(513, 1025), std::pair(false, false));
 }
 
 // ---- what comes in bulk ---------------------------------------------------------------------
@@ -143,6 +156,84 @@ TEST(LimitNumbers, AFormulaCosts4000Additions) {
                              "+" + nested("cos", 99);
   EXPECT_EQ(fault_in(costly + "+" + nested("abs", 35)), std::nullopt);
   EXPECT_EQ(fault_in(costly + "+" + nested("abs", 36)), FaultKind::limit);
+}
+
+// ---- scenes ---------------------------------------------------------------------------------
+
+bool is_scene(const std::string& text) {
+  try {
+    read_scene(text);
+    return true;
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.faults().size(), 1U) << error.what();
+    return false;
+  }
+}
+
+TEST(LimitNumbers, AThingIsRepeated16777216Times) {
+  const auto repeated = [](const std::string& count) {
+    return is_scene(R"({"objects":[{"type":"group","repeat":{"count":)" + count +
+                    R"(,"step":[1,1,1]},"children":[{"type":"sphere","center":[0,0,0],"radius":1}]}]})");
+  };
+  EXPECT_TRUE(repeated("[16777216,1,1]"));
+  EXPECT_FALSE(repeated("[16777217,1,1]"));
+  EXPECT_TRUE(repeated("[4096,4096,1]"));
+  EXPECT_FALSE(repeated("[4096,4096,2]"));
+}
+
+TEST(LimitNumbers, ASceneHas65536NumberedMaterials) {
+  const auto wearing = [](std::size_t materials) {
+    return is_scene(R"({"objects":[{"type":"voxels","size":[1,1,1],"occupied":[[0,0,0,1]],)"
+                    R"("materials":[{})" +
+                    times(materials - 1, ",{}") + "]}]}");
+  };
+  EXPECT_TRUE(wearing(65'536));
+  EXPECT_FALSE(wearing(65'537));
+}
+
+TEST(LimitNumbers, ASceneHas4096LuminousBalls) {
+  const auto glowing = [](const std::string& balls) {
+    return is_scene(R"({"objects":[{"type":"group","repeat":{"count":[)" + balls +
+                    R"(,1,1],"step":[9,0,0]},"material":{"emission":[1,1,1]},)"
+                    R"("children":[{"type":"sphere","center":[0,0,0],"radius":1}]}]})");
+  };
+  EXPECT_TRUE(glowing("4096"));
+  EXPECT_FALSE(glowing("4097"));
+}
+
+// Whether a scene's keys are too many to be tried, or merge with too much.
+bool is_beyond(const Scene& scene) {
+  try {
+    check_keys(scene, {});
+    return false;
+  } catch (const InputError& error) {
+    return error.faults().front().kind == FaultKind::limit;
+  }
+}
+
+TEST(LimitNumbers, AScenesKeysHave100Patches) {
+  Scene scene;
+  for (int i = 0; i < 100; ++i)
+    scene.keys[std::to_string(i)] = Value(Value::Object{{"title", "new"}});
+  EXPECT_FALSE(is_beyond(scene));
+  scene.keys["another"] = scene.keys["0"];
+  EXPECT_TRUE(is_beyond(scene));
+}
+
+// A patch of materials merges with these, and leaves objects that wear them.
+TEST(LimitNumbers, AScenesKeysMergeWith16777216Bytes) {
+  const auto merging = [](std::size_t name) {
+    Scene scene;
+    scene.materials[std::string(name, 'n')] = {};
+    scene.keys["a"] = Value(Value::Object{{"materials", Value::Object{}}});
+    return scene;
+  };
+  const Scene least = merging(0);
+  const std::size_t rest = to_json(Value::Object{{"materials", write_value(least.materials)},
+                                                 {"objects", write_value(least.objects)}})
+                               .size();
+  EXPECT_FALSE(is_beyond(merging(16'777'216 - rest)));
+  EXPECT_TRUE(is_beyond(merging(16'777'217 - rest)));
 }
 
 // ---- what only a huge input would meet ------------------------------------------------------

@@ -51,8 +51,8 @@ export function ask(base, { method, path, headers, body }, agent) {
 
 /**
  * `clients` ask until told to stop, each wish of `wanted` in turn, which has its { status, sha256 }.
- * `stop()` gives { asked, failures, told, worst (ms) }; `told`: how many POSTs got 502, which says that
- * their replica ended over them: nobody asks them again of another one.
+ * `stop()` gives { asked, failures, told, worst (ms) }; `told`: how many POSTs were told that their
+ * replica ended over them, by 502 or by the end of their connection: nobody asks them again of another one.
  */
 export function startTraffic(base, wanted, clients) {
   const agent = new http.Agent({ keepAlive: true, maxSockets: clients });
@@ -65,7 +65,7 @@ export function startTraffic(base, wanted, clients) {
       const got = await ask(base, wish, agent);
       ++so.asked;
       so.worst = Math.max(so.worst, got.ms);
-      if (got.status === 502 && wish.method === 'POST') ++so.told;
+      if ([0, 502].includes(got.status) && wish.method === 'POST') ++so.told;
       else if (got.status !== answer.status || got.sha256 !== answer.sha256)
         so.failures.push(`${wish.method} ${wish.path}: ${got.status}, ${got.ms.toFixed()} ms`);
     }

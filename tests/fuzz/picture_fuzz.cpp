@@ -27,7 +27,7 @@ void read(std::string_view png) {
     config.max_body_bytes = most_bytes;
     const auto text = text_in(png, server::recipe_keyword, most_bytes);
     must(!text || text->size() <= most_bytes);
-    const server::Recipe recipe = server::recipe_in(png, config);
+    const server::Recipe recipe = server::read_recipe(server::recipe_text_in(png, config), config);
     must(text && to_json(parse_json(*text)).find(to_json(Value(recipe.version))) != text->npos);
   } catch (const InputError& error) {
     must(!error.faults().empty() && *error.what() != '\0');

@@ -10,6 +10,7 @@
 #include "core/film/png_text.h"
 #include "core/render/explain.h"
 #include "core/scene/read_scene.h"
+#include "server/operation/memory_costs.h"
 #include "server/recipe.h"
 #include "tests/core/film/files.h"
 #include "tests/memory/scarce_memory.h"
@@ -128,6 +129,8 @@ TEST_P(SceneMemory, IsWithinItsFactor) {
   if (sanitized()) GTEST_SKIP() << "the sanitizer's pieces are larger";
   EXPECT_LE(peak, text.peak);
   EXPECT_LE(rest, text.rest);
+  EXPECT_LE(peak * static_cast<double>(text.json.size()),
+            memory_for_text(text.json.size(), most_values));
 }
 
 std::string objects(const std::string& list) { return "{\"objects\":" + list + "}"; }
@@ -170,7 +173,7 @@ std::vector<Sample> scenes() {
                                   sphere + "]}")),
        26, 16},
       {"Materials", members_of("materials", most_values - 8, "{}"), 38, 31},
-      {"NumberedMaterials", objects(wearing("{}")), 100, 86},
+      {"NumberedMaterials", objects(wearing("{}")), 115, 102},
       {"MaterialsByName", R"({"materials":{"":{}},"objects":)" + wearing("\"\"") + "}", 100, 86},
       {"Lights", "{\"lights\":" + list_of(49'000, R"({"type":"sky"})") + "}", 30, 15},
       {"Keys", members_of("keys", 49'000, R"({"":0})"), 50, 30},
@@ -238,7 +241,7 @@ TEST(RecipeMemory, ATextThatUnpacksToMoreThanABodyTakesNoMoreThanABody) {
   for (const std::size_t size : {body + 1, 16 * body}) {
     const std::string bomb =
         with_text(encode_png(Image8(1, 1)), recipe_keyword, std::string(size, ' '));
-    const Use use = use_of<Recipe>([&] { return recipe_in(bomb, config); });
+    const Use use = use_of<Recipe>([&] { return read_recipe(recipe_text_in(bomb, config), config); });
     EXPECT_EQ(use.rest, 0);
     EXPECT_LE(use.peak, static_cast<long>(body + body / 8));
   }

@@ -36,8 +36,13 @@ bool is_short() {
   return true;
 }
 
+// Before that a sanitizer that is not ready itself must not be asked how large a piece is.
+std::atomic<bool> begun = false;
+__attribute__((constructor)) void begin() { begun = true; }
+
 // What a piece takes: the C library puts its size before it.
 long bytes_of(void* piece) {
+  if (!begun) return 0;
   return static_cast<long>(malloc_usable_size(piece) + sizeof(std::size_t));
 }
 

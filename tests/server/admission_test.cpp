@@ -12,8 +12,8 @@
 namespace tia::test {
 namespace {
 
-constexpr Cost light_rays{0.001}, heavy_rays{2 * Admission::most_light_seconds};
-constexpr std::int64_t many_rays = Admission::most_light_rays + 1;
+const Cost light_rays{0.001}, heavy_rays{2 * Admission::most_light_seconds};
+const std::int64_t many_rays = Admission::most_light_rays + 1;
 using Ticket = Admission::Ticket;
 
 /// Someone who enters on a thread of their own.
@@ -243,18 +243,41 @@ TEST(Admission, AFullQueueMakesRoomForWhoHasLessOfIt) {
   first.give_up(), second.give_up();
 }
 
-TEST(Admission, WhoWaitsForOthersTakesAPlaceInTheQueue) {
+// Where all have as much as each other newcomers drive nobody out: else who waits would never get in.
+TEST(Admission, AFullQueueOfEqualsMakesNoRoom) {
+  Admission admission({.tickets = 1, .queue = 2});
+  Guest inside(admission, light_rays, "a");
+  ASSERT_TRUE(inside.gets_in());
+  Guest beside(admission, light_rays, "b");  // all that is at work is another's
+  ASSERT_TRUE(beside.gets_in());
+  Guest c(admission, light_rays, "c");
+  wait_until_waiting(admission, 1);
+  Guest d(admission, light_rays, "d");
+  wait_until_waiting(admission, 2);
+  Guest e(admission, light_rays, "e");
+  ASSERT_TRUE(e.gets_in());
+  EXPECT_THROW(e.leave(), HttpError);
+  EXPECT_EQ(admission.waiting(), 2);
+  c.give_up(), d.give_up();
+}
+
+TEST(Admission, WhoWaitsForOthersTakesAPlaceOfItsOwnKind) {
   Admission admission({.tickets = 1, .queue = 2});
   auto one = std::make_unique<Admission::Place>(admission.wait_for_others());
   const auto other = admission.wait_for_others();
   EXPECT_EQ(admission.waiting(), 2);
   EXPECT_THROW(static_cast<void>(admission.wait_for_others()), HttpError);
+  Guest inside(admission, light_rays);  // nor does it fill the queue for those who want to draw
+  ASSERT_TRUE(inside.gets_in());
+  Guest waiting(admission, light_rays);
+  wait_until_waiting(admission, 3);
   one.reset();
   EXPECT_NO_THROW(static_cast<void>(admission.wait_for_others()));
+  waiting.give_up();
 }
 
 TEST(Admission, LongTextsAreReadAFewAtATime) {
-  constexpr std::size_t size = Admission::longest_short_text;
+  const std::size_t size = Admission::longest_short_text;
   Admission admission({.tickets = 8, .queue = 4});
   Guest a(admission, size + 1), b(admission, size + 1);
   ASSERT_TRUE(a.gets_in() && b.gets_in());

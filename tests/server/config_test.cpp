@@ -49,6 +49,8 @@ const Numeric numerics[] = {
      [](const Config& c) { return c.max_png_bytes; }},
     {"cache_bytes", "--cache-bytes", "TIA_CACHE_BYTES", 268'435'456, 0, 1'099'511'627'776,
      [](const Config& c) { return c.cache_bytes; }},
+    {"scene_keep_s", "--scene-keep-s", "TIA_SCENE_KEEP_S", 0, 0, 1'000'000'000,
+     [](const Config& c) { return c.scene_keep_s; }},
     {"max_data_bytes", "--max-data-bytes", "TIA_MAX_DATA_BYTES", 1'073'741'824, 1'048'576,
      1'099'511'627'776, [](const Config& c) { return c.max_data_bytes; }},
     {"max_scenes_bytes", "--max-scenes-bytes", "TIA_MAX_SCENES_BYTES", 67'108'864, 0,
@@ -153,7 +155,7 @@ INSTANTIATE_TEST_SUITE_P(Of, Option, testing::ValuesIn(numerics), option_name);
 TEST(Options, AreTheseAndNoOthers) {
   std::vector<std::string> names;
   for (const OptionRow& row : option_rows()) names.push_back(row.name);
-  std::vector<std::string> tested{"host", "data_dir", "cors_origins", "trusted_proxies"};
+  std::vector<std::string> tested{"host", "data_dir", "cors_origins", "trusted_proxies", "hosts"};
   for (const Numeric& option : numerics) tested.emplace_back(option.name);
   EXPECT_THAT(names, testing::UnorderedElementsAreArray(tested));
 }

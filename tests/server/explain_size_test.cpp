@@ -16,7 +16,7 @@ Response asked(const std::string& scene, const std::string& more) {
       "/explain",
       R"({"scene":)" + scene + R"(,"ray":{"origin":[0,0,0],"direction":[0,0,-1]})" + more + "}");
 }
-Json explained(const std::string& scene, const std::string& more = "") {
+Json explanation_of_scene(const std::string& scene, const std::string& more = "") {
   const Response response = asked(scene, more);
   EXPECT_EQ(response.status, 200) << response.body.substr(0, 1000);
   EXPECT_LE(response.body.size(), longest_explanation);
@@ -34,7 +34,7 @@ void expect_too_long(const Response& response, const char* pointer) {
 // ---- names ----------------------------------------------------------------------------------
 
 TEST(ExplainNames, ObjectsOfOneNameAreToldApartByTheirIds) {
-  const Json answer = explained(R"({"objects":[
+  const Json answer = explanation_of_scene(R"({"objects":[
     {"type":"sphere","name":"twin","center":[0,0,-5],"radius":1,"material":{"reflection":0.5}},
     {"type":"plane","point":[0,-9,0],"normal":[0,1,0]},
     {"type":"group","children":[{"type":"disc","name":"twin","center":[0,0,-9],"normal":[0,0,1],
@@ -104,7 +104,7 @@ TEST(ExplainSize, OfAHallOfMirrorsIsItsRays) {
                            R"(","point":[0,0,-1],"normal":[0,0,1],)" + mirror +
                            R"(,{"type":"plane","name":")" + std::string(256, 'b') +
                            R"(","point":[0,0,1],"normal":[0,0,-1],)" + mirror + "]}";
-  const Json answer = explained(hall, R"(,"max_depth":64)");
+  const Json answer = explanation_of_scene(hall, R"(,"max_depth":64)");
   int depth = 0;
   for (const Json* node = &answer.at("tree");; ++depth) {
     const Json& last = node->at("terms").back();
@@ -124,7 +124,7 @@ TEST(ExplainSize, OfATreeOfRaysIsCountedAsItGrows) {
              R"(],"material":{"reflection":0.5,"transmission":0.5,"fresnel":true,"ior":1.5}})";
   const std::string scene = R"({"objects":[)" + panes + "]}";
   expect_too_long(asked(scene, R"(,"max_depth":64)"), "/max_depth");
-  EXPECT_GT(explained(scene, R"(,"max_depth":6)").dump().size(), 10'000U);
+  EXPECT_GT(explanation_of_scene(scene, R"(,"max_depth":6)").dump().size(), 10'000U);
 }
 
 TEST(ExplainSize, OfManySurfacesIsCountedBeforeItIsMade) {
@@ -133,7 +133,7 @@ TEST(ExplainSize, OfManySurfacesIsCountedBeforeItIsMade) {
            R"(],"step":[0,0,-3]},"children":[{"type":"sphere","name":")" + std::string(256, 's') +
            R"(","center":[0,0,-3],"radius":1}]}]})";
   };
-  explained(row(2000));
+  explanation_of_scene(row(2000));
   expect_too_long(asked(row(4900), ""), "");
 }
 

@@ -95,7 +95,8 @@ TEST(Cors, AnOriginOfTheListMayReadEveryAnswerProblemsToo) {
       const Response response = sharing().get(target, {{"Origin", origin}});
       EXPECT_EQ(header(response, allow_origin), origin) << target;
       EXPECT_EQ(header(response, "Access-Control-Expose-Headers"),
-                "ETag, Server-Timing, Tia-Rays, X-Request-Id, Retry-After, Cache-Status");
+                "ETag, Server-Timing, Tia-Rays, Tia-Delete-Key, X-Request-Id, traceparent, "
+                "Retry-After, Cache-Status");
       EXPECT_THAT(header(response, "Vary").value_or(""), HasSubstr("Origin")) << target;
     }
 }
@@ -127,7 +128,7 @@ TEST(Cors, APreflightNamesWhatThePathTakes) {
   EXPECT_EQ(header(response, allow_origin), "https://a.example");
   EXPECT_EQ(header(response, "Access-Control-Allow-Methods"), "GET, HEAD, POST, OPTIONS");
   EXPECT_EQ(header(response, "Access-Control-Allow-Headers"),
-            "Content-Type, If-None-Match, X-Request-Id");
+            "Content-Type, If-None-Match, X-Request-Id, Tia-Delete-Key, traceparent");
   EXPECT_EQ(header(response, "Access-Control-Max-Age"), "7200");
   EXPECT_EQ(
       header(preflight(sharing(), "https://a.example", "/healthz"), "Access-Control-Allow-Methods"),

@@ -1,13 +1,16 @@
 // What a request may hold and how long a client may take, in the contract's own numbers: each limit
 // is met and passed by one, and nothing here is computed from the constant that it pins. What would
 // take seconds, or a hundred thousand requests, is named as it is.
+#include "core/render/explanation_size.h"
 #include "core/scene/read_scene.h"
-#include "server/operation/admission.h"
-
 #include "server/http/patience.h"
+#include "server/known_targets.h"
 #include "server/log.h"
+#include "server/operation/admission.h"
+#include "server/problem.h"
 #include "server/recipe.h"
 #include "server/scene_digest.h"
+#include "server/scene_file.h"
 #include "server/scene_store.h"
 #include "tests/server/http/reader_support.h"
 #include "tests/server/http/request_forms.h"
@@ -161,6 +164,25 @@ TEST(LimitNumbers, ARecipeTells262144BytesOfObjects) {
   EXPECT_FALSE(is_told(262'145));
 }
 
+// ---- what is answered -----------------------------------------------------------------------
+
+TEST(LimitNumbers, AProblemsDetailHas2048Bytes) {
+  const auto detail = [](std::size_t size) {
+    const auto failed = failure("busy", std::string(size, 'd'));
+    return problem_of(problem_response(failed, {"GET", "/", {}, "", Host::id})).detail;
+  };
+  EXPECT_EQ(detail(2048), std::string(2048, 'd'));
+  EXPECT_NE(detail(2049), std::string(2049, 'd'));
+}
+
+TEST(LimitNumbers, OfWhatIsAnsweredAndKept) {
+  EXPECT_EQ(longest_problem, 16'384U);
+  EXPECT_EQ(longest_explanation, 4'194'304U);
+  EXPECT_EQ(most_owners, 64);
+  EXPECT_EQ(KnownTargets::most_bytes, 4'194'304U);
+  EXPECT_EQ(CostMemory::most_scenes, 4096U);
+}
+
 // ---- patience -------------------------------------------------------------------------------
 
 TEST(LimitNumbers, OfPatience) {
@@ -174,6 +196,7 @@ TEST(LimitNumbers, OfPatience) {
   EXPECT_EQ(patience::rest, milliseconds(1000));
   EXPECT_EQ(patience::drained, milliseconds(250));
   EXPECT_EQ(patience::memory, milliseconds(1));
+  EXPECT_EQ(MemoryAccount::most_wait, milliseconds(2000));
   EXPECT_EQ(patience::slowest_rate, 65'536U);
   EXPECT_EQ(patience::at_slowest_rate(1 << 20), milliseconds(16'000));
 }

@@ -75,6 +75,32 @@ TEST(Log, HasOneJsonLineARequest) {
   EXPECT_EQ(text_at(lines[1], "method"), "POST");
 }
 
+// W3C Trace Context: what a collector joins the lines of several servers by.
+TEST(Log, TellsTheFirst200BytesOfATarget) {
+  Tia tia;
+  auto client = tia.client();
+  const std::string target = "/" + std::string(199, 'a');
+  for (const char* more : {"", "b"}) client.Get((target + more).c_str());
+  const std::vector<Value> lines = lines_of(tia, 2);
+  ASSERT_EQ(lines.size(), 2U);
+  EXPECT_EQ(text_at(lines[0], "target"), target);
+  EXPECT_EQ(text_at(lines[1], "target"), target);
+}
+
+TEST(Log, TellsWhichTraceARequestBelongsTo) {
+  Tia tia;
+  const std::string stem = "00-4bf92f3577b34da6a3ce929d0e0e4736-";
+  const Response answer = plain("GET", "/healthz", tia.client().Get("/healthz", {
+      {"traceparent", stem + "00f067aa0ba902b7-01"}}));
+  tia.client().Get("/healthz", {{"traceparent", "00-forged\",\"id\":\"1\"-01"}});
+  const std::vector<Value> lines = lines_of(tia, 2);
+  ASSERT_EQ(lines.size(), 2U);
+  EXPECT_EQ(text_at(lines[0], "trace_id"), stem.substr(3, 32));
+  EXPECT_EQ(text_at(lines[0], "parent_id"), "00f067aa0ba902b7");
+  EXPECT_EQ(header(answer, "traceparent"), stem + text_at(lines[0], "span_id") + "-01");
+  EXPECT_EQ(find(*lines[1].as<Value::Object>(), "trace_id"), nullptr);
+}
+
 TEST(Log, NamesTheProblemThatWasToldOfUnreadableRequestsToo) {
   Tia tia;
   exchange(tia.port(), "hello there\r\n\r\n");

@@ -1,9 +1,12 @@
 // What operators ask: /readyz and /metrics.
+#include <httplib.h>
+
 #include <map>
+#include <set>
 #include <sstream>
 
 #include "server/http/http_server.h"
-#include "tests/server/support.h"
+#include "tests/server/process_support.h"
 
 namespace tia::test {
 namespace {
@@ -35,7 +38,7 @@ TEST(Metrics, ObserveEveryPhaseOfAPicture) {
   for (int i = 0; i < 4; ++i) host.get("/render?width=8&height=8&seed=" + std::to_string(i));
   host.get("/render?width=0");
   auto metrics = metrics_of(host);
-  for (const char* phase : {"queue", "parse", "build", "trace", "encode"}) {
+  for (const char* phase : {"queue", "wait", "parse", "build", "trace", "encode"}) {
     const std::string of = std::string("{phase=\"") + phase + "\"";
     EXPECT_EQ(metrics["tia_picture_phase_seconds_count" + of + "}"], 4);
     EXPECT_EQ(metrics["tia_picture_phase_seconds_bucket" + of + ",le=\"+Inf\"}"], 4);
@@ -75,6 +78,32 @@ TEST(Metrics, TellOfKeptScenesAndTheBuild) {
   int builds = 0;
   for (const auto& [name, value] : metrics) builds += name.rfind("tia_build_info{", 0) == 0 ? 1 : 0;
   EXPECT_EQ(builds, 1);
+}
+
+// A counter that only appears with its first event has no rate for it.
+TEST(Metrics, AllFamiliesAreThereBeforeTheFirstRequest) {
+  const auto families = [](const std::string& text) {
+    std::set<std::string> names;
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);)
+      if (line.starts_with("# TYPE ")) names.insert(line);
+    return names;
+  };
+  const Tia tia;
+  const std::string first = tia.get("/metrics").body;
+  for (const char* target : {"/render?width=8&height=8", "/render?width=8&height=8", "/nowhere",
+                             "/explain?x=1&y=1", "/render?scene=steiner&width=8&height=8"})
+    tia.get(target);
+  tia.client().Post("/scenes", "{}", "application/json");
+  const std::set<std::string> before = families(first);
+  EXPECT_GT(before.size(), 15U);
+  EXPECT_EQ(families(tia.get("/metrics").body), before);
+  const auto series = series_of(first);
+  for (const char* holder : {"program", "connections", "requests", "pictures", "geometries", "scenes"})
+    EXPECT_TRUE(series.contains(std::string("tia_memory_bytes{for=\"") + holder + "\"}")) << holder;
+  for (const char* result : {"waited", "refused"})
+    EXPECT_TRUE(series.contains(std::string("tia_memory_claims_total{result=\"") + result + "\"}"));
+  EXPECT_TRUE(series.contains("tia_memory_limit_bytes"));
 }
 
 TEST(Ready, UntilTheServerGoesDown) {

@@ -8,6 +8,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <iterator>
 #include <sstream>
 #include <stdexcept>
@@ -35,9 +36,15 @@ std::string tia_program() {
 
 }  // namespace
 
-Process::Process(const Words& arguments, const Words& environment, int error_output) {
-  const std::string program = tia_program();
+Process::Process(const Words& arguments, const Words& environment, int error_output,
+                 std::int64_t most_addresses) {
+  std::string program = tia_program();
   Words all{program};
+  if (most_addresses > 0) {  // the shell sets the limit and becomes the program
+    const std::string limit = "ulimit -v " + std::to_string(most_addresses / 1024);
+    all = {"sh", "-c", limit + R"( && exec "$0" "$@")", program};
+    program = "/bin/sh";
+  }
   all.insert(all.end(), arguments.begin(), arguments.end());
   Words variables = environment;
   for (char** each = environ; *each != nullptr; ++each)
@@ -99,8 +106,21 @@ Finished run(const Process::Words& arguments, const Process::Words& environment)
 // ---- Tia ------------------------------------------------------------------------------------
 
 Tia::Tia() : Tia({"--port", "0"}) {}
-Tia::Tia(const Words& arguments, const Words& environment, int error_output)
-    : Process(arguments, environment, error_output) {
+namespace {
+
+// Most requests of these tests are sent to "x".
+Process::Words with_any_host(Process::Words environment) {
+  const auto names_hosts = [](const std::string& each) { return each.starts_with("TIA_HOSTS="); };
+  if (std::none_of(environment.begin(), environment.end(), names_hosts))
+    environment.emplace_back("TIA_HOSTS=*");
+  return environment;
+}
+
+}  // namespace
+
+Tia::Tia(const Words& arguments, const Words& environment, int error_output,
+         std::int64_t most_addresses)
+    : Process(arguments, with_any_host(environment), error_output, most_addresses) {
   if (!eventually([&] { return out().find('\n') != std::string::npos || !running(); }) ||
       !running())
     throw std::runtime_error("tia does not start: " + err());

@@ -5,6 +5,7 @@
 #include <sys/types.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -35,12 +36,13 @@ class Folder {
 
 /// Process: `tia` with these arguments and these additions to an environment without TIA_*.
 /// Its outputs go to files, so that it never waits for a reader; the error output elsewhere where a
-/// descriptor is given.
+/// descriptor is given. `most_addresses`: what its addresses may span (RLIMIT_AS); 0: no limit.
 class Process {
  public:
   using Words = std::vector<std::string>;
 
-  explicit Process(const Words& arguments, const Words& environment = {}, int error_output = -1);
+  explicit Process(const Words& arguments, const Words& environment = {}, int error_output = -1,
+                   std::int64_t most_addresses = 0);
   ~Process();
   Process(const Process&) = delete;
   Process& operator=(const Process&) = delete;
@@ -72,7 +74,8 @@ Finished run(const Process::Words& arguments, const Process::Words& environment 
 class Tia : public Process {
  public:
   Tia();
-  explicit Tia(const Words& arguments, const Words& environment = {}, int error_output = -1);
+  explicit Tia(const Words& arguments, const Words& environment = {}, int error_output = -1,
+               std::int64_t most_addresses = 0);
   const std::string& first_line() const { return first_line_; }
   int port() const { return port_; }
   httplib::Client client() const;

@@ -219,7 +219,7 @@ TEST(Recipe, IsReadNoFurtherOnceNobodyWaits) {
   const std::string bomb = with_recipe(picture(), text + "]");
   std::stop_source source;
   source.request_stop();
-  EXPECT_THROW(recipe_in(bomb, Config{}, source.get_token()), Stopped);
+  EXPECT_THROW(read_recipe(recipe_text_in(bomb, {}), {}, source.get_token()), Stopped);
 }
 
 // ---- how long a body may be -----------------------------------------------------------------

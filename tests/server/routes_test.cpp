@@ -14,6 +14,7 @@ struct Path {
   const char* path;
   const char* allow;
   int answered = 200, posted = 200;  // what an empty object, or no parameter, comes to
+  int deleted = 404;
 };
 void PrintTo(const Path& path, std::ostream* out) { *out << path.path; }
 
@@ -33,8 +34,11 @@ TEST_P(Allow, NamesTheMethodsThatThePathTakes) {
     const bool taken =
         (std::string(", ") + allow + ",").find(std::string(", ") + method + ",") != allow.npos;
     if (taken) {
-      const bool post = std::string_view(method) == "POST";
-      EXPECT_EQ(response.status, post ? GetParam().posted : GetParam().answered) << response.body;
+      const std::string_view is = method;
+      EXPECT_EQ(response.status, is == "POST"     ? GetParam().posted
+                                 : is == "DELETE" ? GetParam().deleted
+                                                  : GetParam().answered)
+          << response.body;
       continue;
     }
     EXPECT_EQ(response.status, 405);
@@ -52,7 +56,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Path{"Render", "/render", "GET, HEAD, POST, OPTIONS"},
                     Path{"Scenes", "/scenes", "GET, HEAD, POST, OPTIONS", 200, 201},
                     Path{"Explain", "/explain", "GET, HEAD, POST, OPTIONS", 422, 422},
-                    Path{"Scene", "/scenes/thesis", "GET, HEAD, OPTIONS"},
+                    Path{"Scene", "/scenes/thesis", "GET, HEAD, DELETE, OPTIONS"},
                     Path{"Schema", "/schema/scene.json", "GET, HEAD, OPTIONS"},
                     Path{"Health", "/healthz", "GET, HEAD, OPTIONS"},
                     Path{"Version", "/version", "GET, HEAD, OPTIONS"},
@@ -78,7 +82,7 @@ TEST(Routes, AnUnknownPathIs404ForEveryMethod) {
 TEST(Routes, OptionsOfTheServerAreAllMethods) {  // RFC 9110, 9.3.7
   const Response response = host().ask("OPTIONS", "*");
   EXPECT_EQ(response.status, 204);
-  EXPECT_EQ(header(response, "Allow"), "GET, HEAD, POST, OPTIONS");
+  EXPECT_EQ(header(response, "Allow"), "GET, HEAD, POST, DELETE, OPTIONS");
   EXPECT_EQ(host().get("*").status, 404);
 }
 

@@ -129,7 +129,7 @@ TEST(SceneFile, ThatIsAnotherProgramsIsRefused) {
   EXPECT_THAT(refusal(folder.file("")), testing::HasSubstr("another program's"));
   file.seekp(68).write("Tia\0", 4).flush();
   EXPECT_EQ(refusal(folder.file("")), "");
-  file.seekp(60).write("\0\0\0\2", 4).flush();  // and its version
+  file.seekp(60).write("\0\0\0\3", 4).flush();  // and its version
   EXPECT_THAT(refusal(folder.file("")), testing::HasSubstr("another version"));
 }
 

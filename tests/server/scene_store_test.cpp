@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "core/scene/read_scene.h"
+#include "server/config.h"
 #include "server/digest.h"
 #include "server/scene_bytes.h"
 #include "tests/server/support.h"
@@ -46,6 +47,15 @@ TEST(SceneStore, ASceneSpelledInTwoWaysIsKeptOnce) {
   EXPECT_EQ(store.keep(read_scene(R"({"background": 1e0, "lights": [], "title": "\u0078"})")), id);
   EXPECT_EQ(store.count(), 1U);
   EXPECT_EQ(store.bytes(), bytes);
+}
+
+TEST(SceneStore, AHundredThousandBallsFitTheDefaults) {
+  Scene scene;
+  for (int i = 0; i < 100'000; ++i)
+    scene.objects.emplace_back().shape = Sphere{{0, 0, static_cast<double>(-i)}, 0.5};
+  EXPECT_LE(bytes_of(scene), std::size_t{48} << 20);  // the list has room for 131 072
+  SceneStore store(server::Config{}.max_scenes_bytes);
+  EXPECT_TRUE(store.find(store.keep(std::move(scene))));
 }
 
 TEST(SceneStore, WhatIsNotKeptIsNotFound) {

@@ -24,7 +24,8 @@ bool eventually(const std::function<bool()>& ask, Clock::duration patience) {
 
 Server::Server() : Server(HttpOptions{.host = "127.0.0.1", .port = 0}) {}
 Server::Server(HttpOptions options)
-    : http_(std::move(options),
+    : host_(read_config({{"hosts", "*", ""}})),
+      http_(std::move(options),
             {.answer = [this](const Request& request) { return host_.ask(request); },
              .at_once = is_answered_at_once}),
       running_([this] { http_.run(); }) {}

@@ -391,6 +391,7 @@ export default {
     fromCache: 'From the server\u2019s cache: nothing was traced or packed for this request. The rays are those of the drawing.',
     fromCopy: 'This browser had it already, and the server confirmed that it still holds. Time and rays are those of when it was fetched.',
     is_queue: 'waiting',
+    is_wait: 'waiting for memory',
     is_parse: 'reading',
     is_build: 'preparing',
     is_trace: 'tracing rays',

@@ -391,6 +391,7 @@ export default {
     fromCache: 'Lấy từ bộ nhớ đệm của máy chủ: không dò tia hay nén gì cho yêu cầu này. Số tia là của lần vẽ trước.',
     fromCopy: 'Trình duyệt này đã có sẵn ảnh, và máy chủ xác nhận ảnh vẫn đúng. Thời gian và số tia là của lần tải ảnh về.',
     is_queue: 'chờ',
+    is_wait: 'chờ bộ nhớ',
     is_parse: 'đọc',
     is_build: 'chuẩn bị',
     is_trace: 'dò tia',

@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <barrier>
+#include <chrono>
 #include <mutex>
 #include <set>
 #include <stdexcept>
@@ -165,6 +166,111 @@ TEST(Pool, TaskMayCallThePoolItself) {
   std::atomic<int> inner = 0;
   pool.for_each(4, 2, {}, [&](int) { pool.for_each(5, 2, {}, [&](int) { ++inner; }); });
   EXPECT_EQ(inner, 20);
+}
+
+// ---- work that its caller does alone --------------------------------------------------------
+
+TEST(PoolAlone, IsDoneOnTheCallersThread) {
+  Pool pool(3);
+  std::thread::id on;
+  pool.alone([&] { on = std::this_thread::get_id(); }, {});
+  EXPECT_EQ(on, std::this_thread::get_id());
+}
+
+TEST(PoolAlone, WhatItThrowsReachesTheCallerAndThePoolWorksOn) {
+  Pool pool(1);
+  EXPECT_THROW(pool.alone([] { throw std::runtime_error("no"); }, {}), std::runtime_error);
+  int done = 0;
+  pool.alone([&] { ++done; }, {});
+  pool.for_each(5, 1, {}, [&](int) { ++done; });
+  EXPECT_EQ(done, 6);
+}
+
+// However many call: a thread each, but no more of them at work than the pool has, and one that is
+// young.
+TEST(PoolAlone, SharesThePoolsThreadsByTurns) {
+  constexpr int threads = 2;
+  Pool pool(threads);
+  std::atomic<int> at_work = 0, most = 0, done = 0;
+  std::vector<std::jthread> callers;
+  for (std::uint64_t c = 1; c <= 8; ++c)
+    callers.emplace_back([&, c] {
+      Flow flow{c};
+      pool.alone(
+          [&] {
+            const auto until = std::chrono::steady_clock::now() + std::chrono::milliseconds(60);
+            while (std::chrono::steady_clock::now() < until) {
+              const int now = ++at_work;
+              for (int seen = most; seen < now && !most.compare_exchange_weak(seen, now);) continue;
+              for (const auto end = std::chrono::steady_clock::now() + std::chrono::microseconds(200);
+                   std::chrono::steady_clock::now() < end;)
+                continue;
+              --at_work;
+              end_if_asked({});
+            }
+          },
+          {}, &flow);
+      ++done;
+    });
+  callers.clear();
+  EXPECT_EQ(done, 8);
+  EXPECT_LE(most, threads + 1);
+}
+
+TEST(PoolAlone, GivesWayToASmallJobAndGoesOn) {
+  Pool pool(1);
+  std::atomic<bool> begun = false, small_done = false;
+  bool saw_it = false;
+  std::jthread small([&] {
+    while (!begun) std::this_thread::yield();
+    Flow flow{2};
+    pool.for_each(1, 1, {}, [&](int) { small_done = true; }, &flow);
+  });
+  Flow flow{1};
+  pool.alone(
+      [&] {
+        begun = true;
+        const auto give_up = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+        while (!small_done && std::chrono::steady_clock::now() < give_up) end_if_asked({});
+        saw_it = small_done;
+      },
+      {}, &flow);
+  EXPECT_TRUE(saw_it);
+}
+
+TEST(PoolAlone, EndsWhenItIsStoppedAtWorkOrWaiting) {
+  Pool pool(1);
+  std::stop_source stop;
+  std::atomic<int> stopped = 0;
+  {
+    std::vector<std::jthread> callers;
+    for (int i = 0; i < 3; ++i)
+      callers.emplace_back([&] {
+        try {
+          pool.alone(
+              [&] {
+                for (;;) end_if_asked(stop.get_token());
+              },
+              stop.get_token());
+        } catch (const Stopped&) {
+          ++stopped;
+        }
+      });
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    stop.request_stop();
+  }
+  EXPECT_EQ(stopped, 3);
+  int done = 0;
+  pool.for_each(3, 1, {}, [&](int) { ++done; });
+  EXPECT_EQ(done, 3);
+}
+
+TEST(PoolAlone, MayShareItsWorkInTurnAndBeCalledInsideOfATask) {
+  Pool pool(2);
+  int done = 0;
+  pool.alone([&] { pool.for_each(4, 2, {}, [&](int) { ++done; }); }, {});
+  pool.for_each(1, 1, {}, [&](int) { pool.alone([&] { ++done; }, {}); });
+  EXPECT_EQ(done, 5);
 }
 
 }  // namespace

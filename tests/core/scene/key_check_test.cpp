@@ -1,9 +1,11 @@
 // Keys are tried before a scene is kept: each that could not be pressed is a fault.
 #include <gtest/gtest.h>
 
+#include "core/film/png.h"
 #include "core/scene/keys.h"
 #include "core/scene/read_scene.h"
 #include "tests/core/faults.h"
+#include "tests/core/film/files.h"
 #include "tests/core/random_scene.h"
 
 namespace tia {
@@ -77,6 +79,20 @@ TEST(KeyCheck, WhatTakesTooLongToTryIsRefused) {
   for (int i = 0; i < 50; ++i)
     big += (i > 0 ? ",\"" : "\"") + std::to_string(i) + R"(":{"materials":{"m":{"diffuse":0.5}}})";
   test::expect_faults(faults_of_keys(big + "}}"), {{limit, "/keys", "", "16777216 bytes"}});
+}
+
+// Each patch of materials reads their pictures again: few bytes, millions of pixels.
+TEST(KeyCheck, CountsThePixelsThatAllPatchesRead) {
+  const std::string file = test::base64(encode_png(Image8(2048, 2048)));
+  const auto scene = [&](int keys) {
+    std::string text = R"({"materials":{"m":{"texture":{"type":"image","data":")" + file +
+                       R"("}}},"objects":[],"keys":{)";
+    for (int i = 0; i < keys; ++i)
+      text += (i > 0 ? ",\"" : "\"") + std::to_string(i) + R"(":{"materials":{"m":{"diffuse":0.5}}})";
+    return text + "}}";
+  };
+  test::expect_faults(faults_of_keys(scene(32)), {});  // 2^27 pixels
+  test::expect_faults(faults_of_keys(scene(33)), {{limit, "/keys", "", "134217728 pixels"}});
 }
 
 TEST(KeyCheck, EndsWhenThatIsAskedFor) {

@@ -150,6 +150,34 @@ TEST(Connections, TogetherHoldNoMoreThanTheLimit) {
 
 // ---- workers --------------------------------------------------------------------------------
 
+TEST(Workers, TheLastAreForClientsThatHaveFewerThanTwo) {
+  Held held;
+  HttpOptions options = any_port();
+  options.workers = 4;
+  options.spare_workers = 1;
+  options.trusts_proxy = [](const std::string&) { return true; };
+  options.share_of = [](const std::string& address) { return address; };
+  Serving serving(held.application(), options);
+  const auto held_by = [](const std::string& client) {
+    return "GET /held HTTP/1.1\r\nHost: x\r\nX-Forwarded-For: " + client + "\r\n\r\n";
+  };
+  std::vector<std::unique_ptr<Connection>> connections;
+  const auto ask = [&](const std::string& client) -> Connection& {
+    connections.push_back(std::make_unique<Connection>(serving.port()));
+    connections.back()->send(held_by(client));
+    return *connections.back();
+  };
+  for (int i = 0; i < 3; ++i) ask("10.0.0.1");
+  ASSERT_TRUE(eventually([&] { return held.at_work == 3; }));
+  EXPECT_EQ(ask("10.0.0.1").receive().status, 429);
+  Connection& other = ask("10.0.0.2");
+  ASSERT_TRUE(eventually([&] { return held.at_work == 4; }));
+  EXPECT_EQ(ask("10.0.0.3").receive().status, 429);  // there is none
+  held.let_go.open();
+  EXPECT_EQ(other.receive().status, 200);
+  EXPECT_EQ(connections[0]->receive().status, 200);
+}
+
 TEST(Workers, WhereAllAreTakenOneIsRefusedWith429WithinTenMs) {
   Held held;
   Serving serving(held.application(), one_worker());

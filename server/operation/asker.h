@@ -1,0 +1,18 @@
+// Asker: whom a request is from, and until when.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <stop_token>
+#include <string>
+
+namespace tia::server {
+
+struct Asker {
+  std::string client;  ///< by which clients are told apart
+  std::stop_token stop;
+
+  std::uint64_t number() const { return std::hash<std::string>{}(client); }
+};
+
+}  // namespace tia::server
