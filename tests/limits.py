@@ -1,0 +1,254 @@
+#!/usr/bin/env python3
+"""Moves each limit by one and runs the test that holds it, which must fail: a limit that can be
+moved unseen is none.
+
+  python3 tests/limits.py [NAME...]   those whose name holds a NAME, else all
+
+The moves are all in one build, a copy of the tree in build/limits, each asleep until MOVED_LIMIT
+names it: a hundred moves cost one compile, and with none awake every test must pass.
+Source: Untch, Offutt and Harrold, "Mutation analysis using mutant schemata" (1993).
+By hand: the build takes as long as the release build's, the tests a minute or two.
+"""
+import os
+import re
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+COPY = ROOT / "build" / "limits" / "tree"
+BUILD = ROOT / "build" / "limits" / "build"
+CORE, SERVER, MEMORY = "core_tests", "server_tests", "memory_tests"
+
+# file, the declaration with its value between « and », program, the tests that hold it
+CONSTANTS = [
+    # What a text may be.
+    ("core/input/json.h", "depth = «32»", CORE, "LimitNumbers.AJsonTextHas32Levels"),
+    ("core/input/json.h", "values = «100'000»", CORE, "LimitNumbers.AJsonTextHas100000Values*"),
+    ("core/input/errors.h", "longest_name = «256»", CORE, "Names.*"),
+    ("core/input/errors.h", "pixels ? «1 << 24»", CORE, "LimitNumbers.AnInputHas16777216Pixels*"),
+    ("core/input/errors.h", ": «1 << 25»;", CORE, "LimitNumbers.AnInputHas16777216Pixels*"),
+    ("core/input/errors.h", "most = «20»", CORE, "LimitNumbers.TwentyFaultsAreKept"),
+    ("core/input/errors.cpp", "longest_pointer = «512»", CORE, "LimitNumbers.APointerHas512*"),
+    ("core/input/errors.cpp", "longest_allowed = «1024»", CORE, "LimitNumbers.APointerHas512*"),
+    ("core/input/excerpt.cpp", "longest = «120»", CORE, "LimitNumbers.AFaultEchoes120Bytes"),
+    # What a scene may be.
+    ("core/film/decode.h", "most_picture_bytes = «1 << 20»", CORE, "LimitNumbers.APictureHas1048576*"),
+    ("core/film/decode.h", "most_picture_pixels = «1 << 22»", CORE, "LimitNumbers.APictureHas4194304*"),
+    ("core/film/decode.h", "most_picture_scans = «64»", CORE, "LimitNumbers.AJpegHas64Scans"),
+    ("core/shapes/occupied.h", "most_cell_material = «255»", CORE, "LimitNumbers.OfLargeScenes"),
+    ("core/shapes/occupied.h", "most_cells = «1 << 24»", CORE, "LimitNumbers.OfLargeScenes"),
+    ("core/shapes/mesh.h", "most_triangles = «1 << 24»", CORE, "LimitNumbers.OfLargeScenes"),
+    ("core/shapes/group.h", "most = «16'777'216»", CORE, "LimitNumbers.AThingIsRepeated*"),
+    ("core/lights/sphere_light.h", "most_light_samples = «4096»", CORE, "LimitNumbers.OfLargeScenes"),
+    ("core/scene/scene.cpp", "most_lights = «4096»", CORE, "LimitNumbers.ASceneHas4096*"),
+    ("core/scene/scene.cpp", "most_numbered = «1 << 16»", CORE, "LimitNumbers.ASceneHas65536*"),
+    ("core/scene/keys.cpp", "most_patches = «100»", CORE, "LimitNumbers.AScenesKeysHave*"),
+    ("core/scene/keys.cpp", "most_bytes = «16 << 20»", CORE, "LimitNumbers.AScenesKeysMerge*"),
+    ("core/formulas/parse.h", "most_formula_bytes = «4096»", CORE, "LimitNumbers.AFormulaHas4096Bytes"),
+    ("core/formulas/parse.h", "most_formula_depth = «100»", CORE, "LimitNumbers.AFormulaHas100*"),
+    ("core/formulas/parse.h", "most_formula_cost = «4000»", CORE, "LimitNumbers.AFormulaCosts4000*"),
+    ("core/accel/all_hits.h", "most_hits = «10'000»", CORE, "LimitNumbers.OfLargeScenes"),
+    # What comes over a connection.
+    ("server/http/head.h", "most_bytes = «16 << 10»", SERVER, "LimitNumbers.AHeadHas16384Bytes"),
+    ("server/http/head.h", "most_fields = «100»", SERVER, "LimitNumbers.AHeadHas100Fields"),
+    ("server/http/request_reader.cpp", "longest_target + «64»", SERVER, "LimitNumbers.AFirstLine*"),
+    ("server/problem.h", "longest_target = «4096»", SERVER, "LimitNumbers.ATargetHas4096Bytes"),
+    ("server/http/chunks.h", "longest_line = «256»", SERVER, "LimitNumbers.ALineOfAChunks*"),
+    ("server/http/chunks.h", "most_trailer = «4096»", SERVER, "LimitNumbers.ATrailerHas4096Bytes"),
+    ("server/http/chunks.cpp", "most = «1ULL << 40U»", SERVER, "LimitNumbers.AChunkHas2To40Bytes"),
+    ("server/http/patience.h", "seconds head{«5»}", SERVER, "LimitNumbers.OfPatience"),
+    ("server/http/patience.h", "seconds body{«5»}", SERVER, "LimitNumbers.OfPatience"),
+    ("server/http/patience.h", "seconds answer{«8»}", SERVER, "LimitNumbers.OfPatience"),
+    ("server/http/patience.h", "seconds idle{«30»}", SERVER, "LimitNumbers.OfPatience"),
+    ("server/http/patience.h", "seconds linger{«2»}", SERVER, "LimitNumbers.OfPatience"),
+    ("server/http/patience.h", "seconds stuck{«1»}", SERVER, "LimitNumbers.OfPatience"),
+    ("server/http/patience.h", "slowest_rate = «64 << 10»", SERVER, "LimitNumbers.OfPatience"),
+    ("server/http/patience.h", "most_requests = «100'000»", SERVER, "LimitNumbers.OfAConnection"),
+    ("server/http/patience.h", "most_ahead = «64 << 10»", SERVER, "LimitNumbers.OfAConnection"),
+    ("server/http/patience.h", "most_at_once = «256 << 10»", SERVER, "LimitNumbers.OfAConnection"),
+    ("server/http/patience.h", "most_parts = «256 << 10»", SERVER, "LimitNumbers.OfAConnection"),
+    # What is answered, kept and told.
+    ("server/problem.h", "longest_problem = «16 << 10»", SERVER, "LimitNumbers.OfWhatIsAnswered*"),
+    ("server/problem.cpp", "longest_detail = «2048»", SERVER, "LimitNumbers.AProblemsDetail*"),
+    ("core/render/explanation_size.h", "longest_explanation = «4 << 20»", SERVER,
+     "LimitNumbers.OfWhatIsAnswered*"),
+    ("server/recipe.h", "most_told_bytes = «256 << 10»", SERVER, "LimitNumbers.ARecipeTells*"),
+    ("server/known_targets.h", "most_bytes = «4 << 20»", SERVER, "LimitNumbers.OfWhatIsAnswered*"),
+    ("server/scene_store.h", "most_scenes = «10'000»", SERVER, "LimitNumbers.TenThousandScenes*"),
+    ("server/scene_file.h", "most_owners = «64»", SERVER, "LimitNumbers.OfWhatIsAnswered*"),
+    ("server/log.h", "most_bytes = «1 << 20»", SERVER, "LimitNumbers.OfAConnection"),
+    ("server/log.cpp", "most_target = «200»", SERVER, "Log.*"),
+    # What waits for what.
+    ("server/operation/admission.h", "most_light_rays = «1 << 21»", SERVER,
+     "LimitNumbers.LightWorkTurnsOutHeavy*"),
+    ("server/operation/admission.h", "most_light_tests = «1 << 25»", SERVER,
+     "LimitNumbers.LightWorkTurnsOutHeavy*"),
+    ("server/operation/admission.h", "longest_short_text = «64 << 10»", SERVER,
+     "LimitNumbers.AShortTextHas65536Bytes"),
+    ("server/operation/cost_memory.h", "most_scenes = «4096»", SERVER, "LimitNumbers.OfWhatIsAnswered*"),
+    ("server/operation/memory_account.h", "most_wait{«2»}", SERVER, "LimitNumbers.OfPatience"),
+    ("server/operation/memory_account.h", "program_bytes = «64 << 20»", SERVER,
+     "OptionLimits.ARequest*"),
+]
+# Options, which a test sets and then meets and passes by one. Not those of time, which no test can
+# tell to a millisecond, and not max_data_bytes, which counts in pages of the database.
+OPTIONS = [
+    ("renders", SERVER, "OptionLimits.AsManyPictures*"),
+    ("queue", SERVER, "OptionLimits.AsManyWait*"),
+    ("connections", SERVER, "OptionLimits.AsManyConnections*"),
+    ("max_body_bytes", SERVER, "OptionLimits.ABody*"),
+    ("max_png_bytes", SERVER, "OptionLimits.ABody*"),
+    ("max_nodes", SERVER, "OptionLimits.AText*"),
+    ("max_scenes_bytes", SERVER, "OptionLimits.AScene*"),
+    ("max_geometry_bytes", SERVER, "OptionLimits.ACompiledScene*"),
+    ("cache_bytes", SERVER, "OptionLimits.APictureIsKept*"),
+    ("max_pixels", SERVER, "RenderLimits.MaxPixels*"),
+    ("max_rays", SERVER, "RenderLimits.*Rays*"),
+    ("max_work", SERVER, "OptionLimits.APictureMayTake*"),
+    ("memory_bytes", SERVER, "OptionLimits.ARequest*"),
+]
+
+MOVED = """#pragma once
+#include <cstdlib>
+#include <string_view>
+namespace tia {
+/// 1 for the limit that the environment names, else 0.
+inline int moved(std::string_view limit) {
+  const char* const name = std::getenv("MOVED_LIMIT");
+  return name != nullptr && name == limit ? 1 : 0;
+}
+/// Visitor: moves the option that the environment names.
+template <class Config>
+struct Mover {
+  Config& config;
+  template <class Member, class Spec>
+  void operator()(std::string_view name, Member Config::*member, const Spec&) const {
+    if constexpr (std::is_integral_v<Member>) config.*member += moved(name);
+  }
+};
+template <class Config>
+Config with_moved_option(Config config) {
+  Config::fields(Mover<Config>{config});
+  return config;
+}
+}  // namespace tia
+"""
+# Where options begin to count: in a test's own house, and in the program.
+OPTION_PLACES = [
+    ("server/backend.cpp", "config(given),", "config(with_moved_option(given)),"),
+    ("server/serve_command.cpp", "HttpOptions http_options(const Config& config) {",
+     "HttpOptions http_options(const Config& given) {\n"
+     "  static const Config config = with_moved_option(given);"),
+]
+
+# What the compiler must know no more, because it is made of what moves.
+DEPENDENT = [
+    ("core/input/codec.h", "inline constexpr Spec name_spec", "inline const Spec name_spec"),
+    ("core/lights/sphere_light.h", "inline constexpr Spec light_samples",
+     "inline const Spec light_samples"),
+    ("core/materials/image_texture.cpp", "constexpr std::size_t most_digits",
+     "const std::size_t most_digits"),
+    ("server/operation/admission.h", "static constexpr double most_light_seconds",
+     "static inline const double most_light_seconds"),
+    ("server/scene_store.cpp", "constexpr JsonLimits any", "const JsonLimits any"),
+]
+
+
+def name_of(file, declaration):
+    """server/http/head.h, "most_bytes = «16 << 10»" -> server/http/head.h:most_bytes"""
+    before = declaration.split("«")[0]
+    words = re.findall(r"\w+", before)
+    return f"{file}:{words[-1] if words else declaration.strip(' :;«»')}"
+
+
+def awake(text, declaration, name):
+    """The text in which that value can move, and is no constant of the compiler's any more."""
+    head, value, tail = re.split("[«»]", declaration)
+    whole = head + value + tail
+    if text.count(whole) != 1:
+        sys.exit(f"{name}: {whole!r} stands there {text.count(whole)} times")
+    at = text.index(whole)
+    begin = max(text.rfind(";", 0, at), text.rfind("{\n", 0, at), text.rfind("}\n", 0, at)) + 1
+    statement = text[begin:at]
+    if "return" in statement:
+        statement = statement.replace("constexpr", "inline")
+    statement = statement.replace("static constexpr", "static inline const")
+    statement = statement.replace("constexpr", "const")
+    return (text[:begin] + statement + head + f'(({value}) + ::tia::moved("{name}"))' + tail +
+            text[at + len(whole):])
+
+
+def rewritten(files):
+    """Writes what has changed into the copy: else all would be compiled again."""
+    for file, text in files.items():
+        to = COPY / file
+        if not to.exists() or to.read_text() != text:
+            to.parent.mkdir(parents=True, exist_ok=True)
+            to.write_text(text)
+
+
+def make_copy():
+    listed = subprocess.run(["git", "ls-files", "-co", "--exclude-standard"], cwd=ROOT, check=True,
+                            capture_output=True, text=True).stdout.split("\n")
+    changed = {}
+    for file, declaration, *_ in CONSTANTS:
+        text = changed.get(file) or '#include "tests/moved.h"\n' + (ROOT / file).read_text()
+        changed[file] = awake(text, declaration, name_of(file, declaration))
+    for file, old, new in OPTION_PLACES + DEPENDENT:
+        text = changed.get(file) or '#include "tests/moved.h"\n' + (ROOT / file).read_text()
+        if text.count(old) != 1:
+            sys.exit(f"{file}: {old!r} stands there {text.count(old)} times")
+        changed[file] = text.replace(old, new)
+    changed["tests/moved.h"] = MOVED
+    rewritten(changed)
+    for file in listed:
+        if not file or file in changed or not (ROOT / file).is_file():
+            continue
+        to = COPY / file
+        if not to.exists() or to.read_bytes() != (ROOT / file).read_bytes():
+            to.parent.mkdir(parents=True, exist_ok=True)
+            shutil.copy2(ROOT / file, to)
+
+
+def build():
+    subprocess.run(["cmake", "--preset", "release", "-B", BUILD, "-DCMAKE_BUILD_TYPE=None",
+                    "-DCMAKE_CXX_FLAGS=-O1 -DNDEBUG -w"], cwd=COPY, check=True,
+                   stdout=subprocess.DEVNULL)
+    subprocess.run(["cmake", "--build", BUILD, "--target", "tia", CORE, SERVER, MEMORY, "--", "-k0"],
+                   cwd=COPY, check=True)
+
+
+def passes(program, tests, moved=""):
+    """Whether some of the tests run, and none of them fails."""
+    done = subprocess.run([BUILD / "tests" / program, "--gtest_filter=" + tests, "--gtest_brief=1"],
+                          cwd=COPY, env={**os.environ, "MOVED_LIMIT": moved}, capture_output=True,
+                          text=True, errors="replace", timeout=600)
+    if not re.search(r"\[==========\] [1-9]\d* tests? from", done.stdout) and done.returncode == 0:
+        return None
+    return done.returncode == 0
+
+
+def main():
+    make_copy()
+    build()
+    rows = [(name_of(file, declaration), *rest) for file, declaration, *rest in CONSTANTS]
+    rows += OPTIONS
+    wanted = sys.argv[1:]
+    rows = [row for row in rows if not wanted or any(each in row[0] for each in wanted)]
+    unseen = []
+    for name, program, tests in rows:
+        unmoved = passes(program, tests)
+        seen = unmoved and passes(program, tests, name) is False
+        what = "seen" if seen else "NO TEST" if unmoved is None else \
+               "FAILS UNMOVED" if not unmoved else "UNSEEN"
+        print(f"{what:14} {name}  ({tests})", flush=True)
+        if not seen:
+            unseen.append(name)
+    print(f"{len(rows) - len(unseen)} passed, {len(unseen)} failed")
+    return 1 if unseen else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
