@@ -31,11 +31,12 @@ PressedScenes::SharedMiddles PressedScenes::middles_of(const KnownScene& scene,
   if (scene->camera.look_at || scene->objects.empty()) return none;
   const std::string name = scene.objects ? "middles\n" + hex(scene.objects->digest) : "";
   if (SharedMiddles known = find(name).middles) return known;
-  return long_work_({scene.objects ? scene.objects->bytes : 0, 0, "the scene's objects"}, asker, [&] {
-    const auto made = std::make_shared<const Middles>(tia::middles_of(*scene, asker.stop));
-    if (!name.empty()) keep(name, {{}, made, made->capacity() * sizeof(Vec3d)});
-    return made;
-  });
+  return long_work_(
+      {scene.objects ? scene.objects->bytes : 0, 0, "the scene's objects"}, asker, [&] {
+        const auto made = std::make_shared<const Middles>(tia::middles_of(*scene, asker.stop));
+        if (!name.empty()) keep(name, {{}, made, made->capacity() * sizeof(Vec3d)});
+        return made;
+      });
 }
 
 PressedScenes::Kept PressedScenes::find(const std::string& name) {

@@ -1,6 +1,6 @@
-// What keys and lights need to know of a scene: the scene after a patch, which is written, patched and
-// read again, and the middles of its objects, which may have to be built for that. Both are made as
-// long work and kept in bounded memory. Any thread may call.
+// What keys and lights need to know of a scene: the scene after a patch, which is written, patched
+// and read again, and the middles of its objects, which may have to be built for that. Both are
+// made as long work and kept in bounded memory. Any thread may call.
 #pragma once
 
 #include <cstdint>

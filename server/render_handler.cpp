@@ -151,7 +151,8 @@ Picture with_memory_for(const Attempt& attempt, const std::stop_token& stop) {
 }
 
 // What tells how much a ray takes: what it meets, how it is traced, and the lights but for where
-// they are, so that a light that is dragged is known. By its digest: of many lights it would be long.
+// they are, so that a light that is dragged is known. By its digest: of many lights it would be
+// long.
 std::string scene_key(const Plan& plan) {
   std::string key = hex(plan.scene.objects->digest);
   const auto add = [&](const auto&... parts) { ((key += ' ' + std::to_string(parts)), ...); };

@@ -12,8 +12,8 @@ namespace tia {
 /// The keys that a scene answers to: its own, or a, d, s, w.
 std::vector<std::string_view> keys_of(const Scene& scene);
 
-/// Middles: of the boxes around a scene's objects, of those that have finite ones: what a camera looks
-/// at that names no point.
+/// Middles: of the boxes around a scene's objects, of those that have finite ones: what a camera
+/// looks at that names no point.
 using Middles = std::vector<Vec3d>;
 /// None where the camera names a point. Cost: as bounds_of() of each object. Errors: Stopped.
 Middles middles_of(const Scene& scene, const std::stop_token& stop = {});
@@ -30,7 +30,8 @@ inline Scene press(const Scene& scene, std::string_view key, std::string_view po
 /// merges with or that refer to what it changes: only they can go wrong.
 /// Errors: InputError at /keys/NAME of each whose patch does not leave a scene or that puts the
 /// light where it cannot shine from; limit at /keys where there are more than 100 patches, or where
-/// they merge with more than 16 MiB of text, or hold more than 134 217 728 pixels and cells. Stopped.
+/// they merge with more than 16 MiB of text, or hold more than 134 217 728 pixels and cells.
+/// Stopped.
 void check_keys(const Scene& scene, const std::stop_token& stop = {});
 
 /// Whether that key moves the key light and changes nothing else. Domain: a key that it answers to.

@@ -32,7 +32,7 @@ struct House {
   WorkerThreads workers{options.workers};
   int free_workers = options.workers;
   std::unordered_map<std::string, int> at_work;  ///< workers, by client; none of 0
-  std::optional<Clock::time_point> last_work;  ///< none since the application was told of its end
+  std::optional<Clock::time_point> last_work;    ///< none since the application was told of its end
   std::set<std::shared_ptr<Connection>> connections;
   std::atomic<int> open = 0;           ///< connections, for other threads
   std::atomic<bool> closing = false;   ///< no connection is used again after its answer

@@ -28,8 +28,9 @@ namespace tia::server {
 ///
 /// While others wait one client keeps no more than half: whose client holds none finds room beyond
 /// the tickets where another holds more than half of them, or than its share with the newcomer; and
-/// where the queue is full, the newest of the client that has most of it makes room for one that has
-/// less (longest queue drop). Who waits for what others draw takes no place of who waits to draw.
+/// where the queue is full, the newest of the client that has most of it makes room for one that
+/// has less (longest queue drop). Who waits for what others draw takes no place of who waits to
+/// draw.
 /// Source: McKenney, "Stochastic fairness queueing" (1990), section 3.
 class Admission {
  public:
