@@ -19,7 +19,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent.parent
 COPY = ROOT / "build" / "limits" / "tree"
 BUILD = ROOT / "build" / "limits" / "build"
-CORE, SERVER, MEMORY = "core_tests", "server_tests", "memory_tests"
+CORE, SERVER = "core_tests", "server_tests"
 
 # file, the declaration with its value between « and », program, the tests that hold it
 CONSTANTS = [
@@ -45,6 +45,7 @@ CONSTANTS = [
     ("core/scene/scene.cpp", "most_lights = «4096»", CORE, "LimitNumbers.ASceneHas4096*"),
     ("core/scene/scene.cpp", "most_numbered = «1 << 16»", CORE, "LimitNumbers.ASceneHas65536*"),
     ("core/scene/keys.cpp", "most_patches = «100»", CORE, "LimitNumbers.AScenesKeysHave*"),
+    ("core/scene/keys.cpp", "most_bulk = «1 << 27»", CORE, "KeyCheck.CountsThePixels*"),
     ("core/scene/keys.cpp", "most_bytes = «16 << 20»", CORE, "LimitNumbers.AScenesKeysMerge*"),
     ("core/formulas/parse.h", "most_formula_bytes = «4096»", CORE, "LimitNumbers.AFormulaHas4096Bytes"),
     ("core/formulas/parse.h", "most_formula_depth = «100»", CORE, "LimitNumbers.AFormulaHas100*"),
@@ -193,11 +194,14 @@ def make_copy():
     listed = subprocess.run(["git", "ls-files", "-co", "--exclude-standard"], cwd=ROOT, check=True,
                             capture_output=True, text=True).stdout.split("\n")
     changed = {}
+
+    def text_of(file):
+        return changed.get(file) or '#include "tests/moved.h"\n' + (ROOT / file).read_text()
+
     for file, declaration, *_ in CONSTANTS:
-        text = changed.get(file) or '#include "tests/moved.h"\n' + (ROOT / file).read_text()
-        changed[file] = awake(text, declaration, name_of(file, declaration))
+        changed[file] = awake(text_of(file), declaration, name_of(file, declaration))
     for file, old, new in OPTION_PLACES + DEPENDENT:
-        text = changed.get(file) or '#include "tests/moved.h"\n' + (ROOT / file).read_text()
+        text = text_of(file)
         if text.count(old) != 1:
             sys.exit(f"{file}: {old!r} stands there {text.count(old)} times")
         changed[file] = text.replace(old, new)
@@ -216,7 +220,7 @@ def build():
     subprocess.run(["cmake", "--preset", "release", "-B", BUILD, "-DCMAKE_BUILD_TYPE=None",
                     "-DCMAKE_CXX_FLAGS=-O1 -DNDEBUG -w"], cwd=COPY, check=True,
                    stdout=subprocess.DEVNULL)
-    subprocess.run(["cmake", "--build", BUILD, "--target", "tia", CORE, SERVER, MEMORY, "--", "-k0"],
+    subprocess.run(["cmake", "--build", BUILD, "--target", "tia", CORE, SERVER, "--", "-k0"],
                    cwd=COPY, check=True)
 
 

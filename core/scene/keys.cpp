@@ -1,6 +1,7 @@
 #include "core/scene/keys.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "core/scene/read_scene.h"
 #include "core/scene/view.h"
@@ -160,10 +161,7 @@ struct MergedParts {
 /// KeyCheck: tries one key after the other; what is found is in `faults`.
 class KeyCheck {
  public:
-  KeyCheck(const Scene& scene, const std::stop_token& stop)
-      : scene_(scene),
-        stop_(stop),
-        target_(looked_at(scene, axis_of(scene), middles_of(scene, stop))) {}
+  KeyCheck(const Scene& scene, const std::stop_token& stop) : scene_(scene), stop_(stop) {}
 
   void operator()() {
     const Place all{}, keys = all.at("keys");
@@ -186,7 +184,8 @@ class KeyCheck {
   void check(const Vec3d& position, const std::string& pointer) {
     const Light* own = key_light_of(scene_);
     Light light = own != nullptr ? *own : Light{};
-    if (auto fault = put(light, position, target_, pointer)) faults.add(std::move(*fault));
+    if (!target_) target_ = looked_at(scene_, axis_of(scene_), middles_of(scene_, stop_));
+    if (auto fault = put(light, position, *target_, pointer)) faults.add(std::move(*fault));
   }
 
   // Whether there is room to try it.
@@ -216,7 +215,7 @@ class KeyCheck {
 
   const Scene& scene_;
   std::stop_token stop_;
-  Vec3d target_;
+  std::optional<Vec3d> target_;  // of lights that keys put somewhere
   int patches_ = 0;
   std::size_t bytes_ = 0;
   std::int64_t bulk_ = 0;

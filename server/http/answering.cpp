@@ -35,6 +35,7 @@ Request without_body(const Request& from) {
 void Connection::begin(Request request) {
   request.peer = client_address(peer_, request.headers, house_.options.trusts_proxy);
   turn_ = std::make_shared<Turn>(std::move(request));
+  turn_->client = house_.options.share_of(turn_->request.peer);
   turn_->keep_alive = keep_alive_;
   account();
   const Application& application = house_.application;
@@ -44,7 +45,7 @@ void Connection::begin(Request request) {
   } else if (auto known = application.from_memory(turn_->request)) {
     turn_->make([&](const Request&) { return std::move(*known); }, house_.closing, [] {});
     hand_over(*turn_);
-  } else if (!house_.has_worker_for(house_.options.share_of(turn_->request.peer))) {
+  } else if (!house_.has_worker_for(turn_->client)) {
     fail_turn(failure("busy", "all that may wait here does (option TIA_QUEUE)",
                       {{"Retry-After", std::to_string(application.retry_after())}}));
   } else {
@@ -53,7 +54,6 @@ void Connection::begin(Request request) {
 }
 
 void Connection::work() {
-  turn_->client = house_.options.share_of(turn_->request.peer);
   int& own = house_.at_work[turn_->client];
   house_.workers.post([self = shared_from_this(), turn = turn_] {
     House& house = self->house_;

@@ -21,7 +21,7 @@ class Turn {
 
   std::stop_source stop;
   Request request;
-  std::string client;  ///< whose share of the workers it takes, where it has one
+  std::string client;  ///< whose share of the workers it takes
   bool keep_alive = true;
   Response response;
   std::size_t body_bytes = 0;

@@ -91,7 +91,7 @@ void Admission::find_place(const Entrant& who) {
       "a quarter of the queue is full of posters (option TIA_QUEUE)"};
   const Kind& mine = kinds_[who.kind];
   const bool own_full = static_cast<int>(mine.waiting.size()) > mine.most_waiting;
-  if (!own_full && all_waiting() - in_places_ <= queue_) return;
+  if (!own_full && waiting_to_enter() <= queue_) return;
   if (!push_out(own_full ? who.kind : kinds, who.client)) throw busy(full_queue[who.kind]);
 }
 
@@ -226,13 +226,13 @@ int Admission::at_work() const {
 
 int Admission::waiting() const {
   const std::lock_guard lock(mutex_);
-  return all_waiting();
+  return waiting_to_enter() + in_places_;
 }
 
-int Admission::all_waiting() const {
+int Admission::waiting_to_enter() const {
   std::size_t all = 0;
   for (const Kind& kind : kinds_) all += kind.waiting.size();
-  return static_cast<int>(all) + in_places_;
+  return static_cast<int>(all);
 }
 
 int Admission::retry_after() const {

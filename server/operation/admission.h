@@ -139,7 +139,7 @@ class Admission {
   void turn_heavy(Entrants::iterator who);
   void leave(Entrants::iterator who);
   void leave_place();
-  int all_waiting() const;
+  int waiting_to_enter() const;
   int wait_s() const;
   HttpError busy(const char* why) const;
 
