@@ -21,8 +21,9 @@ namespace {
 
 using std::chrono::milliseconds;
 
-constexpr int without_ticket = 8;  // requests that are read, or find what they want in a store
-constexpr int spare = 8;           // for clients that ask for little, whatever others do
+// Requests that are read, or find what they want in a store; and of clients that ask for little,
+// whatever others do.
+constexpr int without_ticket = 8;
 
 // Buffers of an ordinary picture stay warm in the heap (fresh pages would cost it a tenth of its
 // time); those of a poster go back to the system, and so does what a rush of requests left.
@@ -76,8 +77,8 @@ HttpOptions http_options(const Config& config) {
   options.connections = config.connections;
   // One each, to work or to wait: what waits and what works is bounded by its tickets; the rest is
   // for what needs none.
-  options.workers = config.queue + 2 * config.renders + without_ticket + spare;
-  options.spare_workers = spare;
+  options.workers = config.queue + 2 * config.renders + without_ticket;
+  options.spare_workers = without_ticket;
   options.share_of = share_of;
   options.deadline = milliseconds(config.deadline_ms);
   // A quarter of the memory, of which the largest picture that is sent back may take a half.
