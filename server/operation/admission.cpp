@@ -31,20 +31,19 @@ Admission::Admission(const Options& o)
 Admission::Ticket Admission::read(std::size_t bytes, const std::string& client,
                                   const std::stop_token& stop) {
   if (bytes <= longest_short_text) return {};
-  return enter_as(reading, {client}, stop);
+  return enter_as(reading, client, 0, stop);
 }
 
 Admission::Ticket Admission::enter(const Cost& cost, const std::string& client,
                                    const std::stop_token& stop) {
   const bool is_heavy = cost.seconds > most_light_seconds;
-  return enter_as(is_heavy ? heavy : light, {client, cost.seconds}, stop);
+  return enter_as(is_heavy ? heavy : light, client, cost.seconds, stop);
 }
 
-Admission::Ticket Admission::enter_as(std::size_t kind, Entrant entrant,
+Admission::Ticket Admission::enter_as(std::size_t kind, const std::string& client, double seconds,
                                       const std::stop_token& stop) {
-  entrant.kind = kind;
-  Entrants made{std::move(entrant)};
-  const auto who = made.begin();
+  Entrants made;
+  const auto who = made.emplace(made.end(), kind, client, seconds);
   Kind& mine = kinds_[kind];
   std::unique_lock lock(mutex_);
   check_time(mine, who->seconds);
@@ -62,7 +61,7 @@ Admission::Ticket Admission::enter_as(std::size_t kind, Entrant entrant,
     give_up();
     throw;
   }
-  changed_.wait(lock, stop, [&] { return who->is_in || who->is_pushed_out; });
+  who->changed.wait(lock, stop, [&] { return who->is_in || who->is_pushed_out; });
   if (!who->is_in) {
     give_up();
     if (who->is_pushed_out)
@@ -121,7 +120,7 @@ bool Admission::push_out(std::size_t kind, const std::string& client) {
   }
   if (newest == nullptr) return false;
   newest->is_pushed_out = true;
-  changed_.notify_all();
+  newest->changed.notify_one();
   return true;
 }
 
@@ -150,7 +149,7 @@ bool Admission::admit_next(Kind& kind) {
   next->is_in = true;
   next->since = std::chrono::steady_clock::now();
   kind.inside.splice(kind.inside.end(), kind.waiting, next);
-  changed_.notify_all();
+  next->changed.notify_one();
   return true;
 }
 

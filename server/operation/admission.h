@@ -52,10 +52,13 @@ class Admission {
   enum : std::size_t { reading, light, heavy, kinds };
   /// Entrant: who waits, or is in; one entry of a list from coming to leaving.
   struct Entrant {
-    std::string client;
-    double seconds = 0;  // of threads, that the work is expected to take
-    std::size_t kind = light;
+    Entrant(std::size_t of_kind, std::string whose, double takes)
+        : client(std::move(whose)), seconds(takes), kind(of_kind) {}
+    const std::string client;
+    double seconds;  // of threads, that the work is expected to take
+    std::size_t kind;
     bool is_in = false, is_pushed_out = false;
+    std::condition_variable_any changed{};  // one of the two above: wakes this one alone
     std::chrono::steady_clock::time_point since{};  // when it got in
   };
   using Entrants = std::list<Entrant>;
@@ -127,7 +130,8 @@ class Admission {
     int held_by(const std::string& client) const;
     int clients_inside() const;
   };
-  Ticket enter_as(std::size_t kind, Entrant entrant, const std::stop_token& stop);
+  Ticket enter_as(std::size_t kind, const std::string& client, double seconds,
+                  const std::stop_token& stop);
   void check_time(const Kind& kind, double seconds) const;
   void find_place(const Entrant& who);
   bool push_out(std::size_t kind, const std::string& client);
@@ -146,7 +150,6 @@ class Admission {
   const int queue_, threads_;
   const double most_wait_s_;
   mutable std::mutex mutex_;
-  std::condition_variable_any changed_;
   std::array<Kind, kinds> kinds_;
   int in_places_ = 0;  // who wait for what others do
 };

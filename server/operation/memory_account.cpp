@@ -17,7 +17,9 @@ namespace tia::server {
 namespace {
 
 constexpr std::int64_t growth = 1 << 20;       // by which claims grow that nobody has foreseen
-constexpr std::chrono::milliseconds look{20};  // after which who waits asks the caches again
+// After which who waits looks again, and asks the caches. Only what a claim gives back of more than
+// one step wakes all: the connections' thread, whose answers take no more, never has to.
+constexpr std::chrono::milliseconds look{20};
 
 std::string megabytes(std::int64_t bytes) { return std::to_string((bytes + (1 << 20) - 1) >> 20U); }
 
@@ -60,7 +62,6 @@ bool MemoryAccount::take(Holder by, std::int64_t bytes) noexcept {
 void MemoryAccount::add(Holder by, std::int64_t bytes) noexcept {
   held_[by] += bytes;
   total_ += bytes;
-  if (bytes < 0) less_held_.notify_all();
 }
 
 void MemoryAccount::on_shortage(GiveWay give_way) { give_way_.push_back(std::move(give_way)); }
@@ -79,7 +80,6 @@ int MemoryAccount::waiting() const {
 }
 
 MemoryAccount::Client* MemoryAccount::enter(const std::string& client) {
-  if (client.empty()) return nullptr;
   const std::lock_guard lock(mutex_);
   Client& known = clients_[client];
   ++known.claims;
@@ -87,7 +87,6 @@ MemoryAccount::Client* MemoryAccount::enter(const std::string& client) {
 }
 
 void MemoryAccount::leave(const std::string& client) noexcept {
-  if (client.empty()) return;
   const std::lock_guard lock(mutex_);
   const auto known = clients_.find(client);
   if (--known->second.claims == 0) clients_.erase(known);
@@ -160,6 +159,7 @@ void MemoryClaim::reserve(std::int64_t bytes, std::string_view what, const std::
     ++account_.refusals_;
     throw too_large(what, wanted, account_.most_of_one());
   }
+  enter();
   Stopwatch watch;
   const bool is_granted = account_.wait_for({more, granted_, client_}, stop);
   waited_ms_ += watch.lap_ms();
@@ -170,10 +170,23 @@ void MemoryClaim::reserve(std::int64_t bytes, std::string_view what, const std::
   grant(more);
 }
 
+MemoryClaim::~MemoryClaim() {
+  grant(-granted_);
+  if (client_ != nullptr) account_.leave(name_);
+}
+
+// What never reserves, as most answers of the connections' thread, waits for nobody's share.
+void MemoryClaim::enter() {
+  if (client_ != nullptr || name_.empty()) return;
+  client_ = account_.enter(name_);
+  client_->granted += granted_;
+}
+
 void MemoryClaim::grant(std::int64_t bytes) noexcept {
   granted_ += bytes;
   if (client_ != nullptr) client_->granted += bytes;
   if (bytes < 0) account_.add(MemoryAccount::requests, bytes);
+  if (bytes < -growth) account_.less_held_.notify_all();
 }
 
 void MemoryClaim::settle() noexcept {

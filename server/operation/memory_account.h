@@ -128,11 +128,8 @@ class MemoryClaim {
  public:
   /// `client`: whose request it is; "": nobody's, who has no share.
   explicit MemoryClaim(MemoryAccount& account, const std::string& client = "")
-      : account_(account), name_(client), client_(account.enter(client)) {}
-  ~MemoryClaim() {
-    grant(-granted_);
-    account_.leave(name_);
-  }
+      : account_(account), name_(client) {}
+  ~MemoryClaim();
   MemoryClaim(const MemoryClaim&) = delete;
   MemoryClaim& operator=(const MemoryClaim&) = delete;
 
@@ -163,12 +160,13 @@ class MemoryClaim {
   HttpError refusal() const;
 
  private:
+  void enter();
   // Books what the account has given, or, negative, gives it back.
   void grant(std::int64_t bytes) noexcept;
 
   MemoryAccount& account_;
   const std::string name_;
-  MemoryAccount::Client* const client_;  // null: nobody's
+  MemoryAccount::Client* client_ = nullptr;  // whose share it counts to, once it reserves
   std::atomic<std::int64_t> granted_ = 0, used_ = 0, most_used_ = 0;
   std::atomic<bool> was_refused_ = false;
   double waited_ms_ = 0;
