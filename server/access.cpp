@@ -17,10 +17,11 @@ std::string name_in(std::string_view host) {
   return lower(host.substr(0, colon));
 }
 
-// Not every name that begins with 127. is an address.
+// Not every name that begins with 127. is an address, nor is one with a zone behind it.
 bool is_loopback(const std::string& host) {
   static const auto addresses = Network::parse("127.0.0.0/8");
-  return host == "localhost" || host == "::1" || host == "[::1]" || addresses->contains(host);
+  return host == "localhost" || host == "::1" || host == "[::1]" ||
+         (host.find('%') == host.npos && addresses->contains(host));
 }
 
 bool is_ours(const std::string& name, const Config& config) {

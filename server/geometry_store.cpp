@@ -97,10 +97,10 @@ void GeometryStore::keep(const Digest& name, Kept made, MeshTable meshes) {
   made.bytes += made.meshes.capacity() * sizeof(Digest);
   std::size_t alone = made.bytes;
   for (const auto& [own, mesh] : meshes) alone += mesh.bytes;
-  if (alone > share_.most()) return;
 
   Geometries::Entries surplus;
   const std::lock_guard lock(mutex_);
+  if (alone > share_.most()) return;
   // Somebody may have built the same meanwhile, of which one is enough.
   const auto is_second = [this](const auto& mesh) {
     const auto known = meshes_.find(mesh.first);

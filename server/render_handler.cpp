@@ -207,7 +207,7 @@ PictureStore::Found picture_of(Plan& plan, const std::string& etag, const Asker&
     return drawn(plan, asker, given_up, service);
   };
   const auto wait = [&] {
-    return std::make_shared<Admission::Place>(service.admission.wait_for_others());
+    return std::make_shared<Admission::Place>(service.admission.wait_for_others(asker.client));
   };
   return service.pictures.get(etag, draw_it, asker.stop, wait);
 }

@@ -7,6 +7,7 @@
 #include "server/access.h"
 #include "server/handlers.h"
 #include "server/headers.h"
+#include "server/http/head.h"
 #include "server/operation/memory_costs.h"
 #include "server/problem.h"
 
@@ -83,8 +84,10 @@ Response answer_or_refusal(const Request& request, MemoryClaim& claim, Service& 
 
 }  // namespace
 
+// What calls itself a picture may be longer than a text, and be none.
 LongWork::Need body_need(const Request& request, const Service& service) {
   const std::size_t bytes = request.body.size();
+  check_length(bytes, {service.config.max_body_bytes});
   return {bytes, memory_for_text(bytes, service.config.json_limits().values), "what the body says"};
 }
 

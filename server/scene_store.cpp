@@ -13,6 +13,7 @@ namespace tia::server {
 namespace {
 
 constexpr std::size_t scene_entry_bytes = 640;  // an entry's own, with its places in list and table
+constexpr std::size_t owner_bytes = 128;        // the hash of a key to delete it
 constexpr std::int64_t most_told_s = 60;        // after which the file is told of a use again
 
 }  // namespace
@@ -71,6 +72,10 @@ KnownScene SceneStore::in_memory(const std::string& id) {
   take_unused(unused);
   Kept* const kept = scenes_.find(id);
   if (kept == nullptr) return {};
+  if (is_unused(*kept)) {
+    take(id, unused);
+    return {};
+  }
   const bool must_tell = use(*kept);
   if (must_tell) kept->told_s = kept->used_s;
   const KnownScene scene = kept->scene;
@@ -131,8 +136,11 @@ KnownScene SceneStore::put(const std::string& id, Scene scene, const Owner& owne
   }
   Kept& entry = *scenes_.find(id);
   entry.used_s = now_();
-  if (!owner.key_hash.empty() && entry.key_hashes.size() < most_owners)
+  if (!owner.key_hash.empty() && entry.key_hashes.size() < most_owners) {
     entry.key_hashes.push_back(owner.key_hash);
+    entry.bytes += owner_bytes;
+    bytes_ += owner_bytes;
+  }
   take_surplus(owner.client, surplus);
   return made;
 }
@@ -168,18 +176,21 @@ void SceneStore::take_unused(Scenes::Entries& into) {
 
 void SceneStore::take_surplus(const std::string& client, Scenes::Entries& into) {
   const auto is_own = [&](const Kept& kept) { return kept.first.client == client; };
-  const auto own_bytes = [&] {
-    std::size_t own = 0;
+  std::size_t own = 0, own_bytes = 0;
+  const bool is_full = bytes_ > max_bytes_ || scenes_.size() > max_scenes_;
+  if (is_full && !client.empty())
     scenes_.last_of([&](const Kept& kept) {
-      own += is_own(kept) ? kept.bytes : 0;
+      own += is_own(kept) ? 1 : 0;
+      own_bytes += is_own(kept) ? kept.bytes : 0;
       return false;
     });
-    return own;
-  };
   while (bytes_ > max_bytes_ || scenes_.size() > max_scenes_) {
-    const std::string* last = nullptr;
-    if (!client.empty() && 2 * own_bytes() > max_bytes_) last = scenes_.last_of(is_own);
+    const bool has_half = 2 * own_bytes > max_bytes_ || 2 * own > max_scenes_;
+    const std::string* const last = has_half ? scenes_.last_of(is_own) : nullptr;
     take(std::string(last != nullptr ? *last : scenes_.last_key()), into);
+    if (!is_own(into.back().value)) continue;
+    --own;
+    own_bytes -= into.back().value.bytes;
   }
   if (share_) share_->book(bytes_);
 }

@@ -71,6 +71,7 @@ void Connection::read() {
   asio::error_code error;
   const std::size_t size = socket_.read_some(asio::buffer(house_.scratch), error);
   if (error && !would_block(error)) return leave();
+  if (phase_ == Phase::reading) taken_ = Clock::now();
   if (phase_ != Phase::lingering) reader_.feed({house_.scratch.data(), size});
   if (phase_ == Phase::reading && !queued_) return proceed();
   if (phase_ == Phase::lingering || reader_.unread() < patience::most_ahead) wait_readable();
@@ -166,7 +167,10 @@ void Connection::set_patience(State before) {
     enter(Phase::reading, patience::head);
   if (now == State::body) {
     if (before != now) enter(Phase::reading, patience::body);
-    due_ = since_ + patience::body + patience::at_slowest_rate(reader_.request().body.size());
+    // What came early buys no rest.
+    due_ = std::min(since_ + patience::at_slowest_rate(reader_.request().body.size()),
+                    Clock::now()) +
+           patience::body;
   }
 }
 
@@ -212,7 +216,9 @@ void Connection::wait_writable() {
 // ---- ending ---------------------------------------------------------------------------------
 
 bool Connection::is_stuck(Clock::time_point now) const {
-  return phase_ == Phase::writing && now - std::max(since_, taken_) > patience::stuck;
+  const bool holds = phase_ == Phase::writing ||
+                     (phase_ == Phase::reading && held_ > patience::most_ahead);
+  return holds && now - std::max(since_, taken_) > patience::stuck;
 }
 
 void Connection::tick(Clock::time_point now) {

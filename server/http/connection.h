@@ -29,9 +29,10 @@ class Connection : public std::enable_shared_from_this<Connection> {
   /// Answers with 429, whatever is asked: there is no room.
   void turn_away();
 
-  /// Whether it holds an answer that its client does not take.
+  /// Whether it holds an answer that its client has not taken yet.
   bool is_stalled() const { return phase_ == Phase::writing; }
-  /// The same, and for so long that it hardly will.
+  /// Whether its client has taken nothing of an answer, or sent nothing of a long body, for so long
+  /// that it hardly will.
   bool is_stuck(Clock::time_point now) const;
   /// Whether no whole request is lost by closing.
   bool waits_for_client() const {
@@ -78,7 +79,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
   RequestReader reader_;
   Phase phase_ = Phase::reading;
   Clock::time_point since_, due_;
-  Clock::time_point taken_;     // when the client last took bytes
+  Clock::time_point taken_;     // when the client last took bytes, or sent some
   std::shared_ptr<Turn> turn_;  // the request in work
   Outbox outbox_;
   std::size_t held_ = 0;  // what we have told the house that we hold

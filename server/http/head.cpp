@@ -44,24 +44,35 @@ bool is_host(std::string_view host) {
          after.substr(colon + 1).find_first_not_of("0123456789") == after.npos;
 }
 
-// The target as a path: http://host/path is what proxies are sent (RFC 9112, 3.2.2).
-std::string path_of(std::string_view target, std::string_view method) {
-  if (target == "*" && method == "OPTIONS") return "*";
+/// Target: what a request line asks for.
+struct Target {
+  std::string path, host;  // "": Host says which
+};
+
+// http://host/path is what proxies are sent, and then its host counts (RFC 9112, 3.2.2).
+Target target_of(std::string_view target, std::string_view method) {
+  if (target == "*" && method == "OPTIONS") return {"*", ""};
   for (const std::string_view scheme : {"http://", "https://"})
     if (same_word(target.substr(0, scheme.size()), scheme)) {
       const auto path = target.find_first_of("/?", scheme.size());
       const std::string_view host = target.substr(0, path).substr(scheme.size());
       if (host.empty() || !is_host(host)) malformed("the target names no host");
-      if (path == target.npos) return "/";
-      return target[path] == '?' ? std::string("/").append(target.substr(path))
-                                 : std::string(target.substr(path));
+      std::string rest(path == target.npos ? "" : target.substr(path));
+      if (rest.empty() || rest[0] != '/') rest.insert(rest.begin(), '/');
+      return {rest, std::string(host)};
     }
   if (target.empty() || target[0] != '/') malformed("the target must begin with /");
-  return std::string(target);
+  return {std::string(target), ""};
 }
 
-// METHOD target HTTP/1.x: sets the head's method and target. Returns: whether it is HTTP/1.1.
-bool read_request_line(std::string_view line, Head& head) {
+/// RequestLine: METHOD target HTTP/1.x.
+struct RequestLine {
+  std::string method;
+  Target target;
+  bool is_http_1_1;
+};
+
+RequestLine read_request_line(std::string_view line) {
   const auto first = line.find(' '), last = line.rfind(' ');
   if (first == line.npos || first == last)
     malformed("the first line must be METHOD TARGET HTTP/1.1");
@@ -73,9 +84,7 @@ bool read_request_line(std::string_view line, Head& head) {
   if (!is_http) malformed("the first line must end with HTTP/1.1");
   if (version != "HTTP/1.1" && version != "HTTP/1.0")
     throw HttpError("version", "this server speaks HTTP/1.1 and HTTP/1.0");
-  head.method = method;
-  head.target = path_of(target, method);
-  return version == "HTTP/1.1";
+  return {std::string(method), target_of(target, method), version == "HTTP/1.1"};
 }
 
 // The value of a field that may come once, or "".
@@ -165,6 +174,11 @@ void check_host(const Headers& headers, bool is_11) {
   if (!is_host(host)) malformed("Host must be a name or an address, and a port");
 }
 
+void set_host(Headers& headers, const std::string& host) {
+  std::erase_if(headers, [](const auto& field) { return same_word(field.first, "Host"); });
+  headers.emplace_back("Host", host);
+}
+
 }  // namespace
 
 Headers read_fields(std::string_view text) {
@@ -183,10 +197,11 @@ Headers read_fields(std::string_view text) {
 }
 
 Head read_head(std::string_view text) {
-  Head head;
-  const bool is_11 = read_request_line(take_line(text), head);
-  head.headers = read_fields(text);
+  const RequestLine line = read_request_line(take_line(text));
+  const bool is_11 = line.is_http_1_1;
+  Head head{.method = line.method, .target = line.target.path, .headers = read_fields(text)};
   check_host(head.headers, is_11);
+  if (!line.target.host.empty()) set_host(head.headers, line.target.host);
   read_framing(head, is_11);
   check_body(head);
   head.is_http_1_0 = !is_11;

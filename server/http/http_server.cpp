@@ -184,7 +184,10 @@ void HttpServer::Listener::keep_time() {
     keeps_time_ = false;
     const auto now = Clock::now();
     for_each_connection([&](Connection& connection) { connection.tick(now); });
-    while (house_.holds_too_much() && close_longest([](auto& each) { return each.is_stalled(); })) {
+    // Who takes an answer goes on as long as there are others whose client does nothing.
+    while (house_.holds_too_much() &&
+           (close_longest([now](auto& each) { return each.is_stuck(now); }) ||
+            close_longest([](auto& each) { return each.is_stalled(); }))) {
     }
     give_back(now);
     keep_time();

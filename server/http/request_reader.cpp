@@ -7,6 +7,19 @@
 #include "server/problem.h"
 
 namespace tia::server {
+namespace {
+
+// Makes room for so many bytes of a body that will have `whole`: a string that grows by itself
+// could take twice as many.
+void reserve(std::string& body, std::size_t size, std::size_t whole) {
+  if (size <= body.capacity()) return;
+  std::string larger;
+  larger.reserve(std::min(whole, std::max(size, 2 * body.capacity())));
+  larger.append(body);
+  body.swap(larger);
+}
+
+}  // namespace
 
 RequestReader::State RequestReader::read() {
   if (state_ == State::idle) {
@@ -81,6 +94,7 @@ bool RequestReader::read_body() {
   }
   const auto length = static_cast<std::size_t>(head_.length);
   const std::size_t size = std::min(length - body.size(), bytes_.size());
+  reserve(body, body.size() + size, length);
   body.append(bytes_, 0, size);
   bytes_.erase(0, size);
   return body.size() == length;

@@ -46,11 +46,9 @@ Admission::Ticket Admission::enter_as(std::size_t kind, const std::string& clien
   const auto who = made.emplace(made.end(), kind, client, seconds);
   Kind& mine = kinds_[kind];
   std::unique_lock lock(mutex_);
-  check_time(mine, who->seconds);
+  check_time(mine, *who);
   mine.waiting.splice(mine.waiting.end(), made);
-  mine.seconds += who->seconds;
   const auto give_up = [&] {
-    mine.seconds -= who->seconds;
     made.splice(made.end(), mine.waiting, who);
     admit();
   };
@@ -74,10 +72,17 @@ Admission::Ticket Admission::enter_as(std::size_t kind, const std::string& clien
   return ticket;
 }
 
-// What has no time left once those before it are done would be begun for nothing.
-void Admission::check_time(const Kind& kind, double seconds) const {
+// What has no time left once those before it are done would be begun for nothing: all of its own
+// client's, and of each other's as much as that, for they share.
+void Admission::check_time(const Kind& kind, const Entrant& who) const {
   const bool alone = kind.inside.empty() && kind.waiting.empty();
-  if (!alone && (kind.seconds + seconds) / threads_ > most_wait_s_)
+  std::map<std::string, double> seconds;
+  for (const Entrants* those : {&kind.inside, &kind.waiting})
+    for (const Entrant& each : *those) seconds[each.client] += each.seconds;
+  const double own = seconds[who.client] += who.seconds;
+  double before = 0;
+  for (const auto& [client, theirs] : seconds) before += std::min(own, theirs);
+  if (!alone && before / threads_ > most_wait_s_)
     throw busy("what is there already would take too long (option TIA_DEADLINE_MS)");
 }
 
@@ -182,9 +187,7 @@ void Admission::turn_heavy(Entrants::iterator who) {
   const std::lock_guard lock(mutex_);
   if (who->kind != light) return;
   Kind &from = kinds_[light], &to = kinds_[heavy];
-  from.seconds -= who->seconds;
   who->seconds = std::max(who->seconds, 2 * most_light_seconds);
-  to.seconds += who->seconds;
   who->kind = heavy;
   to.inside.splice(to.inside.end(), from.inside, who);
   admit();
@@ -195,25 +198,28 @@ void Admission::leave(Entrants::iterator who) {
   Kind& kind = kinds_[who->kind];
   const std::chrono::duration<double> held = std::chrono::steady_clock::now() - who->since;
   kind.usual_s += (held.count() - kind.usual_s) / 16;
-  kind.seconds -= who->seconds;
   kind.inside.erase(who);
-  if (kind.inside.empty() && kind.waiting.empty()) kind.seconds = 0;  // what rounding has left
   admit();
 }
 
 // ---- who wait for others --------------------------------------------------------------------
 
-Admission::Place Admission::wait_for_others() {
+Admission::Place Admission::wait_for_others(const std::string& client) {
   const std::lock_guard lock(mutex_);
-  if (in_places_ >= std::max(queue_, kinds_[light].most))
-    throw busy("the queue is full (option TIA_QUEUE)");
+  const int most = std::max(queue_, kinds_[light].most);
+  const auto own = places_.find(client);
+  const bool has_half = !client.empty() && own != places_.end() && 2 * own->second >= most;
+  if (in_places_ >= most || has_half) throw busy("the queue is full (option TIA_QUEUE)");
+  const auto place = own != places_.end() ? own : places_.emplace(client, 0).first;
+  ++place->second;
   ++in_places_;
-  return Place(this);
+  return {this, place};
 }
 
-void Admission::leave_place() {
+void Admission::leave_place(Places::iterator place) {
   const std::lock_guard lock(mutex_);
   --in_places_;
+  if (--place->second == 0) places_.erase(place);
 }
 
 // ---- numbers --------------------------------------------------------------------------------

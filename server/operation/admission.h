@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <list>
+#include <map>
 #include <mutex>
 #include <stop_token>
 #include <string>
@@ -62,6 +63,7 @@ class Admission {
     std::chrono::steady_clock::time_point since{};  // when it got in
   };
   using Entrants = std::list<Entrant>;
+  using Places = std::map<std::string, int>;  // by client
 
  public:
   /// Ticket: the right to work, until it ends.
@@ -90,15 +92,16 @@ class Admission {
   /// Place: one in the queue, of who waits for what others do.
   class Place {
    public:
-    Place(Place&& from) noexcept : from_(std::exchange(from.from_, nullptr)) {}
+    Place(Place&& from) noexcept : from_(std::exchange(from.from_, nullptr)), place_(from.place_) {}
     ~Place() {
-      if (from_ != nullptr) from_->leave_place();
+      if (from_ != nullptr) from_->leave_place(place_);
     }
 
    private:
     friend Admission;
-    explicit Place(Admission* from) : from_(from) {}
+    Place(Admission* from, Places::iterator place) : from_(from), place_(place) {}
     Admission* from_;
+    Places::iterator place_;
   };
 
   explicit Admission(const Options& options);
@@ -111,8 +114,9 @@ class Admission {
   /// to wait for its kind are taken, or what is there already takes too long.
   [[nodiscard]] Ticket enter(const Cost& cost, const std::string& client,
                              const std::stop_token& stop);
-  /// A place to wait in without a ticket. Errors: HttpError (busy).
-  [[nodiscard]] Place wait_for_others();
+  /// A place to wait in without a ticket: as many as the queue has, of which a client may have half.
+  /// Errors: HttpError (busy).
+  [[nodiscard]] Place wait_for_others(const std::string& client);
 
   int at_work() const;
   int waiting() const;
@@ -123,7 +127,6 @@ class Admission {
   struct Kind {
     int most = 0, most_waiting = 0;
     double usual_s = 0;                  // how long a ticket is held, a moving mean
-    double seconds = 0;                  // that those inside and those that wait are to take
     Entrants waiting = {}, inside = {};  // in the order of coming
 
     int at_work() const { return static_cast<int>(inside.size()); }
@@ -132,7 +135,7 @@ class Admission {
   };
   Ticket enter_as(std::size_t kind, const std::string& client, double seconds,
                   const std::stop_token& stop);
-  void check_time(const Kind& kind, double seconds) const;
+  void check_time(const Kind& kind, const Entrant& who) const;
   void find_place(const Entrant& who);
   bool push_out(std::size_t kind, const std::string& client);
   void admit();
@@ -142,7 +145,7 @@ class Admission {
   int light_places_taken() const;
   void turn_heavy(Entrants::iterator who);
   void leave(Entrants::iterator who);
-  void leave_place();
+  void leave_place(Places::iterator place);
   int waiting_to_enter() const;
   int wait_s() const;
   HttpError busy(const char* why) const;
@@ -151,7 +154,8 @@ class Admission {
   const double most_wait_s_;
   mutable std::mutex mutex_;
   std::array<Kind, kinds> kinds_;
-  int in_places_ = 0;  // who wait for what others do
+  Places places_;      // of who wait for what others do
+  int in_places_ = 0;  // how many they are
 };
 
 }  // namespace tia::server

@@ -51,10 +51,10 @@ MemoryAccount::MemoryAccount(std::int64_t limit_bytes) : limit_(limit_bytes) {
 }
 
 bool MemoryAccount::take(Holder by, std::int64_t bytes) noexcept {
-  if (total_.fetch_add(bytes) + bytes > limit_) {
-    total_ -= bytes;
-    return false;
-  }
+  std::int64_t total = total_;
+  do {
+    if (total + bytes > limit_) return false;
+  } while (!total_.compare_exchange_weak(total, total + bytes));
   held_[by] += bytes;
   return true;
 }
@@ -68,8 +68,9 @@ void MemoryAccount::on_shortage(GiveWay give_way) { give_way_.push_back(std::mov
 
 bool MemoryAccount::make_room(std::int64_t bytes) {
   for (const GiveWay& give_way : give_way_) {
-    if (free() >= bytes) return true;
-    give_way(bytes - free());
+    const std::int64_t missing = bytes - free();
+    if (missing <= 0) return true;
+    give_way(missing);
   }
   return free() >= bytes;
 }
@@ -94,7 +95,7 @@ void MemoryAccount::leave(const std::string& client) noexcept {
 
 // Whether other requests of its client have so much that this one has to wait for them.
 bool MemoryAccount::has_its_share(const Waiter& who) const noexcept {
-  if (who.client == nullptr || who.bytes <= most_small()) return false;
+  if (who.client == nullptr || is_small(who)) return false;
   const std::int64_t others = who.client->granted - who.own;
   return others > 0 && who.client->granted + who.bytes > most_of_client();
 }
@@ -106,16 +107,18 @@ bool MemoryAccount::take_more(std::int64_t own, std::int64_t bytes) noexcept {
 
 // Larger ones leave an eighth to small ones, and wait for those of them that came before.
 bool MemoryAccount::take_fairly(Waiters::const_iterator who) noexcept {
-  const bool small = who->bytes <= most_small();
-  if (!small) {
+  if (!is_small(*who)) {
     const auto waits_itself = [&](const Waiter& each) { return has_its_share(each); };
     const bool is_first = std::all_of(waiting_.cbegin(), who, waits_itself);
     if (!is_first || has_its_share(*who) || free() - who->bytes < limit_ / 8) return false;
   }
-  return take(requests, who->bytes);
+  if (!take(requests, who->bytes)) return false;
+  if (who->client != nullptr) who->client->granted += who->bytes;
+  return true;
 }
 
 bool MemoryAccount::wait_for(const Waiter& who, const std::stop_token& stop) {
+  const ClaimScope nobodys(nullptr);  // a place among those that wait is the account's
   const std::int64_t bytes = who.bytes;
   std::unique_lock lock(mutex_);
   const auto place = waiting_.insert(waiting_.end(), who);
@@ -126,7 +129,7 @@ bool MemoryAccount::wait_for(const Waiter& who, const std::stop_token& stop) {
   while (!is_taken && !stop.stop_requested() && std::chrono::steady_clock::now() < until) {
     if (!has_its_share(*place)) {
       lock.unlock();
-      make_room(bytes <= most_small() ? bytes : bytes + limit_ / 8);
+      make_room(is_small(who) ? bytes : bytes + limit_ / 8);
       lock.lock();
     }
     is_taken = less_held_.wait_for(lock, stop, look, taken);
@@ -167,7 +170,7 @@ void MemoryClaim::reserve(std::int64_t bytes, std::string_view what, const std::
     ++account_.refusals_;
     throw no_memory();
   }
-  grant(more);
+  granted_ += more;  // its client's share is booked
 }
 
 MemoryClaim::~MemoryClaim() {
@@ -250,7 +253,7 @@ std::int64_t addresses_beyond(std::int64_t memory_bytes) {
   if (getrlimit(RLIMIT_AS, &space) != 0 || space.rlim_cur == RLIM_INFINITY) return 0;
   const auto limit = static_cast<std::int64_t>(space.rlim_cur);
   const std::int64_t taken = number_in("/proc/self/statm", 0) * sysconf(_SC_PAGESIZE);
-  const std::int64_t scattered = limit / 8;  // between the pieces that are in use
+  const std::int64_t scattered = limit / 6;  // between the pieces that are in use
   return std::max<std::int64_t>(0, memory_bytes + taken + scattered - limit);
 }
 

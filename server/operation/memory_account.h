@@ -76,7 +76,7 @@ class MemoryAccount {
   /// Waiter: who needs more for its request.
   struct Waiter {
     std::int64_t bytes = 0, own = 0;  // what it needs, and has already
-    const Client* client = nullptr;   // null: of nobody's
+    Client* client = nullptr;         // null: of nobody's
   };
   using Waiters = std::list<Waiter>;
   Client* enter(const std::string& client);
@@ -87,6 +87,7 @@ class MemoryAccount {
   bool take_fairly(Waiters::const_iterator who) noexcept;
   // Books it at once for a request that has so much, unless it is large and the eighth is at stake.
   bool take_more(std::int64_t own, std::int64_t bytes) noexcept;
+  bool is_small(const Waiter& who) const { return who.own + who.bytes <= most_small(); }
   bool has_its_share(const Waiter& who) const noexcept;
 
   const std::int64_t limit_;
@@ -161,7 +162,7 @@ class MemoryClaim {
 
  private:
   void enter();
-  // Books what the account has given, or, negative, gives it back.
+  // Counts to its client what the account has given, or, negative, gives it back.
   void grant(std::int64_t bytes) noexcept;
 
   MemoryAccount& account_;

@@ -35,7 +35,8 @@ TEST(Hosts, OfLoopbackAreItsOwnNames) {
 }
 
 TEST(Hosts, OfLoopbackAreNoNamesThatBeginAsItsAddresses) {
-  for (const char* name : {"127.evil.example", "127.0.0.1.evil.example", "127.0.0.1x", "127."})
+  for (const char* name : {"127.evil.example", "127.0.0.1.evil.example", "127.0.0.1x", "127.",
+                           "127.0.0.1%x"})
     EXPECT_EQ(status_as(on_loopback(), name), 421) << name;
   EXPECT_EQ(status_as(on_loopback(), "127.9.8.7:80"), 200);
 }

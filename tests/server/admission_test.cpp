@@ -190,6 +190,15 @@ TEST(Admission, WhatCouldNotEndInTimeDoesNotBegin) {
   EXPECT_THROW(static_cast<void>(other.enter(dear, "a", {})), HttpError);  // 6 s in all
 }
 
+// What one client has asked for takes no time of who asks for little: they share.
+TEST(Admission, OnlyAShareOfWhatOthersAskForCountsAsTime) {
+  Admission admission({.tickets = 8, .queue = 64, .threads = 2, .most_wait_s = 5});
+  const Ticket one = admission.enter({9, true}, "flood", {});
+  EXPECT_THROW(static_cast<void>(admission.enter({2, true}, "flood", {})), HttpError);
+  EXPECT_NO_THROW(static_cast<void>(admission.enter({5, true}, "b", {})));   // 5 + 5 of 10
+  EXPECT_THROW(static_cast<void>(admission.enter({5.1, true}, "b", {})), HttpError);
+}
+
 TEST(Admission, OfThoseThatWaitGoesWhoseClientHasFewest) {
   Admission admission({.tickets = 2, .queue = 8});
   Guest a(admission, light_rays), b(admission, light_rays);
@@ -263,17 +272,27 @@ TEST(Admission, AFullQueueOfEqualsMakesNoRoom) {
 
 TEST(Admission, WhoWaitsForOthersTakesAPlaceOfItsOwnKind) {
   Admission admission({.tickets = 1, .queue = 2});
-  auto one = std::make_unique<Admission::Place>(admission.wait_for_others());
-  const auto other = admission.wait_for_others();
+  auto one = std::make_unique<Admission::Place>(admission.wait_for_others(""));
+  const auto other = admission.wait_for_others("");
   EXPECT_EQ(admission.waiting(), 2);
-  EXPECT_THROW(static_cast<void>(admission.wait_for_others()), HttpError);
+  EXPECT_THROW(static_cast<void>(admission.wait_for_others("")), HttpError);
   Guest inside(admission, light_rays);  // nor does it fill the queue for those who want to draw
   ASSERT_TRUE(inside.gets_in());
   Guest waiting(admission, light_rays);
   wait_until_waiting(admission, 3);
   one.reset();
-  EXPECT_NO_THROW(static_cast<void>(admission.wait_for_others()));
+  EXPECT_NO_THROW(static_cast<void>(admission.wait_for_others("")));
   waiting.give_up();
+}
+
+TEST(Admission, OfThePlacesForOthersAClientMayHaveHalf) {
+  Admission admission({.tickets = 1, .queue = 4});
+  const auto one = admission.wait_for_others("a");
+  auto two = std::make_unique<Admission::Place>(admission.wait_for_others("a"));
+  EXPECT_THROW(static_cast<void>(admission.wait_for_others("a")), HttpError);
+  const auto other = admission.wait_for_others("b");
+  two.reset();
+  EXPECT_NO_THROW(static_cast<void>(admission.wait_for_others("a")));
 }
 
 TEST(Admission, LongTextsAreReadAFewAtATime) {

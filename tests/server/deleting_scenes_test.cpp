@@ -189,6 +189,23 @@ TEST(SharesOfScenes, InMemoryAClientBeyondHalfLosesItsOwnOldestFirst) {
   EXPECT_EQ(store.count(), 8U);
 }
 
+TEST(SharesOfScenes, InMemoryAClientBeyondHalfOfTheirNumberLosesItsOwnToo) {
+  SceneStore store(room, 8);
+  const std::string quiet = store.keep(titled("200"), {"quiet", "", 0});
+  for (int i = 300; i < 400; ++i) store.keep(titled(std::to_string(i)), {"loud", "", 0});
+  EXPECT_TRUE(store.in_memory(quiet));
+  EXPECT_EQ(store.count(), 8U);
+}
+
+TEST(SharesOfScenes, OwnersOfASceneTakeMemoryToo) {
+  SceneStore store(room);
+  store.keep(titled("200"), {"a", sha256_hex("1"), 0});
+  const std::size_t one = store.bytes();
+  store.keep(titled("200"), {"a", sha256_hex("2"), 0});
+  EXPECT_GE(store.bytes(), one + sizeof(std::string) + 64);
+  EXPECT_EQ(store.count(), 1U);
+}
+
 TEST(SharesOfScenes, InTheFileAClientMayHaveHalf) {
   const Folder folder;
   SceneFile file(folder.file(""), 1 << 20);

@@ -46,8 +46,8 @@ TEST(OptionLimits, AsManyPicturesAreBegunAsRendersSays) {
 TEST(OptionLimits, AsManyWaitAsQueueSays) {
   Host host(with([](Config& config) { config.renders = 1, config.queue = 2; }));
   Admission& admission = host.service().admission;
-  const auto first = admission.wait_for_others(), second = admission.wait_for_others();
-  EXPECT_TRUE(is_refused([&] { static_cast<void>(admission.wait_for_others()); }));
+  const auto first = admission.wait_for_others(""), second = admission.wait_for_others("");
+  EXPECT_TRUE(is_refused([&] { static_cast<void>(admission.wait_for_others("")); }));
 }
 
 TEST(OptionLimits, AsManyConnectionsAreOpenAsConnectionsSays) {

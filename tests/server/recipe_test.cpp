@@ -224,6 +224,17 @@ TEST(Recipe, IsReadNoFurtherOnceNobodyWaits) {
 
 // ---- how long a body may be -----------------------------------------------------------------
 
+// Its type lets it in; it is no picture.
+TEST(PngBody, ThatIsATextMayBeNoLongerThanATextMay) {
+  Host host(read_config({{"max_body_bytes", "65536", ""}}));
+  const std::string text = "{\"width\":8,\"height\":6" + std::string(65'536, ' ') + "}";
+  for (const char* target : {"/render", "/explain", "/scenes"}) {
+    const Response refused = host.post(target, text, "image/png");
+    EXPECT_EQ(refused.status, 413) << target;
+    EXPECT_EQ(problem_of(refused).type, "/problems/too-large");
+  }
+}
+
 TEST(PngBody, MayBeLongerThanOthersAndNoLongerThanItsOwnLimit) {
   const BodyLimits limits(1000, 64 << 20);
   const auto fault = [&](const std::string& type, std::size_t length) -> std::string {

@@ -75,6 +75,13 @@ TEST(PngText, ThatAnotherProgramHasWrittenPlainIsReadToo) {
   EXPECT_EQ(text_in(file, word, plenty), "abc");
 }
 
+TEST(PngText, IsCompressedOrPlain) {  // 0x80 is neither, whether a char has a sign or not
+  for (const char flag : {'\2', '\x7f', '\x80', '\xff'}) {
+    const std::string data = "Recipe\0"s + flag + "\0vi\0C\0abc"s;
+    EXPECT_EQ(fault_of(with_chunk(small_png(), "iTXt", data)), FaultKind::malformed) << int{flag};
+  }
+}
+
 TEST(PngText, OfAnotherKeywordIsNotMeant) {
   EXPECT_EQ(text_in(small_png(), word, plenty), std::nullopt);
   EXPECT_EQ(text_in(with_text(small_png(), "Recipes", "abc"), word, plenty), std::nullopt);

@@ -61,6 +61,20 @@ TEST(Head, AnAbsoluteTargetIsItsPathAndQuery) {  // RFC 9112, 3.2.2
     EXPECT_EQ(read_head(forms::line(std::string("GET ") + target + " HTTP/1.1")).target, "/a?b");
 }
 
+TEST(Head, TheHostOfAnAbsoluteTargetCounts) {  // RFC 9112, 3.2.2
+  for (const char* target : {"http://other.example:80", "http://other.example:80/a", "/a"}) {
+    const Head head = read_head(forms::line(std::string("GET ") + target + " HTTP/1.1"));
+    const bool is_absolute = *target != '/';
+    int hosts = 0;
+    for (const auto& [name, value] : head.headers) {
+      if (!same_word(name, "Host")) continue;
+      ++hosts;
+      EXPECT_EQ(value == "other.example:80", is_absolute) << target << ' ' << value;
+    }
+    EXPECT_EQ(hosts, 1);
+  }
+}
+
 TEST(Head, OnlyOptionsMayBeOfAStar) {  // RFC 9112, 3.2.4
   EXPECT_EQ(read_head(forms::line("OPTIONS * HTTP/1.1")).target, "*");
   EXPECT_EQ(fault_of_head(forms::line("GET * HTTP/1.1")), "malformed");

@@ -128,6 +128,20 @@ TEST(RequestReader, KnowsTheRequestOfARefusedBody) {  // for the log and the ans
   EXPECT_EQ(reader.request().id, "abc");
 }
 
+TEST(RequestReader, HoldsNoMoreThanABodyIsLong) {
+  RequestReader reader(ordinary_body);
+  const std::size_t length = (2 << 20) + 9;  // a string that doubles would end at 4 MiB
+  const std::string all = forms::sized(' ' + std::to_string(length), std::string(length, ' '));
+  constexpr std::size_t piece = 64 << 10;
+  for (std::size_t at = 0; at < all.size(); at += piece) {
+    reader.feed(std::string_view(all).substr(at, piece));
+    reader.read();
+  }
+  EXPECT_EQ(reader.state(), State::whole);
+  EXPECT_EQ(reader.request().body.size(), length);
+  EXPECT_LE(reader.request().body.capacity(), length);
+}
+
 TEST(RequestReader, HoldsNothingOfARequestThatHasBeenTaken) {
   RequestReader reader(ordinary_body);
   reader.feed(forms::sized(" 1000000", std::string(1'000'000, ' ')));
