@@ -55,6 +55,9 @@ TEST(Patience, OfFiveSecondsHasAServerForAHeadAndForABodyHoweverTheyDrip) {
   slow["half a size"] = start(port, [&](Wire& wire) { wire.send(forms::chunks("9")); });
   slow["no trailer"] = start(port, [&](Wire& wire) { wire.send(forms::chunks("0\r\n")); });
   slow["a dripping body"] = start(port, dripping(forms::sized(" 999", ""), milliseconds(100)));
+  slow["a body that began fast"] = start(port, [&](Wire& wire) {
+    wire.send(forms::sized(" 4000000", std::string(1 << 20, ' ')));  // 16 s at the slowest rate
+  });
   slow["a second head"] = start(port, [&](Wire& wire) { wire.send(forms::get("") + half); });
   for (auto& [name, future] : slow) {
     SCOPED_TRACE(name);
