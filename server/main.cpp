@@ -4,11 +4,11 @@
 #include <iostream>
 
 #include "core/version.h"
-#include "server/config.h"
-#include "server/picture.h"
+#include "server/contract/text_form.h"
+#include "server/operation/config.h"
 #include "server/render_command.h"
+#include "server/requests/picture_request.h"
 #include "server/serve_command.h"
-#include "server/text_form.h"
 
 namespace {
 

@@ -7,8 +7,8 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "server/picture.h"
-#include "server/text_form.h"
+#include "server/contract/text_form.h"
+#include "server/requests/draw.h"
 
 namespace tia::server {
 namespace {

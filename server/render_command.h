@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "server/config.h"
+#include "server/operation/config.h"
 
 namespace tia::server {
 

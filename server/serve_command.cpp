@@ -12,9 +12,10 @@
 #include <malloc.h>
 #endif
 
-#include "server/backend.h"
+#include "server/handlers/backend.h"
+#include "server/handlers/dispatch.h"
 #include "server/http/http_server.h"
-#include "server/log.h"
+#include "server/operation/log.h"
 
 namespace tia::server {
 namespace {

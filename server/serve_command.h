@@ -1,7 +1,7 @@
 // `tia serve`: config -> server -> wait for a signal -> drain.
 #pragma once
 
-#include "server/config.h"
+#include "server/operation/config.h"
 
 namespace tia::server {
 

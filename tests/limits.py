@@ -55,7 +55,7 @@ CONSTANTS = [
     ("server/http/head.h", "most_bytes = «16 << 10»", SERVER, "LimitNumbers.AHeadHas16384Bytes"),
     ("server/http/head.h", "most_fields = «100»", SERVER, "LimitNumbers.AHeadHas100Fields"),
     ("server/http/request_reader.cpp", "longest_target + «64»", SERVER, "LimitNumbers.AFirstLine*"),
-    ("server/problem.h", "longest_target = «4096»", SERVER, "LimitNumbers.ATargetHas4096Bytes"),
+    ("server/http/error.h", "longest_target = «4096»", SERVER, "LimitNumbers.ATargetHas4096Bytes"),
     ("server/http/chunks.h", "longest_line = «256»", SERVER, "LimitNumbers.ALineOfAChunks*"),
     ("server/http/chunks.h", "most_trailer = «4096»", SERVER, "LimitNumbers.ATrailerHas4096Bytes"),
     ("server/http/chunks.cpp", "most = «1ULL << 40U»", SERVER, "LimitNumbers.AChunkHas2To40Bytes"),
@@ -71,18 +71,18 @@ CONSTANTS = [
     ("server/http/patience.h", "most_at_once = «256 << 10»", SERVER, "LimitNumbers.OfAConnection"),
     ("server/http/patience.h", "most_parts = «256 << 10»", SERVER, "LimitNumbers.OfAConnection"),
     # What is answered, kept and told.
-    ("server/problem.h", "longest_problem = «16 << 10»", SERVER, "LimitNumbers.OfWhatIsAnswered*"),
-    ("server/problem.cpp", "longest_detail = «2048»", SERVER, "LimitNumbers.AProblemsDetail*"),
+    ("server/contract/problem.h", "longest_problem = «16 << 10»", SERVER, "LimitNumbers.OfWhatIsAnswered*"),
+    ("server/contract/problem.cpp", "longest_detail = «2048»", SERVER, "LimitNumbers.AProblemsDetail*"),
     ("core/render/explanation_size.h", "longest_explanation = «4 << 20»", SERVER,
      "LimitNumbers.OfWhatIsAnswered*"),
-    ("server/recipe.h", "most_told_bytes = «256 << 10»", SERVER, "LimitNumbers.ARecipeTells*"),
-    ("server/known_targets.h", "most_bytes = «4 << 20»", SERVER, "LimitNumbers.OfWhatIsAnswered*"),
-    ("server/scene_store.h", "most_scenes = «10'000»", SERVER, "LimitNumbers.TenThousandScenes*"),
-    ("server/scene_file.h", "most_owners = «64»", SERVER, "LimitNumbers.OfWhatIsAnswered*"),
-    ("server/log.h", "most_bytes = «1 << 20»", SERVER, "LimitNumbers.OfAConnection"),
-    ("server/log.cpp", "most_target = «200»", SERVER, "Log.*"),
+    ("server/requests/recipe.h", "most_told_bytes = «256 << 10»", SERVER, "LimitNumbers.ARecipeTells*"),
+    ("server/stores/known_targets.h", "most_bytes = «4 << 20»", SERVER, "LimitNumbers.OfWhatIsAnswered*"),
+    ("server/stores/scene_store.h", "most_scenes = «10'000»", SERVER, "LimitNumbers.TenThousandScenes*"),
+    ("server/stores/scene_file.h", "most_owners = «64»", SERVER, "LimitNumbers.OfWhatIsAnswered*"),
+    ("server/operation/log.h", "most_bytes = «1 << 20»", SERVER, "LimitNumbers.OfAConnection"),
+    ("server/operation/log.cpp", "most_target = «200»", SERVER, "Log.*"),
     # What waits for what.
-    ("server/operation/admission.h", "most_light_rays = «1 << 21»", SERVER,
+    ("server/operation/cost.h", "most_light_rays = «1 << 21»", SERVER,
      "LimitNumbers.LightWorkTurnsOutHeavy*"),
     ("server/operation/admission.h", "most_light_tests = «1 << 25»", SERVER,
      "LimitNumbers.LightWorkTurnsOutHeavy*"),
@@ -138,7 +138,7 @@ Config with_moved_option(Config config) {
 """
 # Where options begin to count: in a test's own house, and in the program.
 OPTION_PLACES = [
-    ("server/backend.cpp", "config(given),", "config(with_moved_option(given)),"),
+    ("server/handlers/backend.cpp", "config(given),", "config(with_moved_option(given)),"),
     ("server/serve_command.cpp", "HttpOptions http_options(const Config& config) {",
      "HttpOptions http_options(const Config& given) {\n"
      "  static const Config config = with_moved_option(given);"),
@@ -146,14 +146,14 @@ OPTION_PLACES = [
 
 # What the compiler must know no more, because it is made of what moves.
 DEPENDENT = [
-    ("core/input/codec.h", "inline constexpr Spec name_spec", "inline const Spec name_spec"),
+    ("core/input/value_codecs.h", "inline constexpr Spec name_spec", "inline const Spec name_spec"),
     ("core/lights/sphere_light.h", "inline constexpr Spec light_samples",
      "inline const Spec light_samples"),
     ("core/materials/image_texture.cpp", "constexpr std::size_t most_digits",
      "const std::size_t most_digits"),
-    ("server/operation/admission.h", "static constexpr double most_light_seconds",
+    ("server/operation/cost.h", "static constexpr double most_light_seconds",
      "static inline const double most_light_seconds"),
-    ("server/scene_store.cpp", "constexpr JsonLimits any", "const JsonLimits any"),
+    ("server/stores/scene_store.cpp", "constexpr JsonLimits any", "const JsonLimits any"),
 ]
 
 

@@ -116,7 +116,7 @@ class Compiler {
       return;
     }
     Aabb box;
-    for (const Object& child : group.children) box = around(box, bounds_of(child));
+    for (const Object& child : group.children) box = around(box, bounds_.of(child));
     const int grid = builder_.begin_grid(*group.repeat, box, own);
     const int inside = geometry_.copies[static_cast<std::size_t>(grid)].inside;
     for (const Object& child : group.children) add(child, {Affine{}, own.matter, inside, false});
@@ -127,20 +127,34 @@ class Compiler {
     Solid solid;
     const int object = geometry_.objects++;
     add_operands(csg.children, csg.operation, own, object, solid);
-    Object whole;
-    whole.shape = csg;
-    builder_.add(std::move(solid), bounds_of(own.place, bounds_of(whole)), own.space);
+    builder_.add(std::move(solid), bounds_of(own.place, bounds_.of(csg)), own.space);
   }
-  void add_operands(const std::vector<Object>& children, Operation operation, const Setting& above,
-                    int object, Solid& solid) {
-    for (std::size_t i = 0; i < children.size(); ++i) {
-      Setting own = below(children[i], above);
-      if (i > 0 && operation == Operation::difference) own.inverted = !own.inverted;
-      add_operand(children[i], own, object, solid);
-      if (i > 0) solid.steps.push_back({-1, operation});
-    }
+  using Operands = std::span<const Object>;
+  void add_operands(Operands children, Operation operation, const Setting& above, int object,
+                    Solid& solid) {
+    if (operation != Operation::difference)
+      return add_balanced(children, operation, above, object, solid);
+    // The first without all the others.
+    add_balanced(children.first(1), Operation::union_, above, object, solid);
+    if (children.size() == 1) return;
+    Setting taken_away = above;
+    taken_away.inverted = !taken_away.inverted;
+    add_balanced(children.subspan(1), Operation::union_, taken_away, object, solid);
+    solid.steps.push_back({-1, operation});
+  }
+  // Halves before they are merged with each other: one after the other, each would be merged with
+  // all that is there already.
+  void add_balanced(Operands children, Operation operation, const Setting& above, int object,
+                    Solid& solid) {
+    if (children.size() == 1)
+      return add_operand(children.front(), below(children.front(), above), object, solid);
+    const std::size_t half = children.size() / 2;
+    add_balanced(children.first(half), operation, above, object, solid);
+    add_balanced(children.subspan(half), operation, above, object, solid);
+    solid.steps.push_back({-1, operation});
   }
   void add_operand(const Object& child, const Setting& own, int object, Solid& solid) {
+    workers_.end_if_asked();
     if (const auto* csg = std::get_if<Csg>(&child.shape))
       return add_operands(csg->children, csg->operation, own, object, solid);
     if (const auto* children = children_of(child))
@@ -157,6 +171,7 @@ class Compiler {
   const Scene& scene_;
   const Workers& workers_;
   const MeshSource& mesh_;
+  ObjectBounds bounds_;
   Geometry geometry_;
   GeometryBuilder builder_{geometry_, workers_};
   std::map<std::string, int> named_;

@@ -11,6 +11,9 @@ namespace {
 // ---- few balls --------------------------------------------------------------------------------
 
 constexpr std::size_t few_balls = 16;
+// Beyond so many lights a ray takes so long that its work has to be counted, which this way does
+// not.
+constexpr std::size_t few_lights = 64;
 
 // A point as seen from anywhere, whose light does not fade.
 bool is_plain_point(const Lamp& lamp) {
@@ -37,7 +40,8 @@ void list_few_balls(World& world) {
     if (!is_plain_balls(*each)) return;
     all.insert(all.end(), each->balls.begin(), each->balls.end());
   }
-  world.few_balls = all.size() <= few_balls && std::ranges::all_of(world.lamps, is_plain_point);
+  world.few_balls = all.size() <= few_balls && world.lamps.size() <= few_lights &&
+                    std::ranges::all_of(world.lamps, is_plain_point);
   if (world.few_balls) world.balls = std::move(all);
 }
 

@@ -2,9 +2,11 @@
 // kinds of things in them. What is searched for is the query's business.
 #pragma once
 
+#include <bit>
+
 #include "core/accel/lane_hits.h"
 #include "core/accel/queries.h"
-#include "core/accel/trace.h"
+#include "core/accel/world.h"
 
 namespace tia {
 

@@ -33,6 +33,7 @@ const Spans& spans(const Solid& solid, const std::vector<Part>& parts, const Lin
       }));
     } else {
       --top;
+      effort.add(static_cast<std::int64_t>((stack[top - 1].size() + stack[top].size()) / 4));
       merge(step.operation, stack[top - 1], stack[top], same, result);
       stack[top - 1].swap(result);
     }

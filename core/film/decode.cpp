@@ -1,5 +1,6 @@
 #include "core/film/decode.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <cstring>
 #include <memory>
@@ -80,10 +81,11 @@ int scans_of(File jpeg) {
 // there are bytes: stb_image writes them all. A segment is its length and its tables, a table its
 // class and number, how many codes there are of each of 16 lengths, and their values.
 // Source: ITU-T T.81, B.2.4.2.
-bool has_too_many_codes(File jpeg, std::size_t at) {
+// `tables` counts those that it has looked at.
+bool has_too_many_codes(File jpeg, std::size_t at, int& tables) {
   const auto byte = [&](std::size_t i) { return i < jpeg.size() ? int{jpeg[i]} : 0; };
   int length = 256 * byte(at) + byte(at + 1) - 2;
-  for (at += 2; length > 0;) {
+  for (at += 2; length > 0; ++tables) {
     int codes = 0;
     for (std::size_t i = 1; i <= 16; ++i) codes += byte(at + i);
     if (codes > 256) return byte(at) >> 4 <= 1 && (byte(at) & 15) <= 3;
@@ -92,11 +94,15 @@ bool has_too_many_codes(File jpeg, std::size_t at) {
   }
   return false;
 }
-// Wherever such a segment may begin, for stb_image does not say where it found one.
+// Wherever such a segment may begin, for stb_image does not say where it found one. Of those that
+// overlap a file could hold a million tables: one with more than any picture has counts as broken.
 bool has_broken_tables(File jpeg) {
-  for (std::size_t i = 1; i < jpeg.size(); ++i)
-    if (jpeg[i - 1] == 0xFF && jpeg[i] == 0xC4 && has_too_many_codes(jpeg, i + 1)) return true;
-  return false;
+  constexpr int most_tables = 1 << 16;
+  int tables = 0;
+  for (std::size_t i = 1; i < jpeg.size() && tables <= most_tables; ++i)
+    if (jpeg[i - 1] == 0xFF && jpeg[i] == 0xC4 && has_too_many_codes(jpeg, i + 1, tables))
+      return true;
+  return tables > most_tables;
 }
 
 // A PNG's chunks as stb_image can take them: a palette names all 256 colours, those that were
@@ -154,8 +160,9 @@ std::variant<PictureSize, PictureFault> measure_picture(File file) {
     return PictureFault{
         true, std::to_string(size.width) + " x " + std::to_string(size.height) + " pixels",
         "a picture of at most " + std::to_string(most_picture_pixels) + " pixels"};
-  if (is_jpeg(file) && scans_of(file) > most_picture_scans)
-    return PictureFault{true, std::to_string(scans_of(file)) + " scans",
+  if (is_jpeg(file)) size.scans = std::max(1, scans_of(file));
+  if (size.scans > most_picture_scans)
+    return PictureFault{true, std::to_string(size.scans) + " scans",
                         "a picture of at most " + std::to_string(most_picture_scans) + " scans"};
   return size;
 }

@@ -16,10 +16,13 @@ inline constexpr std::size_t most_picture_bytes = 1 << 20;
 inline constexpr std::int64_t most_picture_pixels = 1 << 22;
 inline constexpr int most_picture_scans = 64;
 
-/// PictureSize: what a picture's header says. Space/units: pixels.
+/// PictureSize: what a picture's headers say. Space/units: pixels.
 struct PictureSize {
   int width = 0, height = 0;
+  int scans = 1;  ///< of a JPEG
   std::int64_t pixels() const { return std::int64_t{width} * height; }
+  /// What reading it goes over.
+  std::int64_t scanned_pixels() const { return pixels() * scans; }
 };
 
 /// PictureFault: why a file is not decoded.

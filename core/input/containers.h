@@ -1,8 +1,8 @@
-// Codecs of lists, vectors, colours, maps and alternatives. Included by codec.h, for all of them
-// name each other.
+// Codecs of lists, vectors, colours, maps and alternatives. They name each other: whoever uses
+// them includes codec.h.
 #pragma once
 
-#include "core/input/codec.h"
+#include "core/input/value_codecs.h"
 
 namespace tia {
 

@@ -1,11 +1,11 @@
 // Codec of described structs: three visitors that walk T::fields, one that reads, one that writes,
-// one that makes the schema; what does not depend on T is in the .cpp. Included by codec.h.
+// one that makes the schema; what does not depend on T is in the .cpp.
 #pragma once
 
 #include <functional>
 #include <utility>
 
-#include "core/input/codec.h"
+#include "core/input/value_codecs.h"
 
 namespace tia {
 

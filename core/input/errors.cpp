@@ -1,8 +1,10 @@
 #include "core/input/errors.h"
 
 #include <algorithm>
-#include <numeric>
+#include <array>
+#include <cstdint>
 #include <span>
+#include <utility>
 
 #include "core/input/json.h"
 
@@ -92,35 +94,51 @@ std::string describe(const Fault& fault) {
 
 namespace {
 
+constexpr std::size_t longest_compared = 64;  // of names, in bytes
+
 // Fewest insertions, deletions, substitutions and swaps of neighbours ("optimal string alignment"),
-// three rows at a time.
-std::size_t edit_distance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> before(b.size() + 1), last(b.size() + 1), row(b.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
+// three rows at a time; more than `most` where there are more. Only what lies within `most` of the
+// diagonal can be that near, and a row that is nowhere so near leads to nothing nearer.
+// Source: Ukkonen, "Algorithms for approximate string matching" (1985).
+// Domain: texts of at most longest_compared bytes.
+std::size_t edit_distance(std::string_view a, std::string_view b, std::size_t most) {
+  if (std::max(a.size(), b.size()) - std::min(a.size(), b.size()) > most) return most + 1;
+  using Row = std::array<std::uint8_t, longest_compared + 1>;
+  const auto too_many = static_cast<std::uint8_t>(most + 1);
+  Row rows[3];
+  for (Row& each : rows) each.fill(too_many);
+  Row *before = &rows[0], *last = &rows[1], *row = &rows[2];
+  for (std::size_t j = 0; j <= std::min(b.size(), most); ++j)
+    (*row)[j] = static_cast<std::uint8_t>(j);
   for (std::size_t i = 1; i <= a.size(); ++i) {
-    before.swap(last);
-    last.swap(row);
-    row[0] = i;
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t substituted = last[j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1);
-      row[j] = std::min({last[j] + 1, row[j - 1] + 1, substituted});
+    std::swap(before, last);
+    std::swap(last, row);
+    row->fill(too_many);
+    if (i <= most) (*row)[0] = static_cast<std::uint8_t>(i);
+    std::size_t fewest = (*row)[0];
+    for (std::size_t j = i > most ? i - most : 1; j <= std::min(b.size(), i + most); ++j) {
+      const std::size_t substituted = (*last)[j - 1] + (a[i - 1] == b[j - 1] ? 0U : 1U);
+      std::size_t edits = std::min<std::size_t>({(*last)[j] + 1U, (*row)[j - 1] + 1U, substituted});
       if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
-        row[j] = std::min(row[j], before[j - 2] + 1);
+        edits = std::min<std::size_t>(edits, (*before)[j - 2] + 1U);
+      (*row)[j] = static_cast<std::uint8_t>(std::min(edits, most + 1));
+      fewest = std::min(fewest, edits);
     }
+    if (fewest > most) return most + 1;
   }
-  return row.back();
+  return (*row)[b.size()];
 }
 
 }  // namespace
 
 std::string nearest_name(std::string_view name, const std::vector<std::string_view>& known) {
-  constexpr std::size_t longest = 64, most_tried = 2000;  // bounds the work on hostile input
-  if (name.empty() || name.size() > longest) return "";
+  constexpr std::size_t most_edits = 5, most_tried = 2000;  // bound the work on hostile input
+  if (name.empty() || name.size() > longest_compared) return "";
   std::string best;
-  std::size_t fewest = std::min(1 + name.size() / 3, name.size() - 1);
+  std::size_t fewest = std::min({1 + name.size() / 3, name.size() - 1, most_edits});
   for (const std::string_view candidate :
        std::span(known).first(std::min(most_tried, known.size()))) {
-    const std::size_t edits = edit_distance(name, candidate.substr(0, longest));
+    const std::size_t edits = edit_distance(name, candidate.substr(0, longest_compared), fewest);
     if (edits < fewest || (edits == fewest && best.empty())) {
       fewest = edits;
       best = candidate;

@@ -66,11 +66,15 @@ std::string excerpt_of(std::string_view text, std::size_t most);
 /// a mesh. Cost: it neither copies nor writes out what is long.
 Value excerpt(const Value& got);
 
-/// Bulk: things of which a few bytes of an input can hold millions: its pictures' pixels, its
-/// grids' cells.
-enum class Bulk { pixels, cells };
-/// The most that a whole input may hold.
-constexpr std::int64_t most_of(Bulk bulk) { return bulk == Bulk::pixels ? 1 << 24 : 1 << 25; }
+/// Bulk: things of which a few bytes of an input can hold millions: its pictures' pixels, those
+/// that are gone over when they are read (a JPEG of many scans goes over all of them with each),
+/// its grids' cells.
+enum class Bulk { pixels, scanned_pixels, cells };
+/// The most that a whole input may hold. Of scanned pixels that takes about a second.
+constexpr std::int64_t most_of(Bulk bulk) {
+  constexpr std::int64_t most[] = {1 << 24, 1 << 27, 1 << 25};
+  return most[static_cast<std::size_t>(bulk)];
+}
 
 /// Faults: collects all faults of an input, keeps the first 20, each cut short. It also counts what
 /// comes in bulk, and ends reading that nobody wants any more.
@@ -111,7 +115,8 @@ class Faults {
   std::size_t count_ = 0;
   std::stop_token stop_;
   mutable unsigned asked_ = 0;
-  std::array<std::int64_t, 2> left_{most_of(Bulk::pixels), most_of(Bulk::cells)};
+  std::array<std::int64_t, 3> left_{most_of(Bulk::pixels), most_of(Bulk::scanned_pixels),
+                                    most_of(Bulk::cells)};
 };
 
 /// InputError: an input that cannot be used, with every fault found in it, each cut short.

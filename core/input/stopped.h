@@ -1,5 +1,5 @@
-// Stopped: how a call ends whose caller no longer wants the answer. Where it looks for that, it also
-// lets others go first.
+// Stopped: how a call ends whose caller no longer wants the answer. Where it looks for that, it
+// also lets others go first.
 #pragma once
 
 #include <exception>

@@ -53,17 +53,27 @@ std::optional<Bytes> read_file(const Value& v, const Place& at, Faults& faults) 
   return std::nullopt;
 }
 
+// Whether so many pixels are left for this picture; else a fault.
+bool take(Bulk bulk, std::int64_t pixels, std::string_view counted, const Place& at,
+          Faults& faults) {
+  if (faults.take(bulk, pixels)) return true;
+  add_limit(at, std::to_string(pixels) + " pixels more",
+            "pictures of at most " + std::to_string(most_of(bulk)) + " pixels together" +
+                std::string(counted),
+            faults);
+  return false;
+}
+
 // What the file shows, or a fault and null.
 std::shared_ptr<const Image8> read_pixels(const Bytes& file, const Place& at, Faults& faults) {
   const auto size = measure_picture(file);
   if (const auto* fault = std::get_if<PictureFault>(&size)) return add(*fault, at, faults), nullptr;
-  const std::int64_t pixels = std::get<PictureSize>(size).pixels();
-  if (!faults.take(Bulk::pixels, pixels)) {
-    add_limit(at, std::to_string(pixels) + " pixels more",
-              "pictures of at most " + std::to_string(most_of(Bulk::pixels)) + " pixels together",
-              faults);
+  const auto& measured = std::get<PictureSize>(size);
+  end_if_asked(faults.stop());
+  if (!take(Bulk::pixels, measured.pixels(), "", at, faults) ||
+      !take(Bulk::scanned_pixels, measured.scanned_pixels(), ", a JPEG's with each of its scans",
+            at, faults))
     return nullptr;
-  }
   auto image = decode_picture(file);
   if (const auto* fault = std::get_if<PictureFault>(&image))
     return add(*fault, at, faults), nullptr;

@@ -1,34 +1,14 @@
 #include "core/math/powers.h"
 
-#include <sleef.h>
+#include "core/math/sleef_names.h"
 
 namespace tia {
 namespace {
 
-#if defined(__AVX__)
 FloatRegister powers(const FloatRegister& a, const FloatRegister& b) {
-  return Sleef_cinz_powf8_u10avx(a, b);
+  return TIA_SLEEF_FLOATS(pow)(a, b);
 }
-FloatRegister exponentials(const FloatRegister& x) { return Sleef_cinz_expf8_u10avx(x); }
-#elif defined(__SSE2__)
-FloatRegister powers(const FloatRegister& a, const FloatRegister& b) {
-  return Sleef_cinz_powf4_u10sse2(a, b);
-}
-FloatRegister exponentials(const FloatRegister& x) { return Sleef_cinz_expf4_u10sse2(x); }
-#else
-template <class F>
-FloatRegister each_of(F f) {
-  float each[FloatRegister::size];
-  for (std::size_t i = 0; i < FloatRegister::size; ++i) each[i] = f(i);
-  return FloatRegister::load_unaligned(each);
-}
-FloatRegister powers(const FloatRegister& a, const FloatRegister& b) {
-  return each_of([&](std::size_t i) { return pow_of(a.get(i), b.get(i)); });
-}
-FloatRegister exponentials(const FloatRegister& x) {
-  return each_of([&](std::size_t i) { return exp_of(x.get(i)); });
-}
-#endif
+FloatRegister exponentials(const FloatRegister& x) { return TIA_SLEEF_FLOATS(exp)(x); }
 
 }  // namespace
 

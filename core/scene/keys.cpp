@@ -88,7 +88,7 @@ Middles middles_of(const Scene& scene, const std::stop_token& stop) {
 }
 
 Scene press(const Scene& scene, std::string_view key, const Middles& middles,
-            std::string_view pointer) {
+            std::string_view pointer, const std::stop_token& stop) {
   if (scene.keys.empty()) {
     for (const DefaultKey& each : default_keys)
       if (each.key == key)
@@ -99,9 +99,9 @@ Scene press(const Scene& scene, std::string_view key, const Middles& middles,
   if (binding == scene.keys.end()) unknown_key(scene, key, pointer);
   if (const auto* position = std::get_if<Vec3d>(&binding->second))
     return with_light(scene, *position, middles, pointer);
-  const Value patched = merge_patch(write_value(scene), std::get<Value>(binding->second));
+  const Value patched = merge_patch(write_value(scene), *std::get<SharedValue>(binding->second));
   try {
-    return read_described<Scene>(patched);
+    return read_described<Scene>(patched, {}, stop);
   } catch (const InputError& error) {
     throw InputError({FaultKind::conflict, std::string(pointer), Value(key),
                       "a key whose patch leaves a scene; after this one " +
@@ -170,7 +170,7 @@ class KeyCheck {
       end_if_asked(stop_);
       const std::string pointer = keys.at(name).pointer();
       if (const auto* position = std::get_if<Vec3d>(&binding)) check(*position, pointer);
-      else if (!check(std::get<Value>(binding), pointer)) return;
+      else if (!check(*std::get<SharedValue>(binding), pointer)) return;
     }
   }
 
@@ -179,7 +179,7 @@ class KeyCheck {
  private:
   static constexpr int most_patches = 100;
   static constexpr std::size_t most_bytes = 16 << 20;
-  static constexpr std::int64_t most_bulk = 1 << 27;  // of pixels three quarters of a second
+  static constexpr std::int64_t most_bulk = 1 << 27;  // of pixels about a second
 
   void check(const Vec3d& position, const std::string& pointer) {
     const Light* own = key_light_of(scene_);
@@ -201,7 +201,7 @@ class KeyCheck {
       faults.add({FaultKind::conflict, pointer, std::nullopt,
                   "a patch that leaves a scene; after this one " + describe(found.list().front()) +
                       others(found.count())});
-    bulk_ += found.taken(Bulk::pixels) + found.taken(Bulk::cells);
+    bulk_ += found.taken(Bulk::scanned_pixels) + found.taken(Bulk::cells);
     return bulk_ <= most_bulk || too_much();
   }
 
@@ -209,7 +209,8 @@ class KeyCheck {
     faults.add({FaultKind::limit, "/keys", std::nullopt,
                 "at most " + std::to_string(most_patches) + " patches, which merge with at most " +
                     std::to_string(most_bytes) + " bytes of the scene together, and in which " +
-                    std::to_string(most_bulk) + " pixels and cells are read"});
+                    std::to_string(most_bulk) +
+                    " pixels (of a JPEG with every scan) and cells are read"});
     return false;
   }
 

@@ -19,9 +19,9 @@ using Middles = std::vector<Vec3d>;
 Middles middles_of(const Scene& scene, const std::stop_token& stop = {});
 
 /// The scene after a key. Errors: InputError at `pointer` for a key that the scene does not know,
-/// or for a patch that does not leave a scene.
+/// or for a patch that does not leave a scene. Stopped.
 Scene press(const Scene& scene, std::string_view key, const Middles& middles,
-            std::string_view pointer = "/key");
+            std::string_view pointer = "/key", const std::stop_token& stop = {});
 inline Scene press(const Scene& scene, std::string_view key, std::string_view pointer = "/key") {
   return press(scene, key, middles_of(scene), pointer);
 }

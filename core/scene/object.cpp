@@ -13,22 +13,6 @@ Aabb bounds_of(const Mesh& mesh) {
   return box;
 }
 
-Aabb bounds_of(const Csg& csg, const std::stop_token& stop) {
-  Aabb box = bounds_of(csg.children.front(), stop);
-  if (csg.operation == Operation::difference) return box;
-  for (std::size_t i = 1; i < csg.children.size(); ++i) {
-    const Aabb child = bounds_of(csg.children[i], stop);
-    box = csg.operation == Operation::union_ ? around(box, child) : common(box, child);
-  }
-  return box.empty() ? Aabb{} : box;
-}
-
-Aabb bounds_of(const Group& group, const std::stop_token& stop) {
-  Aabb box;
-  for (const Object& child : group.children) box = around(box, bounds_of(child, stop));
-  return group.repeat ? group.repeat->swept(box) : box;
-}
-
 }  // namespace
 
 // Not defaulted, for what they hold is complete only here.
@@ -99,17 +83,40 @@ std::string solid_names() {
   return names;
 }
 
-Aabb bounds_of(const Object& object, const std::stop_token& stop) {
-  end_if_asked(stop);
+Aabb ObjectBounds::of(const Csg& csg) {
+  const auto known = known_.find(&csg);
+  if (known != known_.end()) return known->second;
+  Aabb box = of(csg.children.front());
+  for (std::size_t i = 1; i < csg.children.size() && csg.operation != Operation::difference; ++i) {
+    const Aabb child = of(csg.children[i]);
+    box = csg.operation == Operation::union_ ? around(box, child) : common(box, child);
+  }
+  return known_[&csg] = box.empty() ? Aabb{} : box;
+}
+
+Aabb ObjectBounds::of(const Group& group) {
+  const auto known = known_.find(&group);
+  if (known != known_.end()) return known->second;
+  Aabb box;
+  for (const Object& child : group.children) box = around(box, of(child));
+  return known_[&group] = group.repeat ? group.repeat->swept(box) : box;
+}
+
+Aabb ObjectBounds::of(const Object& object) {
+  end_if_asked(stop_);
   const Aabb box = std::visit(
       [&]<class Kind>(const Kind& kind) {
         if constexpr (requires { bounds(kind); }) return bounds(kind);  // with less than a form
         else if constexpr (IsSurface<Kind>) return bounds(prepare(kind));
-        else if constexpr (requires { bounds_of(kind, stop); }) return bounds_of(kind, stop);
+        else if constexpr (requires { of(kind); }) return of(kind);
         else return bounds_of(kind);
       },
       object.shape);
   return bounds_of(object.transform.affine(), box);
+}
+
+Aabb bounds_of(const Object& object, const std::stop_token& stop) {
+  return ObjectBounds(stop).of(object);
 }
 
 template struct FieldsCodec<Object>;

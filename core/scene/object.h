@@ -61,4 +61,18 @@ std::string solid_names();
 /// Cost: of a surface whose form tells its box, making that form: milliseconds. Errors: Stopped.
 Aabb bounds_of(const Object& object, const std::stop_token& stop = {});
 
+/// ObjectBounds: the same of many objects, those of groups and solids found once, however often
+/// they and the groups around them are asked for. Domain: objects that outlive it.
+class ObjectBounds {
+ public:
+  explicit ObjectBounds(std::stop_token stop = {}) : stop_(std::move(stop)) {}
+  Aabb of(const Object& object);
+  Aabb of(const Csg& csg);
+  Aabb of(const Group& group);
+
+ private:
+  std::stop_token stop_;
+  std::unordered_map<const void*, Aabb> known_;  // by group or solid, in its own space
+};
+
 }  // namespace tia

@@ -122,7 +122,7 @@ class TreeCheck {
     for (std::size_t i = 0; i < group.children.size() && !faults_.full(); ++i) {
       const Place child = children.at(i);
       if (faults_.within(child.pointer())) continue;  // what it is cannot be told
-      const Aabb box = bounds_of(group.children[i], faults_.stop());
+      const Aabb box = bounds_.of(group.children[i]);
       if (box.empty() || box.bounded()) continue;
       faults_.add({FaultKind::conflict, at.at("repeat").pointer(), write_value(*group.repeat),
                    "a group whose children have bounds; " + child.pointer() + " has none"});
@@ -131,6 +131,7 @@ class TreeCheck {
 
   const Scene& scene_;
   Faults& faults_;
+  ObjectBounds bounds_{faults_.stop()};
   std::int64_t lights_ = 0;
   std::size_t numbered_ = 0;
 };
@@ -144,11 +145,11 @@ void Codec<KeyBinding>::read(const Value& v, const Place& at, const Spec&, Fault
     return detail::wrong_type(v, at, R"({"light": [x, y, z]} or a JSON merge patch)", faults);
   if (const Value* light = only_light(*binding))
     read_value(*light, at.at("light"), position, faults, out.emplace<Vec3d>());
-  else out = v;
+  else out = SharedValue(v);
 }
 
 Value Codec<KeyBinding>::write(const KeyBinding& v) {
-  if (const auto* patch = std::get_if<Value>(&v)) return *patch;
+  if (const auto* patch = std::get_if<SharedValue>(&v)) return **patch;
   return Value::Object{{"light", write_value(std::get<Vec3d>(v))}};
 }
 

@@ -13,6 +13,7 @@
 #include "core/film/tonemap.h"
 #include "core/input/codec.h"
 #include "core/input/shared_list.h"
+#include "core/input/shared_value.h"
 #include "core/lights/light.h"
 #include "core/scene/camera.h"
 #include "core/scene/object.h"
@@ -20,7 +21,7 @@
 namespace tia {
 
 /// KeyBinding: where a key puts the key light, or else a JSON merge patch of the scene (RFC 7396).
-using KeyBinding = std::variant<Vec3d, Value>;
+using KeyBinding = std::variant<Vec3d, SharedValue>;
 
 /// How light is gathered along a ray.
 enum class IntegratorName { thesis, whitted, normal, depth, albedo, object, shadow, cost };

@@ -1,7 +1,7 @@
 // The search for a field's roots along one line, cell by cell.
 #pragma once
 
-#include "core/shapes/field.h"
+#include "core/shapes/field_form.h"
 
 namespace tia::detail {
 

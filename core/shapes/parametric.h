@@ -9,7 +9,7 @@
 
 #include "core/input/codec.h"
 #include "core/input/per_thread.h"
-#include "core/shapes/patches.h"
+#include "core/shapes/parametric_form.h"
 
 namespace tia {
 
@@ -42,14 +42,6 @@ struct Parametric {
   bool operator==(const Parametric&) const = default;
 };
 
-/// ParametricForm. Its elements are its patches.
-struct ParametricForm {
-  static constexpr bool solid = false;
-  Program surface;
-  Rectangle domain;
-  std::shared_ptr<const SurfacePatches> patches;
-};
-
 ParametricForm prepare(const Parametric& parametric);
 inline int elements(const ParametricForm& form) {
   return static_cast<int>(form.patches->patches.size());
@@ -57,11 +49,6 @@ inline int elements(const ParametricForm& form) {
 inline Aabb bounds(const ParametricForm& form) { return form.patches->box; }
 inline int work_of(const ParametricForm&) { return 8; }
 
-/// SurfaceHit: where a line meets a surface, and the rectangle in which that is the only place.
-struct SurfaceHit {
-  Crossing at;
-  Bracket bracket;
-};
 /// All hits between after and before, ascending; only the first where that is enough.
 /// Cost: bounded by what a line may take, beyond which small patches count as hit where their box
 /// is.

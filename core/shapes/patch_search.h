@@ -1,7 +1,9 @@
 // The search for a line's hits of a parametric surface, patch by patch.
 #pragma once
 
-#include "core/shapes/parametric.h"
+#include <vector>
+
+#include "core/shapes/parametric_form.h"
 
 namespace tia::detail {
 

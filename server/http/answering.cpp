@@ -3,8 +3,8 @@
 
 #include "server/http/answer_writer.h"
 #include "server/http/connection.h"
+#include "server/http/error.h"
 #include "server/http/patience.h"
-#include "server/problem.h"
 
 namespace tia::server {
 namespace {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <charconv>
 
+#include "server/http/error.h"
 #include "server/http/head.h"
-#include "server/problem.h"
 
 namespace tia::server {
 namespace {

@@ -8,8 +8,8 @@
 #include <new>
 #include <utility>
 
+#include "server/http/error.h"
 #include "server/http/patience.h"
-#include "server/problem.h"
 
 namespace tia::server {
 namespace {
@@ -168,9 +168,9 @@ void Connection::set_patience(State before) {
   if (now == State::body) {
     if (before != now) enter(Phase::reading, patience::body);
     // What came early buys no rest.
-    due_ = std::min(since_ + patience::at_slowest_rate(reader_.request().body.size()),
-                    Clock::now()) +
-           patience::body;
+    due_ =
+        std::min(since_ + patience::at_slowest_rate(reader_.request().body.size()), Clock::now()) +
+        patience::body;
   }
 }
 
@@ -216,8 +216,8 @@ void Connection::wait_writable() {
 // ---- ending ---------------------------------------------------------------------------------
 
 bool Connection::is_stuck(Clock::time_point now) const {
-  const bool holds = phase_ == Phase::writing ||
-                     (phase_ == Phase::reading && held_ > patience::most_ahead);
+  const bool holds =
+      phase_ == Phase::writing || (phase_ == Phase::reading && held_ > patience::most_ahead);
   return holds && now - std::max(since_, taken_) > patience::stuck;
 }
 

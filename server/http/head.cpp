@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <charconv>
 
-#include "server/problem.h"
+#include "server/http/error.h"
 
 namespace tia::server {
 namespace {

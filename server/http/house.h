@@ -13,7 +13,7 @@
 #include <thread>
 #include <unordered_map>
 
-#include "server/http/http_server.h"
+#include "server/http/application.h"
 #include "server/http/patience.h"
 #include "server/http/worker_threads.h"
 

@@ -48,7 +48,7 @@ class HttpServer::Listener {
             house_.io, house_.options.host, house_.options.port,
             [this](tcp::socket socket) { welcome(std::move(socket)); }, [this] { make_room(); }) {
     allow_descriptors(house_.options.connections);
-    tzset();  // reads the zone's file, which strftime would do at the first answer
+    tzset();         // reads the zone's file, which strftime would do at the first answer
     Response first;  // at which the library makes tables: by no two threads at once
     static_cast<void>(answer_bytes(first, false, false));
   }

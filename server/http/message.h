@@ -36,7 +36,7 @@ struct Request {
   std::string peer = {};  ///< the client's address, as its proxies tell it where they are trusted
   bool is_http_1_0 = false;
   std::optional<TraceContext> trace = {};  ///< where who asks has sent a traceparent
-  std::stop_token stop = {};  ///< requested once nobody waits for the answer any more
+  std::stop_token stop = {};               ///< requested once nobody waits for the answer any more
   Clock::time_point arrived = Clock::now();  ///< when its last byte had come
 
   std::string_view path() const { return std::string_view(target).substr(0, target.find('?')); }
@@ -65,6 +65,7 @@ struct Response {
   std::function<void(const SendPart&)> parts = nullptr;
   std::string_view problem = {};  ///< the type of the problem that it tells, for the log; "" = none
   Value::Object log = {};         ///< what the log says of it besides
+  std::string failure = {};       ///< what went wrong and is for the log alone; "" = nothing did
 };
 
 /// Strict percent-decoding, '+' as it stands. Errors: InputError of kind malformed at `pointer`.

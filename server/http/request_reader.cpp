@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "server/http/error.h"
 #include "server/http/trace_context.h"
-#include "server/problem.h"
 
 namespace tia::server {
 namespace {

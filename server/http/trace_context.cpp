@@ -33,7 +33,9 @@ std::optional<TraceContext> trace_context(std::string_view field) {
   if (version == "ff" || is_zero(trace) || is_zero(parent)) return std::nullopt;
   if (field.size() > known_size && (version == "00" || field[known_size] != '-'))
     return std::nullopt;
-  return TraceContext{std::string(trace), std::string(parent), random_digits(16),
+  return TraceContext{std::string(trace),
+                      std::string(parent),
+                      random_digits(16),
                       {'0', digits[digits.find(flags[1]) & known_flags]}};
 }
 

@@ -4,7 +4,6 @@
 
 #include "server/http/answer_writer.h"
 #include "server/http/patience.h"
-#include "server/problem.h"
 
 namespace tia::server {
 
@@ -37,11 +36,7 @@ void Turn::make_answer(const Answer& answer, const std::atomic<bool>& closing,
 
 // HTTP/1.0 knows no chunks.
 void Turn::gather_parts() {
-  try {
-    std::exchange(response.parts, nullptr)([&](std::string_view part) { response.body += part; });
-  } catch (...) {
-    response = problem_response(std::current_exception(), request);
-  }
+  std::exchange(response.parts, nullptr)([&](std::string_view part) { response.body += part; });
 }
 
 bool Turn::put(std::string_view part, const std::function<void()>& more) {

@@ -35,23 +35,31 @@ Admission::Ticket Admission::read(std::size_t bytes, const std::string& client,
 }
 
 Admission::Ticket Admission::enter(const Cost& cost, const std::string& client,
-                                   const std::stop_token& stop) {
-  const bool is_heavy = cost.seconds > most_light_seconds;
-  return enter_as(is_heavy ? heavy : light, client, cost.seconds, stop);
+                                   const std::stop_token& stop, Waiting* place) {
+  return enter_as(cost.is_heavy() ? heavy : light, client, cost.seconds, stop, place);
 }
 
 Admission::Ticket Admission::enter_as(std::size_t kind, const std::string& client, double seconds,
-                                      const std::stop_token& stop) {
+                                      const std::stop_token& stop, Waiting* place) {
   Entrants made;
   const auto who = made.emplace(made.end(), kind, client, seconds);
   Kind& mine = kinds_[kind];
   std::unique_lock lock(mutex_);
   check_time(mine, *who);
   mine.waiting.splice(mine.waiting.end(), made);
+  const auto wait_ends = [&] {
+    if (place != nullptr) place->is_waiting_ = false;
+  };
   const auto give_up = [&] {
+    wait_ends();
     made.splice(made.end(), mine.waiting, who);
     admit();
   };
+  if (place != nullptr) {
+    place->who_ = who;
+    place->is_waiting_ = true;
+    place->from_ = this;
+  }
   admit();
   try {
     if (!who->is_in) find_place(*who);
@@ -66,6 +74,7 @@ Admission::Ticket Admission::enter_as(std::size_t kind, const std::string& clien
       throw busy("the queue is full, and others have less of it (option TIA_QUEUE)");
     throw Stopped();
   }
+  wait_ends();
   lock.unlock();
   Ticket ticket(this, who);
   end_if_asked(stop);
@@ -102,14 +111,6 @@ void Admission::find_place(const Entrant& who) {
 // Of that kind, or of any, sends the newest of the client away that has most of the queue, if that
 // is more than this one has with the new one. Returns: whether there was such a one.
 bool Admission::push_out(std::size_t kind, const std::string& client) {
-  const auto places_of = [&](const std::string& whose) {
-    std::ptrdiff_t places = 0;
-    for (const Kind& each : kinds_)
-      places += std::ranges::count_if(each.waiting, [&](const Entrant& who) {
-        return who.client == whose && !who.is_pushed_out;
-      });
-    return places;
-  };
   const std::ptrdiff_t own = places_of(client);
   std::ptrdiff_t most = own;
   Entrant* newest = nullptr;
@@ -127,6 +128,29 @@ bool Admission::push_out(std::size_t kind, const std::string& client) {
   newest->is_pushed_out = true;
   newest->changed.notify_one();
   return true;
+}
+
+// How many of those that wait are that client's.
+std::ptrdiff_t Admission::places_of(const std::string& client) const {
+  std::ptrdiff_t places = 0;
+  for (const Kind& each : kinds_)
+    places += std::ranges::count_if(each.waiting, [&](const Entrant& who) {
+      return who.client == client && !who.is_pushed_out;
+    });
+  return places;
+}
+
+void Admission::share(const Waiting& place, const std::string& client) {
+  const std::lock_guard lock(mutex_);
+  if (!place.is_waiting_ || place.who_->is_in || place.who_->is_pushed_out) return;
+  const auto has = [&](const std::string& whose) {
+    std::ptrdiff_t all = places_of(whose);
+    for (const Kind& each : kinds_) all += each.held_by(whose);
+    return all;
+  };
+  if (has(client) + 1 >= has(place.who_->client)) return;
+  place.who_->client = client;
+  admit();
 }
 
 // ---- whose turn it is -----------------------------------------------------------------------
@@ -187,7 +211,7 @@ void Admission::turn_heavy(Entrants::iterator who) {
   const std::lock_guard lock(mutex_);
   if (who->kind != light) return;
   Kind &from = kinds_[light], &to = kinds_[heavy];
-  who->seconds = std::max(who->seconds, 2 * most_light_seconds);
+  who->seconds = std::max(who->seconds, 2 * Cost::most_light_seconds);
   who->kind = heavy;
   to.inside.splice(to.inside.end(), from.inside, who);
   admit();

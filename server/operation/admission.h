@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <chrono>
 #include <condition_variable>
 #include <cstddef>
@@ -14,8 +15,8 @@
 #include <string>
 #include <utility>
 
-#include "server/operation/cost_memory.h"
-#include "server/problem.h"
+#include "server/http/error.h"
+#include "server/operation/cost.h"
 
 namespace tia::server {
 
@@ -35,10 +36,9 @@ namespace tia::server {
 /// Source: McKenney, "Stochastic fairness queueing" (1990), section 3.
 class Admission {
  public:
-  /// Rays, or tests of them, beyond which work is heavy: about seven ordinary pictures' or a
-  /// quarter of a second's; and the seconds of threads that it is foreseen to take.
-  static constexpr std::int64_t most_light_rays = 1 << 21, most_light_tests = 1 << 25;
-  static constexpr double most_light_seconds = CostMemory::usual_ray * most_light_rays;
+  /// Tests of rays beyond which work that was foreseen to be light is heavy: a quarter of a
+  /// second's.
+  static constexpr std::int64_t most_light_tests = 1 << 25;
   /// A text beyond it is long: some milliseconds to read. Unit: bytes.
   static constexpr std::size_t longest_short_text = 64 << 10;
 
@@ -55,11 +55,11 @@ class Admission {
   struct Entrant {
     Entrant(std::size_t of_kind, std::string whose, double takes)
         : client(std::move(whose)), seconds(takes), kind(of_kind) {}
-    const std::string client;
+    std::string client;
     double seconds;  // of threads, that the work is expected to take
     std::size_t kind;
     bool is_in = false, is_pushed_out = false;
-    std::condition_variable_any changed{};  // one of the two above: wakes this one alone
+    std::condition_variable_any changed{};          // one of the two above: wakes this one alone
     std::chrono::steady_clock::time_point since{};  // when it got in
   };
   using Entrants = std::list<Entrant>;
@@ -76,10 +76,12 @@ class Admission {
     /// Tells what has been done so far. Light work that turns out heavy from then on takes no light
     /// one's place. Any thread may call.
     void has_done(std::int64_t rays, std::int64_t tests) {
-      if (rays > most_light_rays || tests > most_light_tests) turn_heavy();
+      if (rays > Cost::most_light_rays || tests > most_light_tests) turn_heavy();
     }
     /// Light work turns out heavy for another reason. Any thread may call.
     void turn_heavy() { from_->turn_heavy(who_); }
+    /// Whose it is: its work counts to that client.
+    const std::string& client() const { return who_->client; }
 
    private:
     friend Admission;
@@ -104,6 +106,23 @@ class Admission {
     Places::iterator place_;
   };
 
+  /// Waiting: a place in the queue while somebody is in it, that may become another client's. Any
+  /// thread may call.
+  class Waiting {
+   public:
+    /// That this client waits for the same: the place counts to the one that has less of the queue
+    /// and of the tickets.
+    void also_for(const std::string& client) {
+      if (Admission* from = from_.load()) from->share(*this, client);
+    }
+
+   private:
+    friend Admission;
+    std::atomic<Admission*> from_ = nullptr;  // null: nobody has come yet
+    Entrants::iterator who_{};
+    bool is_waiting_ = false;
+  };
+
   explicit Admission(const Options& options);
 
   /// Waits for a ticket to read a text of so many bytes: long ones a few at a time.
@@ -113,9 +132,9 @@ class Admission {
   /// Waits for a ticket for work of that cost. Errors: Stopped; HttpError (busy) where all places
   /// to wait for its kind are taken, or what is there already takes too long.
   [[nodiscard]] Ticket enter(const Cost& cost, const std::string& client,
-                             const std::stop_token& stop);
-  /// A place to wait in without a ticket: as many as the queue has, of which a client may have half.
-  /// Errors: HttpError (busy).
+                             const std::stop_token& stop, Waiting* place = nullptr);
+  /// A place to wait in without a ticket: as many as the queue has, of which a client may have
+  /// half. Errors: HttpError (busy).
   [[nodiscard]] Place wait_for_others(const std::string& client);
 
   int at_work() const;
@@ -134,7 +153,9 @@ class Admission {
     int clients_inside() const;
   };
   Ticket enter_as(std::size_t kind, const std::string& client, double seconds,
-                  const std::stop_token& stop);
+                  const std::stop_token& stop, Waiting* place = nullptr);
+  void share(const Waiting& place, const std::string& client);
+  std::ptrdiff_t places_of(const std::string& client) const;
   void check_time(const Kind& kind, const Entrant& who) const;
   void find_place(const Entrant& who);
   bool push_out(std::size_t kind, const std::string& client);

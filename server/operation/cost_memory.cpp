@@ -2,23 +2,21 @@
 
 #include <algorithm>
 
-#include "server/operation/admission.h"
-
 namespace tia::server {
 
 Cost CostMemory::of(const std::string& scene, double rays) {
   const std::lock_guard lock(mutex_);
   if (const double* known = per_ray_.find(scene)) return {*known * rays, true};
-  const double usual = usual_ray * rays;
+  const double usual = Cost::usual_ray * rays;
   return {share_heavy_ > 0.5 ? std::max(usual, heavy_seconds_) : usual, false};
 }
 
 void CostMemory::learn(const std::string& scene, double rays, double seconds, bool is_whole) {
   constexpr double weight = 1.0 / 8;  // of the newest in moving means
-  if (rays < 1 || (!is_whole && seconds < Admission::most_light_seconds)) return;
+  if (rays < 1 || (!is_whole && seconds < Cost::most_light_seconds)) return;
   Recent<std::string, double>::Entries surplus;
   const std::lock_guard lock(mutex_);
-  const bool heavy = seconds > Admission::most_light_seconds;
+  const bool heavy = Cost{seconds}.is_heavy();
   if (double* known = per_ray_.find(scene)) {
     *known = is_whole ? seconds / rays : std::max(*known, seconds / rays);
     return;

@@ -7,23 +7,16 @@
 #include <optional>
 #include <string>
 
-#include "server/recent.h"
+#include "server/operation/cost.h"
+#include "server/operation/recent.h"
 
 namespace tia::server {
-
-/// Cost: what work is expected to take of all threads together.
-struct Cost {
-  double seconds = 0;
-  bool is_known = false;  ///< a picture of its scene has been drawn
-};
 
 /// CostMemory: seconds of a thread per ray from the eye, by what the rays meet and how they are
 /// traced. Of scenes that it does not know it expects what those that were new have shown lately.
 class CostMemory {
  public:
   static constexpr std::size_t most_scenes = 4096;
-  /// What a ray takes in an ordinary scene. Unit: s of one thread.
-  static constexpr double usual_ray = 0.25e-6;
 
   /// Of so many rays from the eye into that scene.
   Cost of(const std::string& scene, double rays);

@@ -11,12 +11,12 @@
 
 #include "core/input/stopped.h"
 #include "core/input/task_context.h"
-#include "server/stopwatch.h"
+#include "server/operation/timing.h"
 
 namespace tia::server {
 namespace {
 
-constexpr std::int64_t growth = 1 << 20;       // by which claims grow that nobody has foreseen
+constexpr std::int64_t growth = 1 << 20;  // by which claims grow that nobody has foreseen
 // After which who waits looks again, and asks the caches. Only what a claim gives back of more than
 // one step wakes all: the connections' thread, whose answers take no more, never has to.
 constexpr std::chrono::milliseconds look{20};

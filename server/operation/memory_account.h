@@ -17,7 +17,7 @@
 #include <string_view>
 #include <vector>
 
-#include "server/problem.h"
+#include "server/http/error.h"
 
 namespace tia::server {
 
@@ -27,9 +27,17 @@ class MemoryAccount {
   /// Who waits longer for memory is refused: what holds it may itself wait for this one.
   static constexpr std::chrono::seconds most_wait{2};
   /// What memory is held for. The rows of `tia_memory_bytes`.
-  enum Holder : std::size_t { program, connections, requests, pictures, geometries, scenes };
-  static constexpr std::array<std::string_view, 6> holders{"program",  "connections", "requests",
-                                                           "pictures", "geometries",  "scenes"};
+  enum Holder : std::size_t {
+    program,
+    connections,
+    requests,
+    pictures,
+    geometries,
+    scenes,
+    pressed
+  };
+  static constexpr std::array<std::string_view, 7> holders{
+      "program", "connections", "requests", "pictures", "geometries", "scenes", "pressed"};
   /// The program itself with its libraries, tables, gallery and the stacks of its threads, and what
   /// the allocator holds beyond what it has given out. Unit: bytes.
   static constexpr std::int64_t program_bytes = 64 << 20;
@@ -39,8 +47,9 @@ class MemoryAccount {
   std::int64_t limit() const { return limit_; }
   std::int64_t held(Holder by) const { return held_[by]; }
   std::int64_t free() const { return limit_ - total_; }
-  /// The most that one request may ever have: an eighth is kept for small ones.
-  std::int64_t most_of_one() const { return limit_ - program_bytes - limit_ / 8; }
+  /// The most that one request may have: an eighth is kept for small ones, and kept scenes, which
+  /// are nobody's to give, stay.
+  std::int64_t most_of_one() const { return limit_ - program_bytes - limit_ / 8 - held_[scenes]; }
   /// A claim so small may have that eighth, and need not wait for larger ones. Unit: bytes.
   std::int64_t most_small() const { return limit_ / 32; }
 

@@ -4,7 +4,7 @@
 #include <ctime>
 
 #include "core/core.h"
-#include "server/gallery.h"
+#include "server/stores/gallery.h"
 #include "tests/bench/rays/geometry.h"
 
 namespace tia::bench {

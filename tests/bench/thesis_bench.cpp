@@ -10,7 +10,7 @@
 #include <thread>
 #include <vector>
 
-#include "server/backend.h"
+#include "server/handlers/backend.h"
 #include "server/http/http_server.h"
 #include "tests/bench/baseline.h"
 #include "tests/bench/stb_png.h"

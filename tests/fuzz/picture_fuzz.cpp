@@ -9,7 +9,7 @@
 #include "core/film/png.h"
 #include "core/film/png_chunk.h"
 #include "core/film/png_text.h"
-#include "server/recipe.h"
+#include "server/requests/recipe.h"
 
 namespace {
 

@@ -7,8 +7,8 @@
 
 #include "core/input/described.h"
 #include "core/input/json.h"
-#include "server/parameters.h"
-#include "server/picture.h"
+#include "server/contract/parameters.h"
+#include "server/requests/picture_request.h"
 
 namespace {
 

@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "server/backend.h"
+#include "server/handlers/backend.h"
 #include "tests/server/http/reader_support.h"
 
 namespace {

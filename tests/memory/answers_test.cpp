@@ -145,7 +145,8 @@ class ScarceMemory : public testing::TestWithParam<Asked> {
   ScarceMemory() {
     right_ = *ask(Desk().service(), request_).response;
     EXPECT_EQ(right_.status, GetParam().status) << right_.body;
-    ask(Desk().service(), request_, 1, Shortage::lasting);
+    for (const Shortage shortage : {Shortage::once, Shortage::lasting})
+      ask(Desk().service(), request_, 1, shortage);
   }
 
   // Errors of what came back while the n-th allocation failed, and after that.

@@ -11,7 +11,7 @@
 #include "core/render/explain.h"
 #include "core/scene/read_scene.h"
 #include "server/operation/memory_costs.h"
-#include "server/recipe.h"
+#include "server/requests/recipe.h"
 #include "tests/core/film/files.h"
 #include "tests/memory/scarce_memory.h"
 #include "tests/server/support.h"
@@ -241,7 +241,8 @@ TEST(RecipeMemory, ATextThatUnpacksToMoreThanABodyTakesNoMoreThanABody) {
   for (const std::size_t size : {body + 1, 16 * body}) {
     const std::string bomb =
         with_text(encode_png(Image8(1, 1)), recipe_keyword, std::string(size, ' '));
-    const Use use = use_of<Recipe>([&] { return read_recipe(recipe_text_in(bomb, config), config); });
+    const Use use =
+        use_of<Recipe>([&] { return read_recipe(recipe_text_in(bomb, config), config); });
     EXPECT_EQ(use.rest, 0);
     EXPECT_LE(use.peak, static_cast<long>(body + body / 8));
   }

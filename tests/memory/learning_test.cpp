@@ -1,5 +1,5 @@
-// What a house remembers of the scenes that it has drawn, when it keeps none of their pictures: little,
-// however long they were.
+// What a house remembers of the scenes that it has drawn, when it keeps none of their pictures:
+// little, however long they were.
 #include "tests/memory/scarce_memory.h"
 #include "tests/server/support.h"
 

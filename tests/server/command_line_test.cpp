@@ -1,7 +1,7 @@
 // The command line: flags, variables, --help, --version, --healthcheck. Bad use exits with 2.
 #include "core/version.h"
-#include "server/config.h"
-#include "server/picture.h"
+#include "server/operation/config.h"
+#include "server/requests/picture_request.h"
 #include "tests/server/process_support.h"
 
 namespace tia::test {

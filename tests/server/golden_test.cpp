@@ -7,7 +7,7 @@
 #include <map>
 #include <sstream>
 
-#include "server/digest.h"
+#include "server/stores/digest.h"
 #include "tests/server/picture_support.h"
 #include "tests/server/support.h"
 

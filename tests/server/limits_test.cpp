@@ -3,18 +3,18 @@
 // take seconds, or a hundred thousand requests, is named as it is.
 #include "core/render/explanation_size.h"
 #include "core/scene/read_scene.h"
+#include "server/contract/problem.h"
 #include "server/http/patience.h"
-#include "server/known_targets.h"
-#include "server/log.h"
 #include "server/operation/admission.h"
-#include "server/problem.h"
-#include "server/recipe.h"
-#include "server/scene_digest.h"
-#include "server/scene_file.h"
-#include "server/scene_store.h"
+#include "server/operation/log.h"
+#include "server/requests/recipe.h"
+#include "server/stores/known_targets.h"
+#include "server/stores/scene_digest.h"
+#include "server/stores/scene_file.h"
+#include "server/stores/scene_store.h"
 #include "tests/server/http/reader_support.h"
 #include "tests/server/http/request_forms.h"
-#include "tests/server/recipe_support.h"
+#include "tests/server/requests/recipe_support.h"
 
 namespace tia::test {
 namespace {
@@ -84,7 +84,7 @@ TEST(LimitNumbers, AChunkHas2To40Bytes) {
 
 // ---- admission ------------------------------------------------------------------------------
 
-Cost cost_of(double rays) { return {CostMemory::usual_ray * rays, false}; }
+Cost cost_of(double rays) { return {Cost::usual_ray * rays, false}; }
 
 // Whether no place of that many rays' kind is left, in a house where nobody waits.
 bool is_full(Admission& admission, double rays) {

@@ -9,7 +9,9 @@
 #include <cstdint>
 #include <utility>
 
-#include "tests/server/contract.h"
+#include "tests/server/contract/contract.h"
+
+#include "server/contract/problem.h"
 
 namespace tia::test {
 
@@ -27,6 +29,7 @@ Server::Server(HttpOptions options)
     : host_(read_config({{"hosts", "*", ""}})),
       http_(std::move(options),
             {.answer = [this](const Request& request) { return host_.ask(request); },
+             .refuse = problem_response,
              .at_once = is_answered_at_once}),
       running_([this] { http_.run(); }) {}
 Server::~Server() {

@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "tests/server/contract.h"
+#include "tests/server/contract/contract.h"
 
 namespace tia::test {
 

@@ -13,7 +13,8 @@
 #include <vector>
 
 #include "core/input/json.h"
-#include "server/backend.h"
+#include "server/handlers/backend.h"
+#include "server/handlers/dispatch.h"
 #include "tests/sanitizer.h"
 
 namespace tia::test {

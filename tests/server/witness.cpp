@@ -4,8 +4,8 @@
 #include <mutex>
 #include <set>
 
-#include "server/problem.h"
-#include "tests/server/contract.h"
+#include "server/contract/problem.h"
+#include "tests/server/contract/contract.h"
 
 namespace tia::test {
 namespace {

@@ -280,5 +280,38 @@ TEST(Solid, DeMorgansLawsAreEqualPictures) {
   }
 }
 
+// ---- what it costs ------------------------------------------------------------------------------
+
+// n balls of which no two overlap, along one line.
+Object row_of_balls(int n) {
+  std::vector<Object> balls;
+  for (int i = 0; i < n; ++i) balls.push_back(ball({3.0 * i, 0, 0}, 1));
+  return union_of(balls);
+}
+
+// Halves are merged with halves: each boundary is gone over once for each doubling.
+TEST(Solid, MergingIsWorkThatGrowsLittleFasterThanTheBoundaries) {
+  for (const int n : {64, 1024, 8192}) {
+    const World world = world_of({row_of_balls(n)});
+    const Geometry& geometry = *world.of_objects;
+    std::int64_t work = 0;
+    Effort effort([&](std::int64_t portion) { work += portion; });
+    for (int ray = 0; ray < 2 * Effort::portion / n + 2; ++ray)
+      EXPECT_EQ(spans(geometry.solids[0], geometry.parts, {{-5, 0, 0}, {1, 0, 0}}, effort).size(),
+                std::size_t(2 * n));
+    const double per_ray =
+        static_cast<double>(work) / static_cast<double>(2 * Effort::portion / n + 2);
+    EXPECT_GT(per_ray, n * std::log2(n) / 4) << n;  // a quarter of 2 n, at each of the levels
+    EXPECT_LT(per_ray, n * (std::log2(n) + 4)) << n;
+  }
+}
+
+TEST(Solid, ARayThroughManyOperandsCanBeEnded) {
+  const World world = world_of({row_of_balls(20'000)});
+  const Geometry& geometry = *world.of_objects;
+  Effort effort([](std::int64_t) { throw Stopped(); });
+  EXPECT_THROW(spans(geometry.solids[0], geometry.parts, {{-5, 0, 0}, {1, 0, 0}}, effort), Stopped);
+}
+
 }  // namespace
 }  // namespace tia

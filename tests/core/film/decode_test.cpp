@@ -230,5 +230,27 @@ TEST(Decode, DamagedFilesAreTheSameEachTime) {
   }
 }
 
+// Each table's four values look like the start of another segment of tables: 49 000 walks, most of
+// them of 3 000 tables.
+TEST(Decode, AJpegOfOverlappingTablesIsRefusedBeforeAllAreLookedAt) {
+  Bytes file = test::flat_jpeg({100});
+  Bytes table(17, 0);
+  table[4] = 4;  // codes of length 4
+  table.insert(table.end(), {0xFF, 0xC4, 0xFF, 0xFF});
+  while (file.size() + table.size() <= most_picture_bytes)
+    file.insert(file.end(), table.begin(), table.end());
+  expect_broken(file);
+}
+
+TEST(Decode, EveryScanOfAJpegGoesOverItsPixels) {
+  Bytes file = test::flat_jpeg({100});
+  const auto scanned = [&] {
+    return std::get<PictureSize>(measure_picture(file)).scanned_pixels();
+  };
+  EXPECT_EQ(scanned(), 64);
+  for (int i = 0; i < 9; ++i) file.insert(file.end(), {0xFF, 0xDA});
+  EXPECT_EQ(scanned(), 640);
+}
+
 }  // namespace
 }  // namespace tia

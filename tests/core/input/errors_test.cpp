@@ -3,6 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <string>
+#include <vector>
+
+#include "tests/core/support.h"
 
 namespace tia {
 namespace {
@@ -104,6 +108,46 @@ TEST(Listed, OfLongNamesSome420Bytes) {
   const std::string all = listed(std::vector<std::string_view>(30, name));
   EXPECT_LT(all.size(), 500U);
   EXPECT_TRUE(all.ends_with("n and 23 more")) << all;
+}
+
+TEST(NearestName, OfALongNameIsAtMostFiveEditsAway) {
+  const std::string name(60, 'n');
+  std::string wrong = name;
+  for (std::size_t i = 0; i < 5; ++i) wrong[10 * i] = 'x';
+  EXPECT_EQ(nearest_name(wrong, {name}), name);
+  wrong[55] = 'x';
+  EXPECT_EQ(nearest_name(wrong, {name}), "");
+}
+
+// The whole table of distances, as its definition has it.
+std::size_t edits_between(const std::string& a, const std::string& b) {
+  std::vector<std::vector<std::size_t>> d(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
+  for (std::size_t i = 0; i <= a.size(); ++i)
+    for (std::size_t j = 0; j <= b.size(); ++j) {
+      if (i == 0 || j == 0) {
+        d[i][j] = i + j;
+        continue;
+      }
+      d[i][j] = std::min(
+          {d[i - 1][j] + 1, d[i][j - 1] + 1, d[i - 1][j - 1] + (a[i - 1] == b[j - 1] ? 0U : 1U)});
+      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+        d[i][j] = std::min(d[i][j], d[i - 2][j - 2] + 1);
+    }
+  return d[a.size()][b.size()];
+}
+
+TEST(NearestName, IsFoundAsByTheWholeTable) {
+  test::Random random(11);
+  const auto word = [&] {
+    std::string text(static_cast<std::size_t>(random.whole(1, 12)), 'a');
+    for (char& c : text) c = static_cast<char>('a' + random.whole(0, 2));
+    return text;
+  };
+  for (int i = 0; i < 20'000; ++i) {
+    const std::string a = word(), b = word();
+    const std::size_t most = std::min({1 + a.size() / 3, a.size() - 1, std::size_t{5}});
+    EXPECT_EQ(nearest_name(a, {b}), edits_between(a, b) <= most ? b : "") << a << ' ' << b;
+  }
 }
 
 }  // namespace

@@ -182,5 +182,35 @@ TEST(ImageTexture, AllPicturesOfAnInputTogetherAreBounded) {
                                  "at most 16777216 pixels together"}});
 }
 
+// A scan without a byte of its own still goes over all pixels: a kilobyte could take seconds.
+TEST(ImageTexture, ScansOfAllPicturesTogetherAreBounded) {
+  test::Bytes file = test::flat_jpeg({100});
+  const test::Bytes size{8, 0, 8, 0, 8};  // eight bits, eight by eight pixels
+  const auto at = std::search(file.begin(), file.end(), size.begin(), size.end());
+  at[1] = at[3] = 8;  // 2056 by 2056
+  at[2] = at[4] = 0;  // 2048 by 2048
+  for (int i = 1; i < 16; ++i) file.insert(file.end(), {0xFF, 0xDA});
+  std::string list;
+  for (int i = 0; i < 3; ++i) list += (i > 0 ? "," : "") + data_json(to_text(file));
+  Faults faults;
+  std::vector<Texture> textures;
+  read_value(parse_json("[" + list + "]"), Place{}, Spec{}, faults, textures);
+  ASSERT_FALSE(faults.empty());
+  const Fault& last = faults.list().back();
+  EXPECT_EQ(last.pointer, "/2/data");
+  EXPECT_EQ(last.kind, FaultKind::limit);
+  EXPECT_THAT(last.allowed,
+              testing::HasSubstr("134217728 pixels together, a JPEG's with each of its scans"));
+}
+
+TEST(ImageTexture, NoPictureIsReadForWhoHasLeft) {
+  std::stop_source source;
+  source.request_stop();
+  Faults faults(source.get_token());
+  Texture texture;
+  EXPECT_THROW(read_value(parse_json(image_json(six_pixels())), Place{}, Spec{}, faults, texture),
+               Stopped);
+}
+
 }  // namespace
 }  // namespace tia

@@ -175,5 +175,15 @@ TEST(FewBalls, ExplainedPixelsHaveThePicturesColour) {
   }
 }
 
+// By so many lights a ray takes so long that its work is counted.
+TEST(FewBalls, UnderManyLightsAreTracedAsTheRest) {
+  Scene scene;
+  scene.objects.push_back(ball({0, 0, 0}, 1, matte({1, 1, 1})));
+  for (int i = 0; i < 64; ++i) scene.lights.push_back(test::point_light({1.0 * i, 9, 0}));
+  EXPECT_TRUE(compile(scene).few_balls);
+  scene.lights.push_back(test::point_light({0, 9, 9}));
+  EXPECT_FALSE(compile(scene).few_balls);
+}
+
 }  // namespace
 }  // namespace tia

@@ -205,5 +205,17 @@ TEST(WithLight, MovesTheKeyLightElseTheFirstLightElseAddsAPoint) {
   EXPECT_EQ(key.lights, scene.lights);
 }
 
+TEST(Press, EndsWhenThatIsAskedFor) {
+  std::stop_source source;
+  source.request_stop();
+  Scene scene = test::thesis_scene();
+  std::string list = "[";
+  for (int i = 0; i < 3000; ++i)
+    list += std::string(i > 0 ? "," : "") + R"({"type":"sphere","center":[0,0,0],"radius":1})";
+  scene.keys["k"] = Value(Value::Object{{"objects", parse_json(list + "]")}});
+  EXPECT_EQ(press(scene, "k", Middles{}).objects.size(), 3000U);
+  EXPECT_THROW(press(scene, "k", Middles{}, "/key", source.get_token()), Stopped);
+}
+
 }  // namespace
 }  // namespace tia

@@ -67,8 +67,8 @@ TEST(ReadScene, KeyWithTheOneMemberLightIsAPositionAndAnyOtherAPatch) {
   const Scene scene =
       read_scene(R"({"keys":{"p":{"light":[1,2,3]},"q":{"light":[1,2,3],"title":"x"},"r":{}}})");
   EXPECT_EQ(std::get<Vec3d>(scene.keys.at("p")), (Vec3d{1, 2, 3}));
-  EXPECT_TRUE(std::holds_alternative<Value>(scene.keys.at("q")));
-  EXPECT_TRUE(std::holds_alternative<Value>(scene.keys.at("r")));
+  EXPECT_TRUE(std::holds_alternative<SharedValue>(scene.keys.at("q")));
+  EXPECT_TRUE(std::holds_alternative<SharedValue>(scene.keys.at("r")));
 }
 
 // ---- faults, one by one -----------------------------------------------------------------------

@@ -1,6 +1,8 @@
 // What is wrong with objects in objects, all of it at once and each at its own place.
 #include <gtest/gtest.h>
 
+#include <ctime>
+
 #include "core/scene/read_scene.h"
 #include "tests/core/faults.h"
 
@@ -74,6 +76,26 @@ TEST(TreeFaults, EachCopyOfALuminousBallIsALightOfAtMost4096) {
   };
   expect(glowing(4096), {});
   expect(glowing(4097), {{FaultKind::limit, "/objects/0/children/0", "", "4096 luminous balls"}});
+}
+
+// What holds it asks for its box; so does all around that. The leaf's is costly.
+TEST(TreeFaults, OfNestedGroupsTheLeavesAreMeasuredOnce) {
+  std::string terms;
+  for (int i = 0; i <= 40; i += 2)
+    for (int j = 0; i + j <= 40; j += 2)
+      terms += "[" + std::to_string(i) + "," + std::to_string(j) + "," +
+               std::to_string(40 - i - j) + ",1],";
+  const auto seconds = [&](int depth) {
+    std::string object = R"({"type":"algebraic","terms":[)" + terms + "[0,0,0,-1]]}";
+    for (int k = 0; k < depth; ++k)
+      object = R"({"type":"group","repeat":{"count":[2,1,1],"step":[9,0,0]},"children":[)" +
+               object + "]}";
+    const std::clock_t start = std::clock();
+    EXPECT_THROW(read_scene(R"({"objects":[)" + object + "]}"), InputError);  // none is found
+    return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+  };
+  seconds(1);
+  EXPECT_LT(seconds(12), 3 * seconds(1) + 0.02);
 }
 
 }  // namespace

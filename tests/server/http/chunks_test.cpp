@@ -1,7 +1,7 @@
 // Laws of a chunked body's decoder (RFC 9112, 7.1).
 #include "server/http/chunks.h"
 
-#include "server/problem.h"
+#include "server/contract/problem.h"
 #include "tests/server/support.h"
 
 namespace tia::test {

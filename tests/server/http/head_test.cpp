@@ -1,7 +1,7 @@
 // Laws of a head: what it says of the request, its body and its connection.
 #include "server/http/head.h"
 
-#include "server/problem.h"
+#include "server/contract/problem.h"
 #include "tests/server/http/request_corpus.h"
 #include "tests/server/http/request_forms.h"
 #include "tests/server/support.h"

@@ -9,6 +9,7 @@
 #include <memory>
 #include <new>
 
+#include "server/contract/problem.h"
 #include "tests/server/http/wire.h"
 
 namespace tia::test {
@@ -166,7 +167,8 @@ TEST(HttpServer, ConcurrentClientsEachGetTheirOwnAnswer) {
 }
 
 TEST(HttpServer, StopBeforeRunMakesRunReturn) {
-  HttpServer server({.host = "127.0.0.1"}, {.answer = [](const Request&) { return Response{}; }});
+  HttpServer server({.host = "127.0.0.1"}, {.answer = [](const Request&) { return Response{}; },
+                                            .refuse = problem_response});
   alarm(20);  // it would wait for ever
   server.stop();
   server.run();
@@ -174,7 +176,8 @@ TEST(HttpServer, StopBeforeRunMakesRunReturn) {
 }
 
 TEST(HttpServer, AFreePortIsFoundAndATakenOneRefused) {
-  const Application nothing{.answer = [](const Request&) { return Response{}; }};
+  const Application nothing{.answer = [](const Request&) { return Response{}; },
+                            .refuse = problem_response};
   HttpServer first({.host = "127.0.0.1"}, nothing);
   EXPECT_GT(first.port(), 0);
   try {

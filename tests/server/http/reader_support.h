@@ -9,8 +9,8 @@
 #include <string_view>
 #include <vector>
 
+#include "server/contract/problem.h"
 #include "server/http/request_reader.h"
-#include "server/problem.h"
 
 namespace tia::test {
 

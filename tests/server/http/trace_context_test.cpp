@@ -25,8 +25,8 @@ TEST(TraceContext, IsReadAndHandedOnWithAnIdOfItsOwn) {
 
 TEST(TraceContext, HandsOnTheFlagsThatItKnows) {
   const std::string stem = good.substr(0, good.size() - 2);
-  const std::pair<const char*, const char*> flags[] = {
-      {"00", "00"}, {"01", "01"}, {"02", "02"}, {"03", "03"}, {"04", "00"}, {"ff", "03"}};
+  const std::pair<const char*, const char*> flags[] = {{"00", "00"}, {"01", "01"}, {"02", "02"},
+                                                       {"03", "03"}, {"04", "00"}, {"ff", "03"}};
   for (const auto& [came, goes] : flags) EXPECT_EQ(trace_context(stem + came)->flags, goes) << came;
 }
 
@@ -52,7 +52,8 @@ TEST(TraceContext, IsNoneWhereItIsNotValid) {
 }
 
 TEST(TraceContext, IsInEveryAnswerWhoseRequestHasOne) {
-  for (const char* target : {"/healthz", "/render?width=8&height=8", "/render?width=x", "/nowhere"}) {
+  for (const char* target :
+       {"/healthz", "/render?width=8&height=8", "/render?width=x", "/nowhere"}) {
     Request request{"GET", target, {}, "", Host::id};
     EXPECT_FALSE(header(host().ask(request), "traceparent")) << target;
     request.trace = trace_context(good);

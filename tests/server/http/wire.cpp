@@ -1,5 +1,8 @@
 #include "tests/server/http/wire.h"
 
+#include "server/contract/problem.h"
+#include "server/operation/log.h"
+
 #include <netdb.h>
 #include <sys/socket.h>
 #include <unistd.h>
@@ -27,6 +30,11 @@ bool Serving::ends(milliseconds patience) {
 Application answering(std::function<Response(const Request&)> answer) {
   Application application;
   application.answer = std::move(answer);
+  application.refuse = [](const std::exception_ptr& failure, const Request& request) {
+    Response response = problem_response(failure, request);
+    if (!response.failure.empty()) log_failure(request.id, response.failure);
+    return response;
+  };
   return application;
 }
 Response text(std::string body) {

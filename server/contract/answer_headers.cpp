@@ -1,0 +1,40 @@
+#include "server/contract/answer_headers.h"
+
+namespace tia::server {
+
+const std::vector<HeaderRow>& header_rows() {
+  static const std::vector<HeaderRow> rows{
+      {"Accept-Encoding", "the content codings that a body may have (RFC 9110, 12.5.3)",
+       "^identity$", false},
+      {"Allow", "the methods that the path takes", "^[A-Z]+(, [A-Z]+)*$"},
+      {"Cache-Control", "whether and how long the answer may be kept (RFC 9111, 5.2.2)",
+       "^[a-z-]+(=[0-9]+)?(, [a-z-]+(=[0-9]+)?)*$"},
+      {"Cache-Status", "whether the picture was drawn for this request (RFC 9211)",
+       "^Tia(; (hit|fwd=miss|collapsed|stored|detail=not-modified))+$"},
+      {"Content-Encoding", "how the body is compressed, where Accept-Encoding takes that", "^gzip$",
+       false},
+      {"ETag", "the tag of the body's bytes, for If-None-Match; of a picture its recipe's SHA-256",
+       "^\"[^\"]+\"$"},
+      {"Location", "where what this is about is", "^/"},
+      {"Retry-After", "the seconds after which to ask again", "^[1-9][0-9]*$"},
+      {"Server-Timing", "where the time went, in ms (W3C Server Timing)",
+       "^[a-z]+(;desc=[a-z]+)?;dur=[0-9.]+(, [a-z]+(;desc=[a-z]+)?;dur=[0-9.]+)*$"},
+      {"Tia-Rays", "how many rays of each kind were traced, exactly",
+       "^primary=[0-9]+, shadow=[0-9]+, reflection=[0-9]+, refraction=[0-9]+$"},
+      {"Tia-Delete-Key",
+       "with this DELETE forgets the scene again; none where 64 have kept it before",
+       "^[0-9a-f]{32}$", false},
+      {"Vary", "the request's fields on which the answer depends", "^[A-Za-z-]+(, [A-Za-z-]+)*$",
+       false},
+      {"X-Request-Id",
+       "the request's id: the client's own, where it is fit for a log, or a new one",
+       "^[A-Za-z0-9._-]{1,64}$"},
+      {"traceparent",
+       "where the request has a valid one: its trace, and the id of what this answer took part in "
+       "it (W3C Trace Context)",
+       "^00-[0-9a-f]{32}-[0-9a-f]{16}-0[0-3]$", false},
+  };
+  return rows;
+}
+
+}  // namespace tia::server

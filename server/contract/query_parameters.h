@@ -1,0 +1,45 @@
+// The parameters of a query as OpenAPI describes them, from the fields of a request.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "server/contract/text_form.h"
+
+namespace tia::server {
+
+/// Visitor: makes a parameter of every field, and of the fields of a group, "ray.origin", too.
+struct QueryParameters {
+  Definitions& named;
+  std::string group = {};  ///< with its dot
+  Value::Array list = {};
+
+  template <class Base, class Member>
+  void operator()(std::string_view field, Member Base::*member, const Spec& spec) {
+    const std::string name = group + std::string(field);
+    Value::Object schema = *schema_of<Member>(spec, named).template as<Value::Object>();
+    if constexpr (!detail::is_optional<Member>)
+      if (!spec.required) schema.emplace_back("default", write_value(Base{}.*member));
+    Value::Object parameter{{"name", name}, {"in", "query"}, {"description", about_text(spec)}};
+    for (auto& each : TextForm<Member>::in_query(std::move(schema)))
+      parameter.push_back(std::move(each));
+    list.push_back(std::move(parameter));
+    if constexpr (detail::is_optional<Member>)
+      if constexpr (Described<typename Member::value_type>) {
+        QueryParameters inner{named, name + "."};
+        Member::value_type::fields(inner);
+        list.insert(list.end(), inner.list.begin(), inner.list.end());
+      }
+  }
+};
+
+/// The parameters that query_object<T> reads.
+template <Described T>
+Value::Array query_parameters(Definitions& named) {
+  QueryParameters visitor{named};
+  T::fields(visitor);
+  return std::move(visitor.list);
+}
+
+}  // namespace tia::server

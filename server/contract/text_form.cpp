@@ -1,0 +1,87 @@
+#include "server/contract/text_form.h"
+
+#include "server/http/message.h"
+
+namespace tia::server {
+namespace {
+
+std::optional<Value> try_json(std::string_view text) {
+  try {
+    return parse_json(text);
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
+}
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+}  // namespace
+
+// The parser would skip spaces, of which a query's + is one.
+Value number_from_text(std::string_view text) {
+  if (text.empty() || !(is_digit(text.front()) || text.front() == '-') || !is_digit(text.back()))
+    return text;
+  const auto value = try_json(text);
+  return value && value->as<double>() != nullptr ? *value : Value(text);
+}
+
+Value list_from_text(std::string_view text) {
+  std::string list(text);
+  if (!list.starts_with('[')) list.insert(0, 1, '[').append(1, ']');
+  const auto value = try_json(list);
+  return value && value->as<Value::Array>() != nullptr ? *value : Value(text);
+}
+
+Value words_from_text(std::string_view text) {
+  Value::Array words;
+  if (trimmed(text).empty()) return words;
+  for (std::size_t comma = 0; comma != text.npos;
+       text.remove_prefix(std::min(comma + 1, text.size()))) {
+    comma = text.find(',');
+    words.emplace_back(trimmed(text.substr(0, comma)));
+  }
+  return words;
+}
+
+Value json_or_name_from_text(std::string_view text, const Place& at) {
+  if (!text.starts_with('{')) return text;
+  try {
+    return parse_json(text);
+  } catch (const InputError& error) {
+    std::vector<Fault> faults = error.faults();
+    for (Fault& fault : faults) fault.pointer.insert(0, at.pointer());
+    throw InputError(std::move(faults));
+  }
+}
+
+Value::Object list_in_query(Value::Object schema) {
+  return {{"style", "form"}, {"explode", false}, {"schema", std::move(schema)}};
+}
+
+Value::Object json_in_query(Value::Object schema) {
+  const Value::Object json{{"schema", std::move(schema)}};
+  return {{"content", Value::Object{{"application/json", json}}}};
+}
+
+Value::Object json_or_name_in_query(Value::Object schema) {
+  const Value::Array& either = *find(schema, "oneOf")->as<Value::Array>();
+  const Value json = Value::Object{
+      {"type", "string"}, {"contentMediaType", "application/json"}, {"contentSchema", either[1]}};
+  Value::Object text{{"anyOf", Value::Array{either[0], json}}};
+  if (const Value* standard = find(schema, "default")) text.emplace_back("default", *standard);
+  return {{"schema", std::move(text)}};
+}
+
+std::string text_of(const Value& value) {
+  if (const auto* text = value.as<std::string>()) return *text;
+  const auto* list = value.as<Value::Array>();
+  if (list == nullptr) return to_json(value);
+  std::string text;
+  for (const Value& each : *list) {
+    if (!text.empty()) text += ',';
+    text += text_of(each);
+  }
+  return text;
+}
+
+}  // namespace tia::server

@@ -1,0 +1,38 @@
+#include "server/handlers/backend.h"
+
+#include <utility>
+
+namespace tia::server {
+namespace {
+
+Admission::Options admission_options(const Config& config) {
+  // Half of the time that a request has: the other half is for light work beside it.
+  const double most_wait_s = config.deadline_ms / 2000.0;
+  return {config.renders, config.queue, config.threads, most_wait_s};
+}
+
+}  // namespace
+
+Backend::Backend(const Config& given, const Gallery& gallery, std::unique_ptr<SceneFile> file)
+    : config(given),
+      memory(config.memory_bytes),
+      kept(config.max_scenes_bytes, std::move(file)),
+      admission(admission_options(config)),
+      pool(config.threads),
+      geometries(config.max_geometry_bytes, &memory),
+      pressed(config.max_scenes_bytes, long_work, memory),
+      pictures(config.cache_bytes, &memory),
+      service{config,    {gallery, kept, geometries, pressed, pool, config.limits()},
+              memory,    admission,
+              long_work, costs,
+              metrics,   pictures} {
+  kept.book_with(memory);
+  kept.read_as(long_work, config.json_limits().values);
+  kept.forget_after(config.scene_keep_s);
+  // What is soonest had again goes first.
+  memory.on_shortage([this](std::int64_t bytes) { return pictures.give_way(bytes); });
+  memory.on_shortage([this](std::int64_t bytes) { return geometries.give_way(bytes); });
+  memory.on_shortage([this](std::int64_t bytes) { return pressed.give_way(bytes); });
+}
+
+}  // namespace tia::server

@@ -1,0 +1,17 @@
+#include "server/handlers/bodies.h"
+
+#include "server/http/head.h"
+#include "server/http/peers.h"
+
+namespace tia::server {
+
+Asker asker_of(const Request& request) { return {share_of(request.peer), request.stop}; }
+
+// What calls itself a picture may be longer than a text, and be none.
+LongWork::Need body_need(const Request& request, const Service& service) {
+  const std::size_t bytes = request.body.size();
+  check_length(bytes, {service.config.max_body_bytes});
+  return {bytes, memory_for_text(bytes, service.config.json_limits().values), "what the body says"};
+}
+
+}  // namespace tia::server

@@ -1,0 +1,41 @@
+// Who asks, and what they have sent, read as long work.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "server/handlers/service.h"
+#include "server/http/message.h"
+#include "server/operation/memory_costs.h"
+#include "server/requests/recipe.h"
+
+namespace tia::server {
+
+/// Whom the request is from.
+Asker asker_of(const Request& request);
+
+/// What to read the request's body needs, as JSON text.
+LongWork::Need body_need(const Request& request, const Service& service);
+
+/// Reads the body. Returns: what read() does. Errors: as LongWork.
+template <class Read>
+auto read_body(const Request& request, Service& service, const Read& read) {
+  return service.long_work(body_need(request, service), asker_of(request), read);
+}
+
+/// Reads the recipe of the picture that the body is. Returns: what read(recipe) does.
+/// Errors: as LongWork, recipe_text_in and read_recipe.
+template <class Read>
+auto read_recipe_of_body(const Request& request, Service& service, const Read& read) {
+  const Config& config = service.config;
+  const Asker asker = asker_of(request);
+  constexpr const char* what = "the picture's recipe";
+  const std::string text =
+      service.long_work({request.body.size(), config.max_body_bytes, what}, asker,
+                        [&] { return recipe_text_in(request.body, config); });
+  const std::int64_t memory = memory_for_text(text.size(), config.json_limits().values);
+  return service.long_work({text.size(), memory, what}, asker,
+                           [&] { return read(read_recipe(text, config, request.stop)); });
+}
+
+}  // namespace tia::server

@@ -1,0 +1,133 @@
+#include "server/handlers/dispatch.h"
+
+#include <new>
+
+#include "server/contract/problem.h"
+#include "server/handlers/handlers.h"
+#include "server/handlers/route_table.h"
+#include "server/http/headers.h"
+#include "server/operation/access.h"
+#include "server/operation/log.h"
+#include "server/requests/accept.h"
+
+namespace tia::server {
+namespace {
+
+// Whether the path fits the route; `name` becomes what its {} stands for.
+bool matches(const Route& route, std::string_view path, std::string_view& name) {
+  if (!route.path.ends_with("{}")) return path == route.path;
+  const std::string_view stem = route.path.substr(0, route.path.size() - 2);
+  if (!path.starts_with(stem) || path.size() == stem.size()) return false;
+  name = path.substr(stem.size());
+  return name.find('/') == name.npos && (route.has == nullptr || route.has(path));
+}
+
+// What may be done with a path (RFC 9110, 9.3.7), or with some path of this server.
+Response options(const std::string& allow) {
+  return {.status = 204, .content_type = "", .body = "", .headers = {{"Allow", allow}}};
+}
+
+Response dispatch(const Request& request, Service& service) {
+  if (request.method == "OPTIONS" && request.target == "*")
+    return options("GET, HEAD, POST, DELETE, OPTIONS");
+  if (request.target.size() > longest_target) throw uri_too_long();
+  check_access(request, service.config);
+  const std::string_view method = request.is_head() ? "GET" : std::string_view(request.method);
+  std::string allow;
+  for (const Route& route : routes()) {
+    std::string_view name;
+    if (!matches(route, request.path(), name)) continue;
+    if (route.method == method) {
+      if (!route.gives.empty()) static_cast<void>(preferred_type(request, route.gives));
+      return route.handler(request, percent_decode(name), service);
+    }
+    allow += (allow.empty() ? "" : ", ") + std::string(route.method);
+    if (route.method == "GET") allow += ", HEAD";
+  }
+  if (allow.empty()) throw HttpError("not-found", "no such path");
+  allow += ", OPTIONS";
+  if (method == "OPTIONS") return options(allow);
+  throw HttpError("method", request.method + " is not for this path; allowed: " + allow,
+                  {{"Allow", allow}});
+}
+
+// What every answer carries, whatever made it.
+Response dressed(Response response, const Request& request, const Service& service) {
+  guard(response);
+  if (request.trace) response.headers.emplace_back("traceparent", request.trace->traceparent());
+  share(response, request, service.config.cors_origins);
+  return response;
+}
+
+Response finished(Response response, const Request& request, const Service& service) {
+  response.headers.emplace_back("X-Request-Id", request.id);
+  return dressed(std::move(response), request, service);
+}
+
+// What of a failure is for the log goes there.
+Response logged(Response response, const Request& request, const Service& service) {
+  if (!response.failure.empty()) log_failure(request.id, response.failure);
+  return dressed(std::move(response), request, service);
+}
+
+Response answer_or_refusal(const Request& request, MemoryClaim& claim, Service& service) {
+  try {
+    return finished(dispatch(request, service), request, service);
+  } catch (const std::bad_alloc&) {
+    claim.settle();  // what was freed on the way here is there for the refusal's words
+    const auto failure =
+        claim.was_refused() ? std::make_exception_ptr(claim.refusal()) : std::current_exception();
+    return refusal(failure, request, service);
+  } catch (...) {
+    return refusal(std::current_exception(), request, service);
+  }
+}
+
+}  // namespace
+
+Response answer(const Request& request, Service& service) {
+  MemoryClaim claim(service.memory, share_of(request.peer));
+  const ClaimScope scope(&claim);
+  Response response = answer_or_refusal(request, claim, service);
+  if (claim.most_used() > 0)
+    response.log.emplace_back("memory_bytes", static_cast<double>(claim.most_used()));
+  return response;
+}
+
+std::optional<Response> answer_from_memory(const Request& request, Service& service) {
+  try {
+    check_access(request, service.config);
+  } catch (const HttpError&) {
+    return std::nullopt;  // it is refused where all are
+  }
+  auto response = known_picture(request, service);
+  if (!response) return std::nullopt;
+  return finished(std::move(*response), request, service);
+}
+
+Response refusal(const std::exception_ptr& failure, const Request& request,
+                 const Service& service) {
+  try {
+    return logged(problem_response(failure, request), request, service);
+  } catch (const std::bad_alloc&) {  // perhaps there is memory for fewer words
+    return logged(problem_response(std::current_exception(), request), request, service);
+  }
+}
+
+std::string_view route_label(const Request& request) {
+  std::string_view name;
+  for (const Route& route : routes())
+    if (matches(route, request.path(), name)) return route.path;
+  return "none";
+}
+
+bool is_answered_at_once(const Request& request) {
+  const std::string_view method = request.is_head() ? "GET" : std::string_view(request.method);
+  std::string_view name;
+  for (const Route& route : routes())
+    if (route.method == method && matches(route, request.path(), name))
+      return route.pace == Pace::at_once;
+  return true;  // nothing that is here
+}
+
+}  // namespace tia::server

@@ -1,0 +1,103 @@
+// /explain: one pixel or one ray in, what the ray meets out, as JSON.
+#include "core/input/json.h"
+#include "core/integrators/integrator.h"
+#include "core/render/sampler.h"
+#include "server/contract/parameters.h"
+#include "server/handlers/bodies.h"
+#include "server/handlers/handlers.h"
+#include "server/requests/explain_request.h"
+
+namespace tia::server {
+
+void FreeRay::check(const Place& at, Faults& faults) const {
+  if (!(length(direction) > 1e-100))
+    faults.add({FaultKind::out_of_range, at.at("direction").pointer(), write_value(direction),
+                "a direction of some length, 1e-100 at least"});
+}
+
+void ExplainRequest::check(const Place& at, Faults& faults) const {
+  ViewRequest::check(at, faults);
+  const auto coordinate = [&](const char* name, const std::optional<int>& is, int size) {
+    const std::string place = at.at(name).pointer();
+    const std::string range = range_text({.unit = "pixels", .min = 0, .max = size - 1.0}, true);
+    if (ray && is) faults.add({FaultKind::conflict, place, write_value(*is), "x and y, or ray"});
+    else if (!ray && !is)
+      faults.add(
+          {FaultKind::missing, place, std::nullopt, range + ", of a pixel with x and y; or a ray"});
+    else if (is && *is >= size)
+      faults.add({FaultKind::out_of_range, place, write_value(*is), range});
+  };
+  coordinate("x", x, width);
+  coordinate("y", y, height);
+}
+
+namespace {
+
+RenderOptions options_of(const ExplainRequest& asked, const Scene& scene, const Service& service) {
+  const RenderOptions options = options_of(TraceRequest(asked), scene, service.studio);
+  if (!gathers_light(options.integrator))
+    throw InputError({FaultKind::out_of_range, "/integrator", Value(name_of(options.integrator)),
+                      "thesis or whitted, which gather light"});
+  const int rays = least_samples(options.samples, options.threshold);
+  const int most = options.threshold > 0 ? 16 * rays : rays;
+  if (asked.sample >= most)
+    throw InputError({FaultKind::out_of_range, "/sample", Value(asked.sample),
+                      range_text({.min = 0, .max = most - 1.0}, true) + ", of the pixel's rays"});
+  return options;
+}
+
+Explanation explanation_in(const ExplainRequest& asked, const Scene& scene, World world,
+                           const RenderOptions& options, const std::stop_token& stop) {
+  if (asked.ray)
+    return explain(scene, std::move(world), {asked.ray->origin, normalize(asked.ray->direction)},
+                   options, stop);
+  const View view = view_of(scene.camera, asked.width, asked.height);
+  return explain(scene, std::move(world), view, *asked.x, *asked.y, asked.sample, options, stop);
+}
+
+std::string explanation_of(const ExplainRequest& asked, const Service& service, const Asker& asker,
+                           Flow& flow) {
+  const KnownScene scene = scene_of(asked, service.studio, asker);
+  const RenderOptions options = options_of(asked, *scene, service);
+  Pool& pool = service.studio.pool;
+  World world =
+      service.studio.geometries.compile(scene, pool.workers(pool.threads(), asker.stop, &flow));
+  std::string text;
+  const auto tell = [&] {
+    text = to_json(value_of(explanation_in(asked, *scene, std::move(world), options, asker.stop)));
+  };
+  pool.alone(tell, asker.stop, &flow);
+  return text;
+}
+
+ExplainRequest asked_of_body(const Request& request, Service& service) {
+  return read_body(request, service, [&] {
+    const char* const what = "the parameters as a JSON object, such as {\"x\":320,\"y\":240}";
+    return read_described<ExplainRequest>(body_json(request, what, service.config.json_limits()),
+                                          {}, request.stop);
+  });
+}
+
+Response explained(const ExplainRequest& asked, const Request& request, Service& service) {
+  check_size(asked.width, asked.height, service.studio.limits);
+  const Asker asker = asker_of(request);
+  auto ticket = service.admission.enter({}, asker.client, asker.stop);
+  Flow flow{asker.number()};
+  flow.became_long = [&] { ticket.turn_heavy(); };
+  return {.content_type = "application/json",
+          .body = explanation_of(asked, service, asker, flow),
+          .headers = {{"Cache-Control", "no-cache"}}};
+}
+
+}  // namespace
+
+Response get_explain(const Request& request, const std::string&, Service& service) {
+  return explained(read_described<ExplainRequest>(query_object<ExplainRequest>(request.query())),
+                   request, service);
+}
+
+Response post_explain(const Request& request, const std::string&, Service& service) {
+  return explained(asked_of_body(request, service), request, service);
+}
+
+}  // namespace tia::server

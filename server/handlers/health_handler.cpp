@@ -1,0 +1,82 @@
+// What operators ask: /healthz, /readyz, /version, /metrics.
+#include "core/input/written.h"
+#include "core/math/wide.h"
+#include "core/version.h"
+#include "server/handlers/handlers.h"
+
+namespace tia::server {
+namespace {
+
+#if defined(__clang__)
+constexpr std::string_view compiler = "clang " __clang_version__;
+#else
+constexpr std::string_view compiler = "gcc " __VERSION__;
+#endif
+
+Response status_of(const char* word, int status) {
+  Response response{.status = status,
+                    .content_type = "application/json",
+                    .body = to_json(Value::Object{{"status", word}}),
+                    .headers = {{"Cache-Control", "no-store"}}};
+  if (status == 503) response.headers.emplace_back("Retry-After", "1");
+  return response;
+}
+
+template <class... Words>
+Value status_schema(const Words&... words) {
+  return object_schema({{"status", Value::Object{{"enum", Value::Array{words...}}}}});
+}
+
+}  // namespace
+
+Value healthy_schema(Definitions&) { return status_schema("ok"); }
+Value ready_schema(Definitions&) { return status_schema("ready"); }
+Value unready_schema(Definitions&) { return status_schema("draining", "overloaded"); }
+
+Response get_health(const Request&, const std::string&, Service&) { return status_of("ok", 200); }
+
+Response get_ready(const Request&, const std::string&, Service& service) {
+  if (service.draining) return status_of("draining", 503);
+  if (service.admission.waiting() >= service.config.queue && service.config.queue > 0)
+    return status_of("overloaded", 503);
+  return status_of("ready", 200);
+}
+
+Response get_metrics(const Request&, const std::string&, Service& service) {
+  const Admission& admission = service.admission;
+  const SceneStore& kept = service.studio.kept;
+  const Gauges gauges{.connections = service.connections(),
+                      .at_work = admission.at_work(),
+                      .waiting = admission.waiting(),
+                      .kept_scenes = kept.count(),
+                      .kept_scenes_bytes = kept.bytes(),
+                      .data_bytes = kept.file_bytes(),
+                      .geometry = service.studio.geometries.counts(),
+                      .pictures = service.pictures.counts(),
+                      .memory = &service.memory};
+  return {.content_type = std::string(Metrics::media_type),
+          .body = service.metrics.text(gauges),
+          .headers = {{"Cache-Control", "no-store"}}};
+}
+
+Response get_version(const Request&, const std::string&, Service&) {
+  const Value::Object build{{"name", "tia"},
+                            {"version", version()},
+                            {"bytes", full_version()},
+                            {"compiler", compiler},
+                            {"lanes", lanes<Wide>}};
+  return {.content_type = "application/json", .body = to_json(build)};
+}
+
+Value version_schema(Definitions& named) {
+  return schema_called("build", named, [] {
+    const Value text = plain_schema<std::string>();
+    return object_schema({{"name", text},
+                          {"version", text},
+                          {"bytes", text, "the same bytes come from builds of which this is equal"},
+                          {"compiler", text},
+                          {"lanes", count_schema(1), "rays that are traced at once"}});
+  });
+}
+
+}  // namespace tia::server

@@ -1,0 +1,98 @@
+// The page and its files, from memory, in the coding that the client takes.
+#include <algorithm>
+#include <map>
+#include <optional>
+
+#include "server/handlers/handlers.h"
+#include "server/http/error.h"
+#include "server/http/headers.h"
+#include "server/requests/accept.h"
+#include "server/requests/tagged.h"
+#include "server/stores/assets.h"
+
+namespace tia::server {
+namespace {
+
+struct Page {
+  Tagged plain;
+  std::optional<Tagged> gzip;
+};
+
+// All files with their tags, which are reckoned once.
+const std::map<std::string_view, Page>& pages() {
+  static const std::map<std::string_view, Page> all = [] {
+    std::map<std::string_view, Page> made;
+    for (const Asset& asset : assets()) {
+      Page page{Tagged(asset.bytes), {}};
+      if (!asset.gzip.empty()) page.gzip.emplace(asset.gzip);
+      made.emplace(asset.path, std::move(page));
+    }
+    return made;
+  }();
+  return all;
+}
+
+// Where a file lies, with a slash at its end.
+std::string_view folder_of(const Asset& asset) {
+  return asset.path.substr(0, asset.path.rfind('/') + 1);
+}
+
+// The gallery's files are answered as /scenes/NAME.
+bool of_the_gallery(const Asset& asset) { return folder_of(asset) == "/scenes/"; }
+
+Response file_response(const Request& request, std::string_view path) {
+  const auto found = pages().find(path);
+  if (found == pages().end()) throw HttpError("not-found", "no such path");
+  const Page& page = found->second;
+  const bool zipped = page.gzip && takes_coding(request, "gzip");
+  Response response = tagged_response(request, zipped ? *page.gzip : page.plain, media_type(path));
+  if (page.gzip) add_vary(response.headers, "Accept-Encoding");
+  if (zipped && response.status == 200) response.headers.emplace_back("Content-Encoding", "gzip");
+  return response;
+}
+
+}  // namespace
+
+Response get_page(const Request& request, const std::string&, Service&) {
+  return file_response(request, "/index.html");
+}
+
+Response get_page_file(const Request& request, const std::string&, Service&) {
+  return file_response(request, request.path());
+}
+
+bool is_page_file(std::string_view path) {
+  const Asset* asset = find_asset(path);
+  return asset != nullptr && !of_the_gallery(*asset);
+}
+
+const std::vector<std::string>& page_folders() {
+  static const std::vector<std::string> folders = [] {
+    std::vector<std::string> found{"/"};
+    for (const Asset& asset : assets())
+      if (!of_the_gallery(asset) && std::ranges::find(found, folder_of(asset)) == found.end())
+        found.emplace_back(folder_of(asset));
+    return found;
+  }();
+  return folders;
+}
+
+std::vector<std::string_view> page_files(std::string_view folder) {
+  std::vector<std::string_view> names;
+  for (const Asset& asset : assets())
+    if (folder_of(asset) == folder) names.push_back(asset.path.substr(folder.size()));
+  return names;
+}
+
+std::vector<Content> page_file_contents(std::string_view folder) {
+  std::vector<Content> contents;
+  for (const Asset& asset : assets()) {
+    const std::string_view type = media_type(asset.path);
+    const auto same = [&](const Content& each) { return each.type == type; };
+    if (folder_of(asset) == folder && std::ranges::none_of(contents, same))
+      contents.push_back({type});
+  }
+  return contents;
+}
+
+}  // namespace tia::server

@@ -1,0 +1,246 @@
+// /render: parameters in, picture out.
+#include <cstdio>
+#include <functional>
+#include <memory>
+#include <new>
+
+#include "server/contract/parameters.h"
+#include "server/handlers/bodies.h"
+#include "server/handlers/handlers.h"
+#include "server/http/headers.h"
+#include "server/operation/memory_costs.h"
+#include "server/operation/timing.h"
+#include "server/requests/accept.h"
+#include "server/requests/draw.h"
+#include "server/requests/etag.h"
+#include "server/requests/recipe.h"
+#include "server/stores/digest.h"
+
+namespace tia::server {
+namespace {
+
+std::string server_timing(const Timing& t) {
+  char text[192];
+  std::snprintf(text, sizeof text,
+                "queue;dur=%.3f, wait;desc=memory;dur=%.3f, parse;dur=%.3f, build;dur=%.3f, "
+                "trace;dur=%.3f, encode;dur=%.3f",
+                t.queue, t.wait, t.parse, t.build, t.trace, t.encode);
+  return text;
+}
+
+std::string ray_counts(const RayCounts& rays) {
+  return "primary=" + std::to_string(rays.primary) + ", shadow=" + std::to_string(rays.shadow) +
+         ", reflection=" + std::to_string(rays.reflection) +
+         ", refraction=" + std::to_string(rays.refraction);
+}
+
+// RFC 9211, with this server as the cache and the tracer behind it.
+std::string cache_status(const PictureStore::Found& found) {
+  std::string status = "Tia; ";
+  if (found.source == Source::stored) return status + "hit";
+  status += found.source == Source::joined ? "fwd=miss; collapsed" : "fwd=miss";
+  return found.kept ? status + "; stored" : status;
+}
+
+/// What is asked for, and whether Accept has chosen the format.
+struct Asked {
+  PictureRequest picture;
+  bool accepted = false;
+};
+
+// Where no format is asked for, Accept chooses it. The JSON tree ends here, not with the picture.
+Asked asked_in(Value parameters, const Request& request) {
+  const bool accepted = choose_format(parameters, request);
+  return {read_described<PictureRequest>(parameters, {}, request.stop), accepted};
+}
+
+Asked asked_in_picture(const Request& request, Service& service) {
+  refuse_query(request);
+  return read_recipe_of_body(request, service, [&](Recipe recipe) {
+    check_version(recipe);
+    return asked_in(std::move(recipe.request), request);
+  });
+}
+
+Asked asked_in_body(const Request& request, Service& service) {
+  if (is_png(request.body)) return asked_in_picture(request, service);
+  return read_body(request, service, [&] {
+    return asked_in(body_json(request,
+                              "the parameters as a JSON object, such as {\"key\":\"a\"}, or a PNG "
+                              "that this server has sent",
+                              service.config.json_limits()),
+                    request);
+  });
+}
+
+/// What is said of a picture, whether it is sent or not.
+Headers validators(const std::string& etag, const Asked& asked) {
+  const bool for_good = asked.picture.v.has_value();
+  Headers headers{{"ETag", etag},
+                  {"Cache-Control", for_good ? "public, max-age=31536000, immutable" : "no-cache"}};
+  if (asked.accepted) add_vary(headers, "Accept");
+  return headers;
+}
+
+// A picture that was not drawn for this request took it no time, but its rays are told again.
+Response picture_response(const PictureStore::Found& found, double parse_ms, double wait_ms) {
+  const Picture& picture = *found.picture;
+  Timing timing = found.source == Source::drawn ? picture.timing : Timing{};
+  if (found.source == Source::joined) timing.queue = wait_ms;
+  timing.parse = parse_ms;
+  Response response{.content_type = std::string(picture.media_type),
+                    .body = "",
+                    .headers = {{"Server-Timing", server_timing(timing)},
+                                {"Tia-Rays", ray_counts(picture.rays)},
+                                {"Cache-Status", cache_status(found)}},
+                    .shared = {found.picture, &picture.bytes}};
+  for (const auto& [name, value] : response.headers) response.log.emplace_back(name, value);
+  // What a client need not know, but whoever runs the server may.
+  if (picture.degenerate > 0)
+    response.log.emplace_back("triangles without area", static_cast<double>(picture.degenerate));
+  return response;
+}
+
+Response not_modified() {
+  return {.status = 304,
+          .content_type = "",
+          .body = "",
+          .headers = {{"Cache-Status", "Tia; hit; detail=not-modified"}}};
+}
+
+Response with(Response response, const Headers& headers) {
+  response.headers.insert(response.headers.end(), headers.begin(), headers.end());
+  return response;
+}
+
+// HEAD and If-None-Match need no ray: what the picture is called is known.
+Response rendered(const Asked& asked, Stopwatch watch, const Request& request, Service& service) {
+  const Asker asker = asker_of(request);
+  Plan plan = plan_of(asked.picture, service.studio, asker);
+  const std::string etag = etag_of(plan.recipe);
+  const double parse_ms = watch.lap_ms();
+  const Headers headers = validators(etag, asked);
+  const std::string type(media_type_of(plan.format));
+  if (request.method != "POST") {
+    const auto* name = std::get_if<std::string>(&asked.picture.scene);
+    if (name != nullptr)
+      service.targets.keep(KnownTargets::name_of(request), {etag, *name, type, headers});
+    if (has_already(request, etag)) return with(not_modified(), headers);
+  }
+  if (request.is_head()) return with({.content_type = type, .body = "", .unsized = true}, headers);
+  const auto found = picture_of(plan, etag, asker, service);
+  return with(picture_response(found, parse_ms, watch.lap_ms()), headers);
+}
+
+// Does it, and where the account had no memory for what nobody could foresee, once more when twice
+// as much is free. Errors: what it throws; HttpError (busy, too-large) in std::bad_alloc's place.
+template <class Attempt>
+Picture with_memory_for(const Attempt& attempt, const std::stop_token& stop) {
+  MemoryClaim* const claim = MemoryClaim::current();
+  if (claim == nullptr) return attempt();
+  try {
+    return attempt();
+  } catch (const std::bad_alloc&) {
+    if (!claim->was_refused()) throw;
+    claim->settle();
+    claim->reserve(2 * claim->most_used(), "this picture", stop);
+  }
+  try {
+    return attempt();
+  } catch (const std::bad_alloc&) {
+    throw claim->refusal();
+  }
+}
+
+// What tells how much a ray takes: what it meets, how it is traced, and the lights but for where
+// they are, so that a light that is dragged is known. By its digest: of many lights it would be
+// long.
+std::string scene_key(const Plan& plan) {
+  std::string key = hex(plan.scene.objects->digest);
+  const auto add = [&](const auto&... parts) { ((key += ' ' + std::to_string(parts)), ...); };
+  add(static_cast<int>(plan.options.integrator), plan.options.max_depth, plan.options.threshold,
+      plan.scene->options.transparent_shadows);
+  for (const Light& light : plan.scene->lights) {
+    const Value written = write_value(light);
+    for (const auto& [name, value] : *written.as<Value::Object>())
+      if (value.as<Value::Array>() == nullptr) key += ' ' + to_json(value);
+  }
+  return sha256_hex(key);
+}
+
+Picture drawn(Plan& plan, const Asker& asker, Admission::Waiting& place,
+              const std::stop_token& stop, Service& service) {
+  const double rays = plan.rays();
+  const std::string scene = scene_key(plan);
+  Stopwatch watch;
+  // It begins with a ticket and ends with it.
+  auto ticket = service.admission.enter(service.costs.of(scene, rays), asker.client, stop, &place);
+  Flow flow{Asker{ticket.client(), stop}.number()};
+  const double queue_ms = watch.lap_ms();
+  plan.options.flow = &flow;
+  plan.options.spent = [&](std::int64_t rays_done, std::int64_t tests) {
+    ticket.has_done(rays_done, tests);
+  };
+  // It may be parked then, and must not keep a light one's place, however few its rays are.
+  flow.became_long = [&] { ticket.turn_heavy(); };
+  MemoryClaim* const claim = MemoryClaim::current();
+  const auto attempt = [&] {
+    Picture picture = draw(plan, service.studio, stop);
+    service.costs.learn(scene, rays, picture.trace_seconds, true);
+    picture.timing.queue = queue_ms;
+    picture.timing.wait = claim != nullptr ? claim->waited_ms() : 0;
+    service.metrics.count(picture.rays, picture.timing);
+    return picture;
+  };
+  try {
+    return with_memory_for(attempt, stop);
+  } catch (const Stopped&) {
+    service.costs.learn(scene, rays, static_cast<double>(flow.attained) * 1e-9, false);
+    throw;
+  }
+}
+
+}  // namespace
+
+PictureStore::Found picture_of(Plan& plan, const std::string& etag, const Asker& asker,
+                               Service& service) {
+  const auto place = std::make_shared<Admission::Waiting>();
+  PictureStore::Wish wish;
+  wish.draw = [&](const std::stop_token& given_up) {
+    return drawn(plan, asker, *place, given_up, service);
+  };
+  wish.stop = asker.stop;
+  wish.client = asker.client;
+  wish.wait = [&] {
+    return std::make_shared<Admission::Place>(service.admission.wait_for_others(asker.client));
+  };
+  wish.joined_by = [place](const std::string& client) { place->also_for(client); };
+  return service.pictures.get(etag, wish);
+}
+
+std::optional<Response> known_picture(const Request& request, Service& service) {
+  if ((request.method != "GET" && !request.is_head()) || request.path() != "/render")
+    return std::nullopt;
+  const auto known = service.targets.find(KnownTargets::name_of(request));
+  if (!known || !is_at_hand(known->scene, service.studio)) return std::nullopt;
+  if (has_already(request, known->etag)) return with(not_modified(), known->validators);
+  if (request.is_head())
+    return with({.content_type = known->content_type, .body = "", .unsized = true},
+                known->validators);
+  const auto found = service.pictures.find(known->etag);
+  if (!found) return std::nullopt;
+  return with(picture_response(*found, 0, 0), known->validators);
+}
+
+Response get_render(const Request& request, const std::string&, Service& service) {
+  const Stopwatch watch;
+  return rendered(asked_in(query_object<PictureRequest>(request.query()), request), watch, request,
+                  service);
+}
+
+Response post_render(const Request& request, const std::string&, Service& service) {
+  const Stopwatch watch;
+  return rendered(asked_in_body(request, service), watch, request, service);
+}
+
+}  // namespace tia::server

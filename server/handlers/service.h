@@ -1,0 +1,34 @@
+// What handlers share.
+#pragma once
+
+#include <atomic>
+#include <functional>
+
+#include "server/operation/admission.h"
+#include "server/operation/config.h"
+#include "server/operation/cost_memory.h"
+#include "server/operation/long_work.h"
+#include "server/operation/memory_account.h"
+#include "server/operation/metrics.h"
+#include "server/requests/studio.h"
+#include "server/stores/known_targets.h"
+#include "server/stores/picture_store.h"
+
+namespace tia::server {
+
+/// Service: what handlers share. Everything in it is const or its own guard.
+struct Service {
+  const Config& config;
+  Studio studio;
+  MemoryAccount& memory;
+  Admission& admission;
+  LongWork& long_work;
+  CostMemory& costs;
+  Metrics& metrics;
+  PictureStore& pictures;
+  KnownTargets targets{};
+  std::function<int()> connections = [] { return 0; };  ///< that are open
+  std::atomic<bool> draining = false;                   ///< the server goes down
+};
+
+}  // namespace tia::server

@@ -1,0 +1,85 @@
+// /verify: a PNG in, whether its bytes are what this version draws from its recipe out.
+#include <optional>
+
+#include "core/input/json.h"
+#include "core/input/written.h"
+#include "server/contract/parameters.h"
+#include "server/handlers/bodies.h"
+#include "server/handlers/handlers.h"
+#include "server/http/error.h"
+#include "server/requests/draw.h"
+#include "server/requests/recipe.h"
+#include "server/stores/digest.h"
+
+namespace tia::server {
+
+enum class Verdict { same, different, other_version };
+
+}  // namespace tia::server
+
+template <>
+struct tia::Names<tia::server::Verdict> {
+  static constexpr std::array<std::string_view, 3> names{"same", "different", "other-version"};
+};
+
+namespace tia::server {
+namespace {
+
+/// Sent: a picture that has come back.
+struct Sent {
+  Recipe recipe;
+  std::optional<PictureRequest> asked;  // none: of another version what it draws is not known here
+  std::string sha256;
+};
+
+Sent sent_in(const Request& request, Service& service) {
+  refuse_query(request);
+  if (!is_png(request.body))
+    throw HttpError("media-type", "send a PNG file, such as this server has sent");
+  return read_recipe_of_body(request, service, [&](Recipe recipe) {
+    Sent sent{std::move(recipe), {}, sha256_hex(request.body)};
+    if (sent.recipe.version == full_version())
+      sent.asked = read_described<PictureRequest>(sent.recipe.request, {}, request.stop);
+    return sent;
+  });
+}
+
+Value::Object verdict_on(const Sent& sent, const Request& request, Service& service) {
+  if (!sent.asked) return {{"verdict", name_of(Verdict::other_version)}};
+  const Asker asker = asker_of(request);
+  Plan plan = plan_of(*sent.asked, service.studio, asker);
+  const auto found = picture_of(plan, etag_of(plan.recipe), asker, service);
+  const std::string& expected = found.picture->bytes;
+  return {{"verdict", name_of(expected == request.body ? Verdict::same : Verdict::different)},
+          {"expected_sha256", sha256_hex(expected)}};
+}
+
+}  // namespace
+
+Response post_verify(const Request& request, const std::string&, Service& service) {
+  const Sent sent = sent_in(request, service);
+  Value::Object told = verdict_on(sent, request, service);
+  told.emplace_back("sha256", sent.sha256);
+  told.emplace_back("version", full_version());
+  told.emplace_back("drawn_by", sent.recipe.version);
+  told.emplace_back("request", sent.recipe.request);
+  return {.content_type = "application/json",
+          .body = to_json(told),
+          .headers = {{"Cache-Control", "no-store"}}};
+}
+
+Value verdict_schema(Definitions& named) {
+  return schema_called("verdict", named, [] {
+    const Value text = plain_schema<std::string>();
+    return object_schema(
+        {{"verdict", plain_schema<Verdict>(),
+          "whether the bytes are what this version draws; what another draws is not known"},
+         {"sha256", text, "of the bytes that came"},
+         {"expected_sha256", text, "of what this version draws", false},
+         {"version", text, "this version"},
+         {"drawn_by", text, "the version that the picture says has drawn it"},
+         {"request", Value::Object{{"type", "object"}}, "what POST /render takes"}});
+  });
+}
+
+}  // namespace tia::server

@@ -1,0 +1,186 @@
+// Every option of the server in one table: flag, environment variable, range, default, meaning.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/input/codec.h"
+#include "core/scene/limits.h"
+#include "server/http/peers.h"
+#include "server/operation/memory_account.h"
+
+namespace tia::server {
+
+/// Config. A field `max_pixels` is the flag --max-pixels and the environment variable
+/// TIA_MAX_PIXELS; the flag wins.
+struct Config {
+  static constexpr double hour_ms = 3'600'000;
+  std::string host = "127.0.0.1";
+  int port = 8080;
+  int threads = processors();
+  int renders = 8;
+  int queue = 64;
+  int connections = 1024;
+  int deadline_ms = 30'000;
+  std::int64_t memory_bytes = usual_memory_bytes();
+  int drain_ms = 9'000;  // docker kills after 10 s
+  int drain_delay_ms = 0;
+  std::int64_t max_body_bytes = 4 << 20;
+  std::int64_t max_png_bytes = 64 << 20;
+  int max_nodes = 100'000;
+  std::int64_t max_scenes_bytes = 64 << 20;
+  std::int64_t max_geometry_bytes = 256 << 20;
+  std::int64_t cache_bytes = 256 << 20;
+  std::int64_t scene_keep_s = 0;
+  std::string data_dir;
+  std::int64_t max_data_bytes = 1 << 30;
+  std::int64_t max_pixels = Limits{}.max_pixels;
+  std::int64_t max_rays = Limits{}.max_rays;
+  std::int64_t max_work = Limits{}.max_work;
+  std::vector<Origin> cors_origins;
+  std::vector<Network> trusted_proxies;
+  std::vector<HostName> hosts;
+
+  template <class Visitor>
+  static void fields(Visitor&& visit) {
+    visit("host", &Config::host, Spec{.about = "address to listen on; 0.0.0.0 = every one"});
+    visit("port", &Config::port,
+          Spec{.about = "port to listen on; 0 = any free one", .min = 0, .max = 65535});
+    visit("threads", &Config::threads,
+          Spec{.about = "threads that trace (default: the processors)", .min = 1, .max = 64});
+    visit("renders", &Config::renders,
+          Spec{.about = "pictures that may be drawn at once", .min = 1, .max = 64});
+    visit("queue", &Config::queue,
+          Spec{.about = "requests that may wait to be drawn", .min = 0, .max = 1024});
+    visit("connections", &Config::connections,
+          Spec{.about = "connections that may be open", .min = 8, .max = 65536});
+    visit("memory_bytes", &Config::memory_bytes,
+          Spec{.about = "memory that the server may take in all; requests that need more wait or "
+                        "are refused (default: three quarters of the control group's limit, of "
+                        "RLIMIT_AS or of the machine's memory, at least 256 MiB)",
+               .unit = "bytes",
+               .min = 256 << 20,
+               .max = 1LL << 50U});
+    visit("deadline_ms", &Config::deadline_ms,
+          Spec{.about = "what a request may take, its wait included; beyond it 503",
+               .unit = "ms",
+               .min = 1,
+               .max = hour_ms});
+    visit("drain_ms", &Config::drain_ms,
+          Spec{.about = "what requests may still take after SIGTERM before they are given up",
+               .unit = "ms",
+               .min = 0,
+               .max = 600'000});
+    visit("drain_delay_ms", &Config::drain_delay_ms,
+          Spec{.about = "how long after SIGTERM new requests are taken, /readyz being 503, so that "
+                        "balancers notice",
+               .unit = "ms",
+               .min = 0,
+               .max = 600'000});
+    visit("max_body_bytes", &Config::max_body_bytes,
+          Spec{.about = "largest request body", .unit = "bytes", .min = 1024, .max = 1 << 30});
+    visit("max_png_bytes", &Config::max_png_bytes,
+          Spec{.about = "largest picture that is sent back, as a body of type image/png",
+               .unit = "bytes",
+               .min = 1024,
+               .max = 1 << 30});
+    visit("max_nodes", &Config::max_nodes,
+          Spec{.about = "most JSON values in a text, numbers inside arrays not counted",
+               .unit = "values",
+               .min = 4096,  // what a URL can hold
+               .max = 1e9});
+    visit("max_scenes_bytes", &Config::max_scenes_bytes,
+          Spec{.about = "memory for the scenes that POST /scenes keeps",
+               .unit = "bytes",
+               .min = 0,
+               .max = 1LL << 40U});
+    visit("max_geometry_bytes", &Config::max_geometry_bytes,
+          Spec{.about = "memory for compiled scenes, which pictures of the same objects share; 0 = "
+                        "each compiles its own",
+               .unit = "bytes",
+               .min = 0,
+               .max = 1LL << 40U});
+    visit("cache_bytes", &Config::cache_bytes,
+          Spec{.about = "memory for pictures that have been drawn; 0 = each is drawn anew",
+               .unit = "bytes",
+               .min = 0,
+               .max = 1LL << 40U});
+    visit("scene_keep_s", &Config::scene_keep_s,
+          Spec{.about = "how long a kept scene is kept that nobody uses; 0 = for ever",
+               .unit = "s",
+               .min = 0,
+               .max = 1e9});
+    visit("data_dir", &Config::data_dir,
+          Spec{.about = "folder for the scenes that POST /scenes keeps, so that they outlive the "
+                        "server; none = they are kept in memory only"});
+    visit("max_data_bytes", &Config::max_data_bytes,
+          Spec{.about = "what the file of kept scenes may hold; beyond it none is kept any more",
+               .unit = "bytes",
+               .min = 1 << 20,
+               .max = 1LL << 40U});
+    visit("max_pixels", &Config::max_pixels,
+          Spec{.about = "largest picture", .unit = "pixels", .min = 1, .max = 1 << 28});
+    visit("max_rays", &Config::max_rays,
+          Spec{.about = "most rays of all kinds that a picture may take",
+               .unit = "rays",
+               .min = 1,
+               .max = 1e15});
+    visit("max_work", &Config::max_work,
+          Spec{.about = "most tests of rays against boxes and surfaces that a picture may take",
+               .unit = "tests",
+               .min = 1,
+               .max = 1e15});
+    visit("cors_origins", &Config::cors_origins,
+          Spec{.about = "origins whose pages may read answers (CORS)"});
+    visit("trusted_proxies", &Config::trusted_proxies,
+          Spec{.about = "proxies whose word for a client's address is taken"});
+    visit("hosts", &Config::hosts,
+          Spec{.about = "names that requests may call the server by (Host), against DNS rebinding; "
+                        "none: the loopback's where it listens there, else any"});
+  }
+
+  /// An empty host.
+  void check(const Place& at, Faults& faults) const;
+  /// What one request may ask for.
+  Limits limits() const { return {max_pixels, max_rays, max_work}; }
+  /// What a text may hold.
+  JsonLimits json_limits() const { return {.values = static_cast<std::size_t>(max_nodes)}; }
+
+  /// Processors that this process may use, at most 64.
+  static int processors();
+};
+
+/// "max_pixels" as --max-pixels.
+std::string flag_of(std::string_view name);
+
+/// An option as the command line and the documents need it.
+struct OptionRow {
+  std::string name, flag, variable, about, allowed;
+  std::string value;  ///< as a flag or variable would give it
+};
+
+/// The table's rows, in order, with the values of a configuration, the default one unless told.
+std::vector<OptionRow> option_rows(const Config& config = {});
+
+/// The configuration as a file of variables, each with a comment: what `docker run --env-file`
+/// reads.
+std::string env_file(const Config& config);
+
+/// A setting as text: the option's name and what was given.
+struct Setting {
+  std::string name, text, source;  ///< source: the flag or variable that gave it
+};
+
+/// Errors: std::invalid_argument naming the source, what came and what is allowed.
+Config read_config(const std::vector<Setting>& settings);
+
+/// The settings that the environment gives.
+std::vector<Setting> environment_settings();
+
+/// The environment's variables TIA_… that are no option, each in a sentence with the nearest one
+/// that is.
+std::vector<std::string> unknown_variables();
+
+}  // namespace tia::server

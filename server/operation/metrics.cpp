@@ -1,0 +1,170 @@
+#include "server/operation/metrics.h"
+
+#include <prometheus/counter.h>
+#include <prometheus/gauge.h>
+#include <prometheus/histogram.h>
+#include <prometheus/registry.h>
+#include <prometheus/text_serializer.h>
+
+#include <algorithm>
+#include <mutex>
+
+#include "core/version.h"
+#include "server/http/application.h"
+
+namespace tia::server {
+namespace {
+
+using prometheus::Counter;
+using prometheus::Gauge;
+using prometheus::Histogram;
+
+template <class Builder>
+auto& family(Builder builder, const char* name, const char* help, prometheus::Registry& registry) {
+  return builder.Name(name).Help(help).Register(registry);
+}
+
+}  // namespace
+
+struct Metrics::Families {
+  prometheus::Registry registry;
+  prometheus::Family<Counter>& requests =
+      family(prometheus::BuildCounter(), "tia_requests_total",
+             "Requests by route and status; 499: the client left before its answer.", registry);
+  prometheus::Family<Counter>& bytes = family(prometheus::BuildCounter(), "tia_body_bytes_total",
+                                              "Bytes of requests' and answers' bodies.", registry);
+  prometheus::Family<Counter>& rays =
+      family(prometheus::BuildCounter(), "tia_rays_total", "Rays traced, by kind.", registry);
+  prometheus::Family<Histogram>& seconds =
+      family(prometheus::BuildHistogram(), "tia_picture_phase_seconds",
+             "Where pictures' time went, by phase.", registry);
+  prometheus::Family<Gauge>& connections =
+      family(prometheus::BuildGauge(), "tia_connections", "Connections that are open.", registry);
+  prometheus::Family<Gauge>& at_work = family(prometheus::BuildGauge(), "tia_requests_at_work",
+                                              "Requests that hold a ticket.", registry);
+  prometheus::Family<Gauge>& waiting = family(prometheus::BuildGauge(), "tia_requests_waiting",
+                                              "Requests in the queue for a ticket.", registry);
+  prometheus::Family<Gauge>& kept = family(prometheus::BuildGauge(), "tia_kept_scenes",
+                                           "Kept scenes that are in memory.", registry);
+  prometheus::Family<Gauge>& kept_bytes =
+      family(prometheus::BuildGauge(), "tia_kept_scenes_bytes",
+             "Memory of the kept scenes that are in it.", registry);
+  prometheus::Family<Gauge>& data_bytes = family(prometheus::BuildGauge(), "tia_data_bytes",
+                                                 "What the file of kept scenes holds.", registry);
+  prometheus::Family<Counter>& lookups =
+      family(prometheus::BuildCounter(), "tia_geometry_lookups_total",
+             "Compiled scenes and meshes that were looked for, by result; a miss compiles its own. "
+             "Nothing is looked for where none are kept.",
+             registry);
+  prometheus::Family<Gauge>& geometry_bytes =
+      family(prometheus::BuildGauge(), "tia_geometry_bytes",
+             "Memory of the compiled scenes that pictures share.", registry);
+  prometheus::Family<Counter>& pictures =
+      family(prometheus::BuildCounter(), "tia_cache_lookups_total",
+             "Pictures that were asked for, by where they came from: hit: from the cache; miss: "
+             "they were drawn; joined: from another request's drawing that was under way.",
+             registry);
+  prometheus::Family<Gauge>& cached =
+      family(prometheus::BuildGauge(), "tia_cache_pictures", "Pictures in the cache.", registry);
+  prometheus::Family<Gauge>& cached_bytes =
+      family(prometheus::BuildGauge(), "tia_cache_bytes", "Memory of the cache.", registry);
+  prometheus::Family<Gauge>& memory =
+      family(prometheus::BuildGauge(), "tia_memory_bytes",
+             "Memory of the account (TIA_MEMORY_BYTES), by what it is booked for.", registry);
+  prometheus::Family<Gauge>& memory_limit = family(
+      prometheus::BuildGauge(), "tia_memory_limit_bytes", "What the account has in all.", registry);
+  prometheus::Family<Counter>& claims =
+      family(prometheus::BuildCounter(), "tia_memory_claims_total",
+             "Claims that had to wait for memory, or were refused.", registry);
+  prometheus::Family<Gauge>& build =
+      family(prometheus::BuildGauge(), "tia_build_info", "Always 1; what this build is.", registry);
+
+  Counter& received = bytes.Add({{"direction", "received"}});
+  Counter& sent = bytes.Add({{"direction", "sent"}});
+
+  std::mutex raising;  // between a counter's value and its increment
+  /// Raises a counter to what was counted elsewhere, unless who asked later has raised it further.
+  static void raise(Counter& counter, std::int64_t count) {
+    counter.Increment(std::max(0.0, static_cast<double>(count) - counter.Value()));
+  }
+  void raise(const Gauges& now) {
+    const std::lock_guard lock(raising);
+    const StoreCounts& found = now.geometry;
+    raise(lookups.Add({{"of", "scene"}, {"result", "hit"}}), found.geometry_hits);
+    raise(lookups.Add({{"of", "scene"}, {"result", "miss"}}), found.geometry_misses);
+    raise(lookups.Add({{"of", "mesh"}, {"result", "hit"}}), found.mesh_hits);
+    raise(lookups.Add({{"of", "mesh"}, {"result", "miss"}}), found.mesh_misses);
+    raise(pictures.Add({{"result", "hit"}}), now.pictures.stored);
+    raise(pictures.Add({{"result", "miss"}}), now.pictures.drawn);
+    raise(pictures.Add({{"result", "joined"}}), now.pictures.joined);
+  }
+
+  void tell(const MemoryAccount& account) {
+    for (std::size_t i = 0; i < account.holders.size(); ++i)
+      memory.Add({{"for", std::string(account.holders[i])}})
+          .Set(static_cast<double>(account.held(static_cast<MemoryAccount::Holder>(i))));
+    memory_limit.Add({}).Set(static_cast<double>(account.limit()));
+    const std::lock_guard lock(raising);
+    raise(claims.Add({{"result", "waited"}}), account.waits());
+    raise(claims.Add({{"result", "refused"}}), account.refusals());
+  }
+
+  Histogram& phase(const char* name) {
+    return seconds.Add({{"phase", name}},
+                       Histogram::BucketBoundaries{0.0001, 0.001, 0.01, 0.1, 1, 10});
+  }
+};
+
+Metrics::Metrics() : families_(std::make_unique<Families>()) {
+  families_->build.Add({{"version", version()}, {"bytes", full_version()}}).Set(1);
+  families_->requests.Add({{"route", "/render"}, {"status", "200"}});
+  for (const char* kind : {"primary", "shadow", "reflection", "refraction"})
+    families_->rays.Add({{"kind", kind}});
+  for (const char* name : {"queue", "wait", "parse", "build", "trace", "encode"})
+    families_->phase(name);
+}
+Metrics::~Metrics() = default;
+
+void Metrics::count(const Exchange& exchange, std::string_view route) {
+  families_->requests
+      .Add({{"route", std::string(route)}, {"status", std::to_string(exchange.response.status)}})
+      .Increment();
+  families_->received.Increment(static_cast<double>(exchange.request.body.size()));
+  families_->sent.Increment(static_cast<double>(exchange.body_bytes));
+}
+
+void Metrics::count(const RayCounts& rays, const Timing& ms) {
+  const auto add = [&](const char* kind, std::int64_t count) {
+    families_->rays.Add({{"kind", kind}}).Increment(static_cast<double>(count));
+  };
+  add("primary", rays.primary);
+  add("shadow", rays.shadow);
+  add("reflection", rays.reflection);
+  add("refraction", rays.refraction);
+  families_->phase("queue").Observe(ms.queue / 1000);
+  families_->phase("wait").Observe(ms.wait / 1000);
+  families_->phase("parse").Observe(ms.parse / 1000);
+  families_->phase("build").Observe(ms.build / 1000);
+  families_->phase("trace").Observe(ms.trace / 1000);
+  families_->phase("encode").Observe(ms.encode / 1000);
+}
+
+std::string Metrics::text(const Gauges& gauges) {
+  const auto set = [](prometheus::Family<Gauge>& gauge, auto value) {
+    gauge.Add({}).Set(static_cast<double>(value));
+  };
+  set(families_->connections, gauges.connections);
+  set(families_->at_work, gauges.at_work);
+  set(families_->waiting, gauges.waiting);
+  set(families_->kept, gauges.kept_scenes);
+  set(families_->kept_bytes, gauges.kept_scenes_bytes);
+  set(families_->data_bytes, gauges.data_bytes);
+  set(families_->geometry_bytes, gauges.geometry.bytes);
+  set(families_->cached, gauges.pictures.pictures);
+  set(families_->cached_bytes, gauges.pictures.bytes);
+  if (gauges.memory != nullptr) families_->tell(*gauges.memory);
+  families_->raise(gauges);
+  return prometheus::TextSerializer().Serialize(families_->registry.Collect());
+}
+
+}  // namespace tia::server

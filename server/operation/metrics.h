@@ -1,0 +1,46 @@
+// What is counted, in Prometheus' words; the only place that knows its library.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "core/render/meter.h"
+#include "server/operation/memory_account.h"
+#include "server/operation/store_counts.h"
+#include "server/operation/timing.h"
+
+namespace tia::server {
+
+struct Exchange;
+
+/// Gauges: what there is now, asked when the metrics are.
+struct Gauges {
+  int connections = 0, at_work = 0, waiting = 0;  ///< the latter two of requests
+  std::size_t kept_scenes = 0, kept_scenes_bytes = 0;
+  std::int64_t data_bytes = 0;            ///< of the file of kept scenes
+  StoreCounts geometry{};                 ///< also what was found there since the start
+  PictureCounts pictures{};               ///< the same
+  const MemoryAccount* memory = nullptr;  ///< the account
+};
+
+/// Metrics: counters since the start. Any thread may call.
+class Metrics {
+ public:
+  Metrics();
+  ~Metrics();
+
+  /// Counts a request by its route and status, and the bytes of its bodies.
+  void count(const Exchange& exchange, std::string_view route);
+  /// Counts a picture's rays and where its time went.
+  void count(const RayCounts& rays, const Timing& ms);
+  /// Prometheus' text format 0.0.4.
+  std::string text(const Gauges& gauges);
+  static constexpr std::string_view media_type = "text/plain; version=0.0.4; charset=utf-8";
+
+ private:
+  struct Families;
+  std::unique_ptr<Families> families_;
+};
+
+}  // namespace tia::server

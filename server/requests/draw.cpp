@@ -1,0 +1,93 @@
+#include "server/requests/draw.h"
+
+#include <algorithm>
+#include <functional>
+
+#include "core/film/png_text.h"
+#include "core/integrators/shown.h"
+#include "server/operation/memory_costs.h"
+#include "server/operation/timing.h"
+#include "server/requests/recipe.h"
+
+namespace tia::server {
+
+Plan plan_of(const PictureRequest& asked, const Studio& studio, const Asker& asker) {
+  check_size(asked.width, asked.height, studio.limits);
+  KnownScene scene = scene_of(asked, studio, asker);
+  Flow flow{asker.number()};
+  // What is not known by a name may be large.
+  const bool is_new = !scene.objects;
+  const auto in_turn = [&](const std::function<void()>& work) {
+    if (is_new) studio.pool.alone(work, asker.stop, &flow);
+    else work();
+  };
+  in_turn([&] {
+    if (is_new) scene.objects = digest_of_objects(*scene).all;
+  });
+  RenderOptions options = options_of(asked, *scene, studio);
+  options.threads = std::min(asked.threads.value_or(studio.pool.threads()), studio.pool.threads());
+  const Window window = asked.window();
+  check_rays(static_cast<std::int64_t>(window.width()) * window.height(),
+             least_samples(options.samples, options.threshold), studio.limits);
+  Plan plan{
+      .scene = scene,
+      .view = view_of(scene->camera, asked.width, asked.height),
+      .window = window,
+      .options = options,
+      .display = {shown(options.integrator), asked.transfer.value_or(scene->options.transfer)},
+      .format = asked.format};
+  in_turn([&] { plan.recipe = recipe_of(asked, plan); });
+  return plan;
+}
+
+namespace {
+
+std::int64_t memory_of(const Plan& plan) {
+  const auto pixels = static_cast<std::size_t>(plan.window.width()) *
+                      static_cast<std::size_t>(plan.window.height());
+  return memory_for(memory_cost::request, 1) +
+         memory_for(plan.format == Format::pfm ? memory_cost::linear : memory_cost::png, pixels);
+}
+
+}  // namespace
+
+Picture draw(const Plan& plan, const Studio& studio, const std::stop_token& stop) {
+  Picture picture;
+  Stopwatch watch;
+  Flow own;
+  Flow& flow = plan.options.flow != nullptr ? *plan.options.flow : own;
+  const Workers workers = studio.pool.workers(plan.options.threads, stop, &flow);
+  const World world = studio.geometries.compile(plan.scene, workers);
+  reserve_memory(memory_of(plan), "this picture", stop);
+  picture.degenerate = world.degenerate;
+  picture.timing.build = watch.lap_ms();
+
+  const int width = plan.window.width(), height = plan.window.height();
+  const Nanoseconds before = flow.attained;
+  const auto trace_onto = [&](auto& film) {
+    picture.rays = render(world, plan.view, plan.window, plan.options, studio.pool, stop,
+                          [&](const Block& block) { film.put(block); });
+    picture.timing.trace = watch.lap_ms();
+    picture.trace_seconds = static_cast<double>(flow.attained - before) * 1e-9;
+  };
+  if (plan.format == Format::pfm) {
+    LinearFilm film(width, height);
+    trace_onto(film);
+    picture.bytes = encode_pfm(film.image());
+  } else if (is_cut_in_strips(width, height)) {
+    ScanlineFilm film(width, height, plan.display);
+    trace_onto(film);
+    picture.bytes = encode_png(film.scanlines(), workers);
+  } else {
+    DisplayFilm film(width, height, plan.display);
+    trace_onto(film);
+    picture.bytes = encode_png(film.image(), stop);
+  }
+  if (plan.format == Format::png)
+    picture.bytes = with_text(std::move(picture.bytes), recipe_keyword, plan.recipe);
+  picture.media_type = media_type_of(plan.format);
+  picture.timing.encode = watch.lap_ms();
+  return picture;
+}
+
+}  // namespace tia::server

@@ -1,0 +1,48 @@
+// The parameters of /explain.
+#pragma once
+
+#include <optional>
+
+#include "server/requests/view_request.h"
+
+namespace tia::server {
+
+/// FreeRay: a ray that belongs to no pixel.
+struct FreeRay {
+  static constexpr std::string_view schema_name = "free_ray";
+  Vec3d origin{}, direction{};
+
+  template <class Visitor>
+  static void fields(Visitor&& visit) {
+    visit("origin", &FreeRay::origin,
+          Spec{.about = "where the ray starts", .min = -1e9, .max = 1e9, .required = true});
+    visit("direction", &FreeRay::direction,
+          Spec{.about = "where it goes", .min = -1e9, .max = 1e9, .required = true});
+  }
+  /// A direction too short to tell where it goes.
+  void check(const Place& at, Faults& faults) const;
+};
+
+/// ExplainRequest: a pixel with x and y, or a ray.
+struct ExplainRequest : TraceRequest {
+  static constexpr std::string_view schema_name = "explain_request";
+  std::optional<int> x, y;
+  int sample = 0;
+  std::optional<FreeRay> ray;
+
+  template <class Visitor>
+  static void fields(Visitor&& visit) {
+    using E = ExplainRequest;
+    constexpr double most_samples = 16 * 65536 - 1;
+    TraceRequest::fields(visit);
+    visit("x", &E::x, Spec{.about = "the pixel's column, from the left", .min = 0, .max = most_px});
+    visit("y", &E::y, Spec{.about = "the pixel's row, from the top", .min = 0, .max = most_px});
+    visit("sample", &E::sample,
+          Spec{.about = "which of the pixel's rays, from 0", .min = 0, .max = most_samples});
+    visit("ray", &E::ray, Spec{.about = "a ray of its own instead of a pixel's"});
+  }
+  /// Neither a pixel nor a ray, or both; a pixel outside the picture.
+  void check(const Place& at, Faults& faults) const;
+};
+
+}  // namespace tia::server

@@ -1,0 +1,29 @@
+// A picture whose request has been checked: all that is needed to draw it.
+#pragma once
+
+#include <string>
+
+#include "core/render/render.h"
+#include "server/requests/picture_request.h"
+#include "server/stores/scene_digest.h"
+
+namespace tia::server {
+
+/// Plan: a request whose picture can be drawn: all that may be wrong with it has been checked.
+struct Plan {
+  KnownScene scene;
+  View view;
+  Window window;
+  RenderOptions options;
+  DisplayRule display;
+  Format format = Format::png;
+  std::string recipe = {};  ///< what POST /render would draw the same picture from (recipe.h)
+
+  /// The fewest rays that the eye sends out.
+  double rays() const {
+    return static_cast<double>(window.width()) * window.height() *
+           least_samples(options.samples, options.threshold);
+  }
+};
+
+}  // namespace tia::server

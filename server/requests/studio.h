@@ -1,0 +1,40 @@
+// What a request's words stand for: its scene, found and changed as it says, and its options.
+#pragma once
+
+#include <string>
+
+#include "core/render/render.h"
+#include "core/scene/limits.h"
+#include "server/operation/asker.h"
+#include "server/requests/view_request.h"
+#include "server/stores/gallery.h"
+#include "server/stores/geometry_store.h"
+#include "server/stores/pressed_scenes.h"
+#include "server/stores/scene_store.h"
+
+namespace tia::server {
+
+/// What every picture needs of its host.
+struct Studio {
+  const Gallery& gallery;
+  SceneStore& kept;
+  GeometryStore& geometries;
+  PressedScenes& pressed;
+  Pool& pool;
+  Limits limits;
+};
+
+/// Whether there is a scene of that name or id in memory, and nothing else has to be asked.
+bool is_at_hand(const std::string& name, const Studio& studio);
+
+/// The scene of that name or id. Errors: InputError (unknown_name) at /scene; as SceneStore::find.
+KnownScene find_scene(const std::string& name, const Studio& studio, const Asker& asker);
+
+/// The scene that is asked for: with its camera patched, then its key pressed or its light moved.
+/// It may be the request's own, and lives no longer. Errors: InputError; as PressedScenes::get.
+KnownScene scene_of(const ViewRequest& asked, const Studio& studio, const Asker& asker);
+
+/// How the scene's light is traced: as the request says, else as the scene does.
+RenderOptions options_of(const TraceRequest& asked, const Scene& scene, const Studio& studio);
+
+}  // namespace tia::server

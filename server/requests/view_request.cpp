@@ -1,0 +1,13 @@
+#include "server/requests/view_request.h"
+
+#include "core/input/written.h"
+
+namespace tia::server {
+
+void ViewRequest::check(const Place& at, Faults& faults) const {
+  if (key && light)
+    faults.add(
+        {FaultKind::conflict, at.at("light").pointer(), write_value(*light), "key or light"});
+}
+
+}  // namespace tia::server

@@ -1,0 +1,75 @@
+// What a request says of the scene and of the eye: the parameters that /render and /explain share.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <variant>
+
+#include "core/scene/scene.h"
+#include "server/requests/camera_patch.h"
+
+namespace tia::server {
+
+/// ViewRequest: the parameters, in one table for query, JSON body and command line.
+struct ViewRequest {
+  static constexpr double most_px = 16'777'216;
+  std::variant<std::string, Scene> scene = "thesis";
+  std::optional<std::string> key;
+  std::optional<Vec3d> light;
+  std::optional<CameraPatch> camera;
+  int width = 640, height = 480;
+
+  template <class Visitor>
+  static void fields(Visitor&& visit) {
+    using V = ViewRequest;
+    visit("scene", &V::scene, Spec{.about = "a scene's name, a kept scene's id, or a whole scene"});
+    visit("key", &V::key, Spec{.about = "the key that is pressed: it moves the scene's light"});
+    visit("light", &V::light,
+          Spec{.about = "where to put the scene's key light", .min = -1e9, .max = 1e9});
+    visit("width", &V::width,
+          Spec{.about = "the picture's width", .unit = "pixels", .min = 1, .max = most_px});
+    visit("height", &V::height,
+          Spec{.about = "the picture's height", .unit = "pixels", .min = 1, .max = most_px});
+    visit("camera", &V::camera, Spec{.about = "what replaces fields of the scene's camera"});
+  }
+  /// key with light.
+  void check(const Place& at, Faults& faults) const;
+};
+
+/// TraceRequest: what besides decides a pixel's light.
+struct TraceRequest : ViewRequest {
+  std::optional<IntegratorName> integrator;
+  std::optional<int> samples;
+  std::optional<double> threshold;
+  std::optional<int> max_depth;
+  std::optional<std::int64_t> seed;
+
+  template <class Visitor>
+  static void fields(Visitor&& visit) {
+    using T = TraceRequest;
+    ViewRequest::fields(visit);
+    visit("integrator", &T::integrator,
+          Spec{.about = "how light is gathered; else as the scene says"});
+    visit("samples", &T::samples,
+          Spec{.about = "rays a pixel; 1 goes through its centre; else as the scene says",
+               .min = 1,
+               .max = 65536});
+    visit("threshold", &T::threshold,
+          Spec{.about = "more rays where a pixel's own disagree: the standard error that its mean "
+                        "may keep; 0 is off; else as the scene says",
+               .min = 0,
+               .max = 1});
+    visit("max_depth", &T::max_depth,
+          Spec{.about =
+                   "how often light is mirrored or refracted on its way; 0 is never; else as the "
+                   "scene says",
+               .min = 0,
+               .max = SceneOptions::deepest});
+    visit("seed", &T::seed,
+          Spec{.about = "the random stream; else the scene's",
+               .min = 0,
+               .max = SceneOptions::last_seed});
+  }
+};
+
+}  // namespace tia::server

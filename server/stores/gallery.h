@@ -1,0 +1,30 @@
+// The gallery: the scenes that come with the server, by name.
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "server/stores/scene_digest.h"
+
+namespace tia::server {
+
+class Gallery {
+ public:
+  /// Reads every embedded /scenes/NAME.json. Errors: InputError for one that is no scene.
+  Gallery();
+  const std::map<std::string, KnownScene, std::less<>>& scenes() const { return scenes_; }
+  /// The scene of that name, or null.
+  KnownScene find(std::string_view name) const;
+  std::vector<std::string_view> names() const;
+  /// Names, titles and descriptions as JSON.
+  const std::string& listing() const { return listing_; }
+  static Value listing_schema(Definitions& named);
+
+ private:
+  std::map<std::string, KnownScene, std::less<>> scenes_;
+  std::string listing_;
+};
+
+}  // namespace tia::server

@@ -1,0 +1,23 @@
+// A picture that has been drawn.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+#include "core/render/meter.h"
+#include "server/operation/timing.h"
+
+namespace tia::server {
+
+/// Picture: the bytes of an image file and what they cost.
+struct Picture {
+  std::string bytes;
+  std::string_view media_type;
+  RayCounts rays;
+  Timing timing;
+  std::size_t degenerate = 0;  ///< triangles without area, which were left out
+  double trace_seconds = 0;    ///< of all threads that traced it
+};
+
+}  // namespace tia::server

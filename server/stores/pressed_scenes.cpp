@@ -1,0 +1,76 @@
+#include "server/stores/pressed_scenes.h"
+
+#include <memory>
+#include <utility>
+
+#include "server/operation/memory_costs.h"
+#include "server/stores/digest.h"
+#include "server/stores/scene_bytes.h"
+
+namespace tia::server {
+
+KnownScene PressedScenes::get(const std::string& name, const KnownScene& scene,
+                              const std::string& key, const Asker& asker) {
+  const std::string both = name.empty() ? "" : name + '\n' + key;
+  if (KnownScene known = find(both).scene) return known;
+  const std::size_t bytes = bytes_of(*scene);
+  const std::int64_t memory = memory_for(memory_cost::patch, bytes);
+  return long_work_({bytes, memory, "the scene with its key's patch"}, asker, [&] {
+    if (KnownScene known = find(both).scene) return known;  // somebody has made it meanwhile
+    Scene pressed = press(*scene, key, Middles{}, "/key", asker.stop);
+    const ObjectsName objects = digest_of_objects(pressed).all;
+    const KnownScene made{std::make_shared<const Scene>(std::move(pressed)), objects};
+    if (!both.empty()) keep(both, {made, nullptr, bytes_of(*made)});
+    return made;
+  });
+}
+
+PressedScenes::SharedMiddles PressedScenes::middles_of(const KnownScene& scene,
+                                                       const Asker& asker) {
+  static const auto none = std::make_shared<const Middles>();
+  if (scene->camera.look_at || scene->objects.empty()) return none;
+  const std::string name = scene.objects ? "middles\n" + hex(scene.objects->digest) : "";
+  if (SharedMiddles known = find(name).middles) return known;
+  return long_work_(
+      {scene.objects ? scene.objects->bytes : 0, 0, "the scene's objects"}, asker, [&] {
+        const auto made = std::make_shared<const Middles>(tia::middles_of(*scene, asker.stop));
+        if (!name.empty()) keep(name, {{}, made, made->capacity() * sizeof(Vec3d)});
+        return made;
+      });
+}
+
+PressedScenes::Kept PressedScenes::find(const std::string& name) {
+  const std::lock_guard lock(mutex_);
+  const Kept* const known = kept_.find(name);
+  return known == nullptr ? Kept{} : *known;
+}
+
+void PressedScenes::keep(const std::string& name, Kept made) {
+  constexpr std::size_t entry_bytes = 512;  // an entry's own, with its places in list and table
+  const std::size_t bytes = made.bytes += entry_bytes;
+  All::Entries surplus;
+  const std::lock_guard lock(mutex_);
+  const std::size_t most = share_.most();
+  if (bytes > most || kept_.contains(name)) return;
+  kept_.add(name, std::move(made));
+  bytes_ += bytes;
+  take_surplus(most, surplus);
+}
+
+void PressedScenes::take_surplus(std::size_t most, All::Entries& surplus) {
+  while (bytes_ > most) {
+    bytes_ -= kept_.last().bytes;
+    kept_.take_last(surplus);
+  }
+  share_.book(bytes_);
+}
+
+std::int64_t PressedScenes::give_way(std::int64_t bytes) {
+  All::Entries surplus;
+  const std::lock_guard lock(mutex_);
+  const std::size_t before = bytes_, less = static_cast<std::size_t>(bytes);
+  take_surplus(before > less ? before - less : 0, surplus);
+  return static_cast<std::int64_t>(before - bytes_);
+}
+
+}  // namespace tia::server

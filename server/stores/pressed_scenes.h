@@ -1,0 +1,55 @@
+// What keys and lights need to know of a scene: the scene after a patch, which is written, patched
+// and read again, and the middles of its objects, which may have to be built for that. Both are
+// made as long work and kept in bounded memory. Any thread may call.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <string>
+
+#include "core/scene/keys.h"
+#include "server/operation/long_work.h"
+#include "server/operation/memory_account.h"
+#include "server/operation/recent.h"
+#include "server/stores/scene_digest.h"
+
+namespace tia::server {
+
+class PressedScenes {
+ public:
+  /// Of 0 bytes it keeps nothing.
+  PressedScenes(std::int64_t max_bytes, LongWork& long_work, MemoryAccount& account)
+      : share_(max_bytes, &account, MemoryAccount::pressed), long_work_(long_work) {}
+
+  /// The scene `name` after the key; a scene without a name ("") is not kept.
+  /// Errors: InputError, as press(); HttpError (busy, too-large); Stopped.
+  KnownScene get(const std::string& name, const KnownScene& scene, const std::string& key,
+                 const Asker& asker);
+  /// The middles of the scene's objects; kept where its objects have been digested.
+  /// Errors: HttpError (busy); Stopped.
+  using SharedMiddles = std::shared_ptr<const Middles>;
+  SharedMiddles middles_of(const KnownScene& scene, const Asker& asker);
+  /// Lets go of those that nobody has asked for longest. Returns: how many bytes.
+  std::int64_t give_way(std::int64_t bytes);
+
+ private:
+  /// Kept: one of both.
+  struct Kept {
+    KnownScene scene;
+    SharedMiddles middles;
+    std::size_t bytes = 0;
+  };
+  using All = Recent<std::string, Kept>;
+  Kept find(const std::string& name);
+  void keep(const std::string& name, Kept made);
+  void take_surplus(std::size_t most, All::Entries& surplus);
+
+  MemoryShare share_;
+  LongWork& long_work_;
+  std::mutex mutex_;
+  All kept_;
+  std::size_t bytes_ = 0;
+};
+
+}  // namespace tia::server

@@ -1,0 +1,165 @@
+#include "server/stores/scene_digest.h"
+
+#include <openssl/evp.h>
+
+#include <memory>
+#include <new>
+#include <type_traits>
+
+namespace tia::server {
+namespace {
+
+template <class T>
+concept Number = std::is_arithmetic_v<T> || std::is_enum_v<T>;
+template <class T>
+concept PlacementStep = requires(const T& step) {
+  T::key;
+  step.by;
+};
+
+/// Feeds values to SHA-256. Whatever has no fixed length says first how long it is, or which of its
+/// kinds, so that different values never feed the same bytes.
+class Digester {
+ public:
+  using Meshes = std::unordered_map<const Mesh*, Digest>;
+
+  /// Takes down the digest of each mesh.
+  explicit Digester(Meshes& meshes) : meshes_(meshes), context_(EVP_MD_CTX_new()) {
+    require(context_ ? EVP_DigestInit_ex(context_.get(), EVP_sha256(), nullptr) : 0);
+  }
+  ObjectsName done() {
+    flush();
+    Digest digest;
+    require(EVP_DigestFinal_ex(context_.get(), digest.data(), nullptr));
+    return {digest, bytes_};
+  }
+
+  template <Number T>
+  void add(T value) {
+    if (used_ + sizeof value > buffer_.size()) flush();
+    std::memcpy(buffer_.data() + used_, &value, sizeof value);
+    used_ += sizeof value;
+  }
+  void add(const Vec3d& v) { add(v.x), add(v.y), add(v.z); }
+  void add(const Color& c) { add(c.r), add(c.g), add(c.b); }
+  void add(const MatrixRows& rows) { add(rows.row); }
+  void add(const AlgebraicTerm& term) { add(term.powers), add(term.coefficient); }
+  void add(const Occupied& occupied) {
+    add(occupied.width);
+    add(occupied.numbers.size());
+    add(occupied.numbers.data(), occupied.numbers.size() * sizeof(occupied.numbers[0]));
+  }
+  void add(const Placement& placement) { add(placement.steps); }
+  void add(const PictureFile& file) { add(file.base64); }  // what its pixels come from
+  void add(const std::string& text) {
+    add(text.size());
+    add(text.data(), text.size());
+  }
+  template <class T>
+  void add(const Numbers<T>& numbers) {
+    const auto& values = numbers.values;
+    add(values.size());
+    add(values.data(), values.size() * sizeof(values[0]));
+  }
+  template <class T>
+  void add(const std::vector<T>& list) {
+    add(list.size());
+    for (const T& each : list) add(each);
+  }
+  template <class T>
+  void add(const Boxed<T>& boxed) {
+    add(*boxed);
+  }
+  template <class T>
+  void add(const SharedList<T>& list) {
+    add(list.get());
+  }
+  template <class T, std::size_t n>
+  void add(const std::array<T, n>& list) {
+    for (const T& each : list) add(each);
+  }
+  template <class T>
+  void add(const std::map<std::string, T>& map) {
+    add(map.size());
+    for (const auto& [name, value] : map) add(name), add(value);
+  }
+  template <class T>
+  void add(const std::optional<T>& value) {
+    add(value.has_value());
+    if (value) add(*value);
+  }
+  template <class... T>
+  void add(const std::variant<T...>& value) {
+    add(static_cast<std::uint8_t>(value.index()));
+    std::visit([this](const auto& is) { this->add(is); }, value);
+  }
+  template <PlacementStep Step>
+  void add(const Step& step) {
+    add(step.by);
+  }
+  void add(const Mesh& mesh) {
+    Digester own(meshes_);
+    Mesh::fields(Fields<Mesh>{own, mesh});
+    const ObjectsName name = own.done();
+    meshes_.emplace(&mesh, name.digest);
+    add(name.digest);
+    bytes_ += name.bytes;
+  }
+  template <Described T>
+  void add(const T& value) {
+    T::fields(Fields<T>{*this, value});
+  }
+
+ private:
+  /// Visitor: a described object's fields.
+  template <class Owner>
+  struct Fields {
+    Digester& to;
+    const Owner& of;
+    template <class Base, class Member>
+    void operator()(std::string_view, Member Base::*member, const Spec&) {
+      to.add(of.*member);
+    }
+    template <class Base, class Variant>
+    void one_of(Variant Base::*member, const Spec&) {
+      to.add(of.*member);
+    }
+  };
+
+  // It fails for want of memory only.
+  static void require(int done) {
+    if (done != 1) throw std::bad_alloc();
+  }
+  void add(const void* bytes, std::size_t size) {
+    flush();
+    require(EVP_DigestUpdate(context_.get(), bytes, size));
+    bytes_ += size;
+  }
+  void flush() {
+    require(EVP_DigestUpdate(context_.get(), buffer_.data(), used_));
+    bytes_ += used_;
+    used_ = 0;
+  }
+
+  struct Free {
+    void operator()(EVP_MD_CTX* context) const { EVP_MD_CTX_free(context); }
+  };
+  Meshes& meshes_;
+  std::unique_ptr<EVP_MD_CTX, Free> context_;
+  std::array<unsigned char, 1024> buffer_;  // calls for a number each would cost more than SHA-256
+  std::size_t used_ = 0, bytes_ = 0;
+};
+
+}  // namespace
+
+ObjectsDigest digest_of_objects(const Scene& scene) {
+  ObjectsDigest digest;
+  Digester digester(digest.meshes);
+  digester.add(scene.objects);
+  digester.add(scene.materials);
+  digester.add(scene.ambient_light);
+  digest.all = digester.done();
+  return digest;
+}
+
+}  // namespace tia::server

@@ -1,0 +1,53 @@
+// SHA-256 of parts of a scene, found by walking the fields that it is described by: no text is
+// written for it.
+#pragma once
+
+#include <cstdint>
+#include <cstring>
+#include <memory>
+#include <optional>
+#include <unordered_map>
+
+#include "core/scene/scene.h"
+#include "server/stores/digest.h"
+
+namespace tia::server {
+
+/// For tables: a digest is its own hash.
+struct DigestHash {
+  std::size_t operator()(const Digest& digest) const {
+    std::size_t hash = 0;
+    std::memcpy(&hash, digest.data(), sizeof hash);
+    return hash;
+  }
+};
+
+/// SharedScene: one that is being drawn outlives its place in a store.
+using SharedScene = std::shared_ptr<const Scene>;
+
+/// ObjectsName: what tells the objects of one scene from those of all others.
+struct ObjectsName {
+  Digest digest{};
+  std::size_t bytes = 0;  ///< that went into it: about what they hold in memory
+};
+
+/// KnownScene: a scene, and, where that was found out before, what digest_of_objects says of all of
+/// it: to walk a million triangles takes longer than many a picture.
+struct KnownScene {
+  SharedScene scene;
+  std::optional<ObjectsName> objects{};
+
+  explicit operator bool() const { return scene != nullptr; }
+  const Scene& operator*() const { return *scene; }
+  const Scene* operator->() const { return scene.get(); }
+};
+
+/// Of all that geometry_of(scene) depends on: objects, materials and ambient light; and of each of
+/// the scene's meshes, found on the way.
+struct ObjectsDigest {
+  ObjectsName all;
+  std::unordered_map<const Mesh*, Digest> meshes;
+};
+ObjectsDigest digest_of_objects(const Scene& scene);
+
+}  // namespace tia::server

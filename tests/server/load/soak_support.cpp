@@ -1,0 +1,18 @@
+#include "tests/server/load/soak_support.h"
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace tia::test {
+
+double scale() {
+  const char* text = std::getenv("TIA_SOAK");
+  return text == nullptr ? 1 : std::max(1.0, std::atof(text));
+}
+int scaled(int count) { return static_cast<int>(count * scale()); }
+
+std::map<std::string, double> counters(const Tia& tia) {
+  return series_of(tia.get("/metrics").body);
+}
+
+}  // namespace tia::test
