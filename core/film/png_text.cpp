@@ -61,7 +61,8 @@ std::string_view take_word(std::string_view& data) {
 
 // What follows the keyword: two bytes of compression, a language, the keyword in it, the text.
 std::string text_of(std::string_view data, std::size_t most) {
-  if (data.size() < 2 || (data[0] != 0 && data[0] != 1) || data[1] != 0) throw_no_png("a text of unknown compression");
+  if (data.size() < 2 || (data[0] != 0 && data[0] != 1) || data[1] != 0)
+    throw_no_png("a text of unknown compression");
   const bool is_compressed = data[0] == 1;
   data.remove_prefix(2);
   take_word(data);

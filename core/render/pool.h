@@ -33,9 +33,9 @@ class Pool {
   /// Errors: Stopped between tasks once `stop` is requested; whatever a task throws.
   void for_each(int count, int max_threads, const std::stop_token& stop,
                 const std::function<void(int)>& task, Flow* flow = nullptr);
-  /// Does work that cannot be shared, on the caller's thread: when it is its turn, and giving way at
-  /// each end_if_asked() to jobs that have had less. Inside of a task at once.
-  /// Domain: it waits for nothing else meanwhile. Errors: Stopped; whatever it throws.
+  /// Does work that cannot be shared, on the caller's thread: when it is its turn, and giving way
+  /// at each end_if_asked() to jobs that have had less. Inside of a task at once. Domain: it waits
+  /// for nothing else meanwhile. Errors: Stopped; whatever it throws.
   void alone(const std::function<void()>& work, const std::stop_token& stop, Flow* flow = nullptr);
   /// Those threads as workers, who end once `stop` is requested. Domain: pool and flow outlive
   /// them.

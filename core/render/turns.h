@@ -29,7 +29,8 @@ struct Flow {
   std::uint64_t client = 0;  ///< whom it is for, by any number that tells clients apart
   bool is_long = false;      ///< it takes long: so foreseen, or it has had Turns::long_service
   Nanoseconds attained = 0;  ///< the service that it has had
-  std::function<void()> became_long{};  ///< called once it has, by any thread, while turns are taken
+  std::function<void()>
+      became_long{};  ///< called once it has, by any thread, while turns are taken
 
   // Turns' own, from job to job.
   std::int64_t order = 0;                 ///< of its first coming; 0: it has not come yet

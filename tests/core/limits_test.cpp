@@ -172,8 +172,9 @@ bool is_scene(const std::string& text) {
 
 TEST(LimitNumbers, AThingIsRepeated16777216Times) {
   const auto repeated = [](const std::string& count) {
-    return is_scene(R"({"objects":[{"type":"group","repeat":{"count":)" + count +
-                    R"(,"step":[1,1,1]},"children":[{"type":"sphere","center":[0,0,0],"radius":1}]}]})");
+    return is_scene(
+        R"({"objects":[{"type":"group","repeat":{"count":)" + count +
+        R"(,"step":[1,1,1]},"children":[{"type":"sphere","center":[0,0,0],"radius":1}]}]})");
   };
   EXPECT_TRUE(repeated("[16777216,1,1]"));
   EXPECT_FALSE(repeated("[16777217,1,1]"));

@@ -17,19 +17,14 @@ inline Camera random_camera(Random& random) {
   const Vec3d way{random.in(-0.3, 0.3), random.in(-0.3, 0.3), -1};
   camera.up = {random.in(-0.3, 0.3), 1, random.in(-0.2, 0.2)};
   switch (random.below(4)) {
-    case 0:
-      camera.look_at = camera.location + way * 20.0;
-      break;
-    case 1:
-      camera.direction = way * random.in(0.1, 10);
-      break;
+    case 0: camera.look_at = camera.location + way * 20.0; break;
+    case 1: camera.direction = way * random.in(0.1, 10); break;
     case 2:
       camera.direction = way;
       camera.right = Vec3d{random.in(0.2, 0.8), random.in(-0.1, 0.1), random.in(-0.1, 0.1)};
       camera.up = camera.up * random.in(0.2, 0.6);
       return camera;
-    default:
-      break;
+    default: break;
   }
   camera.fov_degrees = random.in(15, 70);
   return camera;
@@ -54,10 +49,8 @@ inline Scene random_scene(std::uint64_t seed, int most = 8) {
   for (int i = 0; i < lights; ++i) {
     const Vec3d place = random.point(15) + Vec3d{0, 12, -15};
     const Color color = random_color(random);
-    if (random.chance(0.5))
-      scene.lights.push_back(point_light(place, color));
-    else
-      scene.lights.push_back(sphere_light(place, random.in(0.2, 2), color));
+    if (random.chance(0.5)) scene.lights.push_back(point_light(place, color));
+    else scene.lights.push_back(sphere_light(place, random.in(0.2, 2), color));
   }
   const Vec3d place = random.point(10);
   if (random.chance(0.5)) scene.key_light = point_light(place, random_color(random));

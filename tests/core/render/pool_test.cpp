@@ -202,7 +202,8 @@ TEST(PoolAlone, SharesThePoolsThreadsByTurns) {
             while (std::chrono::steady_clock::now() < until) {
               const int now = ++at_work;
               for (int seen = most; seen < now && !most.compare_exchange_weak(seen, now);) continue;
-              for (const auto end = std::chrono::steady_clock::now() + std::chrono::microseconds(200);
+              for (const auto end =
+                       std::chrono::steady_clock::now() + std::chrono::microseconds(200);
                    std::chrono::steady_clock::now() < end;)
                 continue;
               --at_work;
@@ -224,7 +225,8 @@ TEST(PoolAlone, GivesWayToASmallJobAndGoesOn) {
   std::jthread small([&] {
     while (!begun) std::this_thread::yield();
     Flow flow{2};
-    pool.for_each(1, 1, {}, [&](int) { small_done = true; }, &flow);
+    pool.for_each(
+        1, 1, {}, [&](int) { small_done = true; }, &flow);
   });
   Flow flow{1};
   pool.alone(

@@ -185,8 +185,8 @@ TEST(Turns, StreamOfSmallJobsLeavesEachBigOneHalfOfAnEvenShare) {
 }
 
 TEST(Turns, FewThreadsSaveUpNoClaimToAll) {
-  // One client on a single thread falls behind another on fifteen. A third one comes: it begins near
-  // the first, but must not keep the second waiting until all that is made up for.
+  // One client on a single thread falls behind another on fifteen. A third one comes: it begins
+  // near the first, but must not keep the second waiting until all that is made up for.
   Play play(16);
   const Play::Job& narrow = play.come(endless, ms, 1, 1);
   const Play::Job& wide = play.come(endless, ms, 64, 2);

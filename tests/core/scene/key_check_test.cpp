@@ -89,7 +89,8 @@ TEST(KeyCheck, CountsThePixelsThatAllPatchesRead) {
   };
   std::string scene = R"({"materials":)" + wearing(2048) + R"(,"objects":[],"keys":{)";
   for (int i = 0; i < 32; ++i)
-    scene += (i > 0 ? ",\"" : "\"") + std::to_string(i) + R"(":{"materials":{"m":{"diffuse":0.5}}})";
+    scene +=
+        (i > 0 ? ",\"" : "\"") + std::to_string(i) + R"(":{"materials":{"m":{"diffuse":0.5}}})";
   test::expect_faults(faults_of_keys(scene + "}}"), {});  // 2^27 pixels
   const std::string one_more = R"(,"one":{"materials":)" + wearing(1) + "}}}";
   test::expect_faults(faults_of_keys(scene + one_more), {{limit, "/keys", "", "134217728 pixels"}});

@@ -10,8 +10,10 @@ namespace tia {
 namespace {
 
 Scene scene_of(const std::string& objects, const std::string& more = "") {
-  return read_scene(R"({"objects":[)" + objects + R"(],"lights":[{"type":"spot","position":[0,9,0],)"
-                    R"("point_at":[0,0,0]}])" + more + "}");
+  return read_scene(R"({"objects":[)" + objects +
+                    R"(],"lights":[{"type":"spot","position":[0,9,0],)"
+                    R"("point_at":[0,0,0]}])" +
+                    more + "}");
 }
 const std::string balls =
     R"({"type":"sphere","center":[0,0,-4],"radius":1},{"type":"sphere","center":[2,0,-8],"radius":1})";
@@ -36,8 +38,7 @@ TEST(Middles, ThatAreKnownMoveTheLightAsThoseThatAreNot) {
 TEST(Middles, OfObjectsOrOfAGroupEndWhenThatIsAskedFor) {
   std::stop_source source;
   source.request_stop();
-  for (const std::string& objects :
-       {balls, R"({"type":"group","children":[)" + balls + "]}"})
+  for (const std::string& objects : {balls, R"({"type":"group","children":[)" + balls + "]}"})
     EXPECT_THROW(middles_of(scene_of(objects), source.get_token()), Stopped);
 }
 

@@ -1,0 +1,225 @@
+# shellcheck shell=bash
+# The steps of tests/run.sh, which sources this file: the table of them, and a function each, which
+# books what passed and failed with pass, fail and count.
+
+# name | in which run | which come first | what it protects
+steps=(
+  'style      | change |                  | the layout of the text'
+  'release    | change |                  | what ships, and all tests, compile without a warning'
+  'core       | change | release          | the tracer: closed forms, statistics, the gallery to the byte, the architecture'
+  'server     | change | release          | HTTP, limits, fairness, overload, restarts: the program over real sockets'
+  'memory     | change | release          | every allocation may fail'
+  'page       | change | release          | the page in headless Chromium: keys, drags, errors, widths, accessibility'
+  'deploy     | change | release          | balancer, manifests, image'
+  'portable   | full   |                  | another compiler builds it, for any x86-64 processor'
+  'same-bytes | full   | release portable | both draw the same bytes'
+  'old        | full   | release portable | processors without AVX get a message, or the same bytes'
+  'asan       | full   | release          | no wrong address, no leak, no undefined behaviour in all the tests'
+  'fuzz       | full   | asan             | whatever the bytes, no reader breaks'
+  'tsan       | full   | release          | no data race in the server'
+)
+is_build() { [[ $1 =~ ^(release|portable|asan)$ ]]; }
+
+# ---- what steps are made of -----------------------------------------------------------------------
+
+# build PRESET [CMAKE OPTION...] -- TARGET...
+build() {
+  local preset=$1 options=()
+  shift
+  while [ "$1" != -- ]; do options+=("$1") && shift; done
+  shift
+  if ! cmake --preset "$preset" "${options[@]}" > "$scratch/log" 2>&1; then
+    cat "$scratch/log"
+  elif ninja -C "build/$preset" -t cleandead > /dev/null &&
+    cmake --build --preset "$preset" --target "$@"; then
+    pass
+    return 0
+  fi
+  fail "build $preset"
+  return 1
+}
+
+# show FILE: an output but for the tests that pass.
+show() {
+  sed -E '/^(\[ RUN|\[       OK|\[---|ok |# Subtest|  ---|  duration_ms|  \.\.\.|$)/d' "$1"
+}
+
+last_match() { sed -nE "s/$1/\\1/p" "$scratch/log" | tail -n 1; }
+
+# count NAME PASSED FAILED: books tests. A program that broke without a failed one is one failure.
+count() {
+  local good=${2:-0} bad=${3:-0}
+  passed=$((passed + good))
+  failed=$((failed + bad))
+  if [ "$bad" -gt 0 ]; then
+    echo "FAILED: $1: $bad of $((good + bad))"
+  elif [ "$status" -ne 0 ] || [ "$good" -eq 0 ]; then
+    fail "$1: exit status $status, $good tests passed"
+  fi
+}
+
+running=()
+# finish SHARE: waits for it, keeps its output in $scratch/log, leaves its exit status in $status.
+finish() {
+  status=0
+  wait "${running[$1]}" || status=$?
+  mv "$scratch/share$1" "$scratch/log"
+  show "$scratch/log"
+}
+
+# The sanitizers of older compilers cannot live with much address space randomisation.
+fixed_addresses=()
+if setarch -R true 2>/dev/null; then fixed_addresses=(setarch -R); fi
+
+# googletest PRESET PROGRAM: as many shares of the tests at once as there are processors.
+googletest() {
+  local shares share total good skipped
+  shares=$(nproc)
+  for ((share = 0; share < shares; ++share)); do
+    GTEST_TOTAL_SHARDS=$shares GTEST_SHARD_INDEX=$share timeout 900 \
+      "${fixed_addresses[@]}" "build/$1/tests/$2" > "$scratch/share$share" 2>&1 &
+    running[share]=$!
+  done
+  for ((share = 0; share < shares; ++share)); do
+    finish "$share"
+    total=$(last_match '^\[==========\] ([0-9]+) tests? from .* ran.*')
+    good=$(last_match '^\[  PASSED  \] ([0-9]+) tests?.*')
+    skipped=$(last_match '^\[  SKIPPED \] ([0-9]+) tests?.*')
+    [ -n "$total" ] || echo "Broke off in $(last_match '^\[ RUN      \] (.*)')"
+    count "$1 $2, share $((share + 1))" "$good" $((${total:-0} - ${good:-0} - ${skipped:-0}))
+  done
+}
+
+# node_tests FOLDER: the tests of a folder that has its own packages, as many shares of its files
+# at once as there are processors.
+node_tests() {
+  local name=$1 folder=tests/$1 all=(tests/"$1"/*.test.mjs) shares share files good bad cancelled
+  if [ ! "$folder/node_modules/.package-lock.json" -nt "$folder/package-lock.json" ]; then
+    npm ci --prefix "$folder" --no-audit --no-fund || true
+  fi
+  shares=$(nproc)
+  if [ "$shares" -gt "${#all[@]}" ]; then shares=${#all[@]}; fi  # without a file node runs them all
+  for ((share = 0; share < shares; ++share)); do
+    mapfile -t files < <(printf '%s\n' "${all[@]}" | awk -v n="$shares" -v i="$share" 'NR % n == i')
+    TIA=$ROOT/build/release/tia timeout 600 node --test --test-reporter=tap "${files[@]}" \
+      > "$scratch/share$share" 2>&1 &
+    running[share]=$!
+  done
+  for ((share = 0; share < shares; ++share)); do
+    finish "$share"
+    good=$(last_match '^# pass ([0-9]+)')
+    bad=$(last_match '^# fail ([0-9]+)')
+    cancelled=$(last_match '^# cancelled ([0-9]+)')
+    count "$name, share $((share + 1))" "$good" $((${bad:-0} + ${cancelled:-0}))
+  done
+}
+
+# ---- what a change needs --------------------------------------------------------------------------
+
+step_release() { build release -DTIA_WERROR=ON -DTIA_TESTS=ON -- all || true; }
+step_core() { googletest release core_tests; }
+step_server() { googletest release server_tests; }
+step_memory() { googletest release memory_tests; }
+step_page() { node_tests browser; }
+step_deploy() { node_tests deploy; }
+
+# All text is laid out as .clang-format has it.
+step_style() {
+  local sources
+  mapfile -t sources < <(git ls-files '*.h' '*.cpp')
+  if clang-format --dry-run -Werror "${sources[@]}"; then pass; else fail "clang-format"; fi
+}
+
+# ---- other compilers and processors ---------------------------------------------------------------
+
+step_portable() { build portable -DTIA_WERROR=ON -- tia || true; }
+
+# Another compiler and instruction set render the same pictures.
+step_same_bytes() {
+  local key format options
+  for key in none a d s w; do
+    options=()
+    [ "$key" = none ] || options+=(--key "$key")
+    for format in png pfm; do same_picture "$key.$format" thesis "${options[@]}"; done
+  done
+  for options in thesis normal depth albedo object shadow cost; do
+    same_picture "$options.pfm" shapes --integrator "$options"
+  done
+  same_picture samples.pfm shapes --samples 5 --seed 7
+  same_picture threshold.pfm shapes --threshold 0.05
+  same_picture lens.pfm shapes --samples 3 --camera '{"aperture": 1, "focus_distance": 12}'
+  same_picture parallel.pfm shapes \
+    --camera '{"projection": "orthographic", "height": 9, "fov_degrees": null}'
+  stated_hashes
+}
+
+# stated_hashes: portable draws the whole gallery, at the hashes that the tests hold release to.
+stated_hashes() {
+  local name
+  for name in $(sed -nE 's/^[0-9a-f]+  (.*)\.pfm$/\1/p' tests/golden/gallery.sha256); do
+    build/portable/tia render "$name" --width 160 --height 120 -o "$scratch/$name.pfm" || true
+    if grep " $name.pfm" tests/golden/gallery.sha256 | (cd "$scratch" && sha256sum -c); then pass
+    else fail "same bytes: the gallery's $name"; fi
+  done
+}
+
+# same_picture FILE SCENE OPTION...: both builds make the same file.
+same_picture() {
+  local preset
+  for preset in release portable; do
+    "build/$preset/tia" render "${@:2}" --width 320 --height 240 -o "$scratch/$preset-$1" || true
+  done
+  if cmp "$scratch/release-$1" "$scratch/portable-$1"; then pass; else fail "same bytes: $1"; fi
+}
+
+# On a processor without AVX release says so and exits 2; portable renders the same bytes.
+step_old() {
+  local old=(qemu-x86_64 -cpu Nehalem) picture=(--width 32 --height 24 --key a)
+  if [ "$(uname -m) $(sed -n 's/^TIA_ARCH:.*=//p' build/release/CMakeCache.txt)" != "x86_64 x86-64-v3" ]; then
+    echo "This is no build for x86-64-v3." && return
+  fi
+  status=0
+  "${old[@]}" build/release/tia render thesis -o "$scratch/old.png" 2> "$scratch/log" || status=$?
+  if [ "$status" = 2 ] && grep -q 'lacks:.* avx2' "$scratch/log"; then pass; else
+    cat "$scratch/log"
+    fail "release on an old processor: exit status $status"
+  fi
+  "${old[@]}" build/portable/tia render thesis "${picture[@]}" -o "$scratch/old.png" || true
+  build/release/tia render thesis "${picture[@]}" -o "$scratch/new.png" || true
+  if cmp "$scratch/old.png" "$scratch/new.png"; then pass; else fail "old processor: same bytes"; fi
+}
+
+# ---- what watches the program ---------------------------------------------------------------------
+
+# The tests are those that release has compiled: what is watched are the libraries.
+watched() { build "$1" -DTIA_TESTS_OF="$ROOT/build/release" -- "${@:2}"; }
+
+step_asan() {
+  watched asan core_tests server_tests memory_tests {request,scene,query,formula,picture}_fuzz ||
+    return 0
+  googletest asan core_tests
+  googletest asan server_tests
+  googletest asan memory_tests
+}
+
+step_tsan() {
+  watched tsan server_tests || return 0
+  googletest tsan server_tests
+}
+
+# Each fuzzer for FUZZ_SECONDS, from the seeds on. What breaks it stays in build/asan. What is not
+# text by nature may be long: a kilobyte of a picture unpacks to a megabyte.
+step_fuzz() {
+  local name longest
+  for name in request scene query formula picture; do
+    mkdir -p "$scratch/$name"
+    longest=4096
+    if [ "$name" = picture ] || [ "$name" = request ]; then longest=65536; fi
+    if "build/asan/tests/${name}_fuzz" -max_total_time="${FUZZ_SECONDS:-10}" \
+      -max_len="$longest" -timeout=5 -rss_limit_mb=2048 -verbosity=0 -artifact_prefix=build/asan/ \
+      "$scratch/$name" "tests/fuzz/corpus/$name" > "$scratch/log" 2>&1; then pass; else
+      cat "$scratch/log"
+      fail "fuzz $name"
+    fi
+  done
+}
