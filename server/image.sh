@@ -12,12 +12,16 @@ libraries() { ldd "$build/tia" | grep -o '/[^ ]*'; }
 # headers: the files of the system that our own sources include.
 headers() {
   ninja -C "$build" -t deps |
-    awk '/^[^ ]/ { ours = /^CMakeFiles\/tia/ } /^ / && ours && $1 ~ /^\/usr/ { print $1 }' | sort -u
+    awk '/^[^ ]/ { ours = /^(server\/)?CMakeFiles\/tia/ } /^ / && ours && $1 ~ /^\/usr/ { print $1 }' | sort -u
 }
+
+# names: of the packages in dpkg -S's lines, those of this machine's architecture. A header may be of
+# several: "libx-dev:amd64, libx-dev:arm64: /usr/include/x.h".
+names() { sed 's/: .*//; s/, /\n/g' | grep -E "^[^:]+(:$(dpkg --print-architecture))?$"; }
 
 # owner FILE: its package. What was merged into /usr is known by the one path or the other.
 owner() {
-  { dpkg -S "${1#/usr}" || dpkg -S "/usr${1#/usr}"; } 2>/dev/null | sed 's/: .*//' | grep . ||
+  { dpkg -S "${1#/usr}" || dpkg -S "/usr${1#/usr}"; } 2>/dev/null | names ||
     { echo "$0: no package owns $1" >&2 && return 1; }
 }
 
@@ -42,7 +46,7 @@ licence() {
 packages() {
   # shellcheck disable=SC2016
   local fields='${Package}\t${Version}\t${Architecture}\t${source:Package}\t${source:Version}\n'
-  sed 's/: .*//' | sort -u | xargs dpkg-query -W -f "$1\t$fields"
+  names | sort -u | xargs dpkg-query -W -f "$1\t$fields"
 }
 
 # contents: those lines for all that is in the image: what is loaded, and what is compiled in. That is

@@ -79,10 +79,12 @@ test('what is only headers is in the list: it is compiled in', () => {
 });
 
 test('versions, sources and licences are those of the package database', async () => {
+  const own = (await run('dpkg', ['--print-architecture'])).stdout.trim();
   for (const { name, versionInfo, sourceInfo, licenseDeclared, externalRefs: [{ referenceLocator }] } of parts) {
     const { stdout } = await run('dpkg-query',
-      ['-W', '-f', '${Version} ${source:Package} ${source:Version} ${Architecture}', name]);
-    const [version, source, sourceVersion, architecture] = stdout.split(' ');
+      ['-W', '-f', '${Version} ${source:Package} ${source:Version} ${Architecture}\n', name]);
+    const [version, source, sourceVersion, architecture] = stdout.trim().split('\n')
+      .map((line) => line.split(' ')).find((each) => ['all', own].includes(each[3]));
     assert.equal(versionInfo, version);
     assert.equal(sourceInfo, `built from ${source} ${sourceVersion}`);
     const { pathname, searchParams } = new URL(referenceLocator);

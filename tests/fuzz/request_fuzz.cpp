@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "server/handlers/backend.h"
+#include "server/handlers/dispatch.h"
 #include "tests/server/http/reader_support.h"
 
 namespace {
