@@ -27,8 +27,14 @@ CONSTANTS = [
     ("core/input/json.h", "depth = «32»", CORE, "LimitNumbers.AJsonTextHas32Levels"),
     ("core/input/json.h", "values = «100'000»", CORE, "LimitNumbers.AJsonTextHas100000Values*"),
     ("core/input/errors.h", "longest_name = «256»", CORE, "Names.*"),
-    ("core/input/errors.h", "pixels ? «1 << 24»", CORE, "LimitNumbers.AnInputHas16777216Pixels*"),
-    ("core/input/errors.h", ": «1 << 25»;", CORE, "LimitNumbers.AnInputHas16777216Pixels*"),
+    ("core/input/errors.h", "Bulk::pixels: return «1 << 24»", CORE,
+     "LimitNumbers.AnInputHas16777216Pixels*"),
+    ("core/input/errors.h", "Bulk::scanned_pixels: return «1 << 27»", CORE,
+     "ImageTexture.ScansOfAllPicturesTogetherAreBounded"),
+    ("core/input/errors.h", "  return «1 << 25»;\n}\n\n/// Faults", CORE,
+     "LimitNumbers.AnInputHas16777216Pixels*"),
+    ("core/accel/compile.cpp", "few_lights = «64»", CORE, "FewBalls.UnderManyLights*"),
+    ("core/input/errors.cpp", "most_edits = «5»", CORE, "NearestName.OfALongName*"),
     ("core/input/errors.h", "most = «20»", CORE, "LimitNumbers.TwentyFaultsAreKept"),
     ("core/input/errors.cpp", "longest_pointer = «512»", CORE, "LimitNumbers.APointerHas512*"),
     ("core/input/errors.cpp", "longest_allowed = «1024»", CORE, "LimitNumbers.APointerHas512*"),
@@ -146,6 +152,7 @@ OPTION_PLACES = [
 
 # What the compiler must know no more, because it is made of what moves.
 DEPENDENT = [
+    ("core/input/errors.h", "constexpr std::int64_t most_of(", "inline std::int64_t most_of("),
     ("core/input/value_codecs.h", "inline constexpr Spec name_spec", "inline const Spec name_spec"),
     ("core/lights/sphere_light.h", "inline constexpr Spec light_samples",
      "inline const Spec light_samples"),
@@ -207,6 +214,10 @@ def make_copy():
         changed[file] = text.replace(old, new)
     changed["tests/moved.h"] = MOVED
     rewritten(changed)
+    for old in [each for each in COPY.rglob("*") if each.is_file()]:
+        name = str(old.relative_to(COPY))
+        if name not in listed and name not in changed:
+            old.unlink()
     for file in listed:
         if not file or file in changed or not (ROOT / file).is_file():
             continue

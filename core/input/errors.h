@@ -72,8 +72,12 @@ Value excerpt(const Value& got);
 enum class Bulk { pixels, scanned_pixels, cells };
 /// The most that a whole input may hold. Of scanned pixels that takes about a second.
 constexpr std::int64_t most_of(Bulk bulk) {
-  constexpr std::int64_t most[] = {1 << 24, 1 << 27, 1 << 25};
-  return most[static_cast<std::size_t>(bulk)];
+  switch (bulk) {
+    case Bulk::pixels: return 1 << 24;
+    case Bulk::scanned_pixels: return 1 << 27;
+    case Bulk::cells: break;
+  }
+  return 1 << 25;
 }
 
 /// Faults: collects all faults of an input, keeps the first 20, each cut short. It also counts what
