@@ -135,7 +135,7 @@ class Compiler {
     if (operation != Operation::difference)
       return add_balanced(children, operation, above, object, solid);
     // The first without all the others.
-    add_balanced(children.first(1), Operation::union_, above, object, solid);
+    add_operand(children.front(), below(children.front(), above), object, solid);
     if (children.size() == 1) return;
     Setting taken_away = above;
     taken_away.inverted = !taken_away.inverted;

@@ -30,8 +30,8 @@ inline Scene press(const Scene& scene, std::string_view key, std::string_view po
 /// merges with or that refer to what it changes: only they can go wrong.
 /// Errors: InputError at /keys/NAME of each whose patch does not leave a scene or that puts the
 /// light where it cannot shine from; limit at /keys where there are more than 100 patches, or where
-/// they merge with more than 16 MiB of text, or hold more than 134 217 728 pixels and cells.
-/// Stopped.
+/// they merge with more than 16 MiB of text, or read more than 134 217 728 cells and pixels, a
+/// JPEG's with each of its scans. Stopped.
 void check_keys(const Scene& scene, const std::stop_token& stop = {});
 
 /// Whether that key moves the key light and changes nothing else. Domain: a key that it answers to.

@@ -2,6 +2,7 @@
 // on it. What does not fit waits or is refused, by the account and not by the kernel.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <chrono>
@@ -48,8 +49,10 @@ class MemoryAccount {
   std::int64_t held(Holder by) const { return held_[by]; }
   std::int64_t free() const { return limit_ - total_; }
   /// The most that one request may have: an eighth is kept for small ones, and kept scenes, which
-  /// are nobody's to give, stay.
-  std::int64_t most_of_one() const { return limit_ - program_bytes - limit_ / 8 - held_[scenes]; }
+  /// are nobody's to give, stay. However much they hold, a small one may have its own.
+  std::int64_t most_of_one() const {
+    return std::max(most_small(), limit_ - program_bytes - limit_ / 8 - held_[scenes]);
+  }
   /// A claim so small may have that eighth, and need not wait for larger ones. Unit: bytes.
   std::int64_t most_small() const { return limit_ / 32; }
 

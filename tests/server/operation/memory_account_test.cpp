@@ -236,6 +236,15 @@ TEST(MemoryCosts, OfATextAreTheLargerOfItsBytesAndItsValues) {
   for (const MemoryCost& cost : memory_costs()) EXPECT_GT(cost.bytes, 0) << cost.step;
 }
 
+TEST(MemoryAccount, KeptScenesLeaveSmallRequestsTheirs) {
+  MemoryAccount account(account_bytes);
+  account.add(MemoryAccount::scenes, account.free() - account_bytes / 8);
+  EXPECT_EQ(account.most_of_one(), account.most_small());
+  MemoryClaim claim(account);
+  EXPECT_THAT(refusal_of(claim, account.most_small() + 1), testing::HasSubstr("TIA_MEMORY_BYTES"));
+  EXPECT_EQ(refusal_of(claim, account.most_small()), "");
+}
+
 // What kept scenes hold is nobody's to give: who asks for it would wait in vain.
 TEST(MemoryAccount, KeptScenesAreNotThereForARequest) {
   MemoryAccount account(account_bytes);
