@@ -203,7 +203,7 @@ step_asan() {
 # Who watches threads must see both sides of what passes between them: the tests' own as well.
 step_tsan() {
   build tsan -- server_tests || return 0
-  googletest tsan server_tests
+  TSAN_OPTIONS="suppressions=$ROOT/tests/tsan.supp" googletest tsan server_tests
 }
 
 # Each fuzzer for FUZZ_SECONDS, from the seeds on. What breaks it stays in build/asan. What is not
