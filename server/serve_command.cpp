@@ -12,6 +12,7 @@
 #include <malloc.h>
 #endif
 
+#include "core/version.h"
 #include "server/handlers/backend.h"
 #include "server/handlers/dispatch.h"
 #include "server/http/http_server.h"

@@ -1,6 +1,7 @@
 // /explain: one pixel or one ray in, what the ray meets out, as JSON.
 #include "core/input/json.h"
 #include "core/integrators/integrator.h"
+#include "core/render/explain.h"
 #include "core/render/sampler.h"
 #include "server/contract/parameters.h"
 #include "server/handlers/bodies.h"

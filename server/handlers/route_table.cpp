@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <list>
 
+#include "core/render/explain.h"
 #include "server/contract/query_parameters.h"
 #include "server/handlers/handlers.h"
 #include "server/requests/explain_request.h"

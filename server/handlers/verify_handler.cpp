@@ -3,6 +3,7 @@
 
 #include "core/input/json.h"
 #include "core/input/written.h"
+#include "core/version.h"
 #include "server/contract/parameters.h"
 #include "server/handlers/bodies.h"
 #include "server/handlers/handlers.h"

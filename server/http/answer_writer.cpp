@@ -8,7 +8,7 @@
 
 #include "core/input/per_thread.h"
 #include "core/render/pool.h"
-#include "server/http/patience.h"
+#include "server/http/timeouts.h"
 
 namespace tia::server {
 namespace {
@@ -53,8 +53,8 @@ class Writer : httplib::Server {
  public:
   Writer() {
     svr_sock_ = 0;  // else the library takes itself for stopped and sends no part
-    set_keep_alive_timeout(patience::idle.count());  // which the answers' heads tell
-    set_keep_alive_max_count(patience::most_requests);
+    set_keep_alive_timeout(timeouts::idle.count());  // which the answers' heads tell
+    set_keep_alive_max_count(timeouts::most_requests);
     set_pre_routing_handler([this](const httplib::Request&, httplib::Response& to) {
       fill(to);
       return HandlerResponse::Handled;

@@ -4,7 +4,7 @@
 #include "server/http/answer_writer.h"
 #include "server/http/connection.h"
 #include "server/http/error.h"
-#include "server/http/patience.h"
+#include "server/http/timeouts.h"
 
 namespace tia::server {
 namespace {
@@ -33,19 +33,19 @@ Request without_body(const Request& from) {
 }  // namespace
 
 void Connection::begin(Request request) {
-  request.peer = client_address(peer_, request.headers, house_.options.trusts_proxy);
-  turn_ = std::make_shared<Turn>(std::move(request));
-  turn_->client = house_.options.share_of(turn_->request.peer);
-  turn_->keep_alive = keep_alive_;
+  request.peer = client_address(peer_, request.headers, context_.options.trusts_proxy);
+  task_ = std::make_shared<RequestTask>(std::move(request));
+  task_->client = context_.options.share_of(task_->request.peer);
+  task_->keep_alive = keep_alive_;
   account();
-  const Application& application = house_.application;
-  if (application.at_once(turn_->request)) {
-    turn_->make(application.answer, house_.closing, [] {});
-    hand_over(*turn_);
-  } else if (auto known = application.from_memory(turn_->request)) {
-    turn_->make([&](const Request&) { return std::move(*known); }, house_.closing, [] {});
-    hand_over(*turn_);
-  } else if (!house_.has_worker_for(turn_->client)) {
+  const Application& application = context_.application;
+  if (application.at_once(task_->request)) {
+    task_->make(application.answer, context_.closing, [] {});
+    hand_over(*task_);
+  } else if (auto known = application.from_memory(task_->request)) {
+    task_->make([&](const Request&) { return std::move(*known); }, context_.closing, [] {});
+    hand_over(*task_);
+  } else if (!context_.has_worker_for(task_->client)) {
     fail_turn(failure("busy", "all that may wait here does (option TIA_QUEUE)",
                       {{"Retry-After", std::to_string(application.retry_after())}}));
   } else {
@@ -54,16 +54,16 @@ void Connection::begin(Request request) {
 }
 
 void Connection::work() {
-  int& own = house_.at_work[turn_->client];
-  house_.workers.post([self = shared_from_this(), turn = turn_] {
-    House& house = self->house_;
-    turn->make(house.application.answer, house.closing,
-               [&] { house.tell([self] { self->pump(); }); });
-    house.tell([self, turn] { self->finish(turn); });
+  int& own = context_.at_work[task_->client];
+  context_.workers.post([self = shared_from_this(), task = task_] {
+    ServerContext& context = self->context_;
+    task->make(context.application.answer, context.closing,
+               [&] { context.tell([self] { self->pump(); }); });
+    context.tell([self, task] { self->finish(task); });
   });
-  --house_.free_workers;  // last: nothing is taken where memory for the rest is short
+  --context_.free_workers;  // last: nothing is taken where memory for the rest is short
   ++own;
-  enter(Phase::answering, house_.options.deadline);
+  enter(Phase::answering, context_.options.deadline);
 }
 
 // Sends the parts that have been made, while the client takes them.
@@ -71,38 +71,38 @@ void Connection::pump() {
   if (phase_ == Phase::answering && outbox_.empty()) proceed();
 }
 
-void Connection::finish(const std::shared_ptr<Turn>& turn) {
-  ++house_.free_workers;
-  const auto own = house_.at_work.find(turn->client);
-  if (--own->second == 0) house_.at_work.erase(own);
-  house_.last_work = Clock::now();
-  if (turn != turn_ || phase_ != Phase::answering) return;  // nobody waits for it any more
-  if (turn->is_cut) return leave();
-  hand_over(*turn);
+void Connection::finish(const std::shared_ptr<RequestTask>& task) {
+  ++context_.free_workers;
+  const auto own = context_.at_work.find(task->client);
+  if (--own->second == 0) context_.at_work.erase(own);
+  context_.last_work = Clock::now();
+  if (task != task_ || phase_ != Phase::answering) return;  // nobody waits for it any more
+  if (task->is_cut) return leave();
+  hand_over(*task);
   proceed();
 }
 
 // Sends what has been made, or tells why it is not: most likely there is no memory for it.
-void Connection::hand_over(Turn& turn) {
+void Connection::hand_over(RequestTask& task) {
   try {
-    if (turn.failure) std::rethrow_exception(turn.failure);
-    outbox_.put(turn.take_parts());
-    deliver(turn);
+    if (task.failure) std::rethrow_exception(task.failure);
+    outbox_.put(task.take_parts());
+    deliver(task);
   } catch (...) {
     fail_turn(std::current_exception());
   }
 }
 
-void Connection::deliver(Turn& turn) {
-  house_.application.answered(
-      {turn.request, turn.response, turn.body_bytes, ms_since(turn.request.arrived)});
-  outbox_.put(std::move(turn.bytes),
-              turn.response.shared);  // after what may fail: or a second answer would follow
-  keep_alive_ = turn.keep_alive;
-  turn_.reset();
+void Connection::deliver(RequestTask& task) {
+  context_.application.answered(
+      {task.request, task.response, task.body_bytes, ms_since(task.request.arrived)});
+  outbox_.put(std::move(task.bytes),
+              task.response.shared);  // after what may fail: or a second answer would follow
+  keep_alive_ = task.keep_alive;
+  task_.reset();
   account();
   outbox_.begin();
-  enter(Phase::writing, patience::answer);
+  enter(Phase::writing, timeouts::answer);
 }
 
 // Answers the request in work with a problem, unless there is no memory even for that.
@@ -116,29 +116,31 @@ void Connection::fail_turn(const std::exception_ptr& failure) {
 
 // Whatever its worker does, which may still read the request.
 void Connection::tell_failure(const std::exception_ptr& failure) {
-  const std::shared_ptr<Turn> turn = turn_;
-  turn->abandon();
-  if (turn->has_parts()) return leave();  // its head has gone out: all that is left is to break off
-  Turn instead(without_body(turn->request));
-  instead.keep_alive = keep_alive_ && !house_.closing;
-  instead.make([&](const Request& request) { return house_.application.refuse(failure, request); },
-               house_.closing, [] {});
+  const std::shared_ptr<RequestTask> task = task_;
+  task->abandon();
+  if (task->has_parts()) return leave();  // its head has gone out: all that is left is to break off
+  RequestTask instead(without_body(task->request));
+  instead.keep_alive = keep_alive_ && !context_.closing;
+  instead.make(
+      [&](const Request& request) { return context_.application.refuse(failure, request); },
+      context_.closing, [] {});
   if (instead.failure) std::rethrow_exception(instead.failure);
   deliver(instead);
 }
 
 // Answers bytes that are no request. Where the next one begins is unknown: so the connection ends.
 void Connection::refuse(const std::exception_ptr& failure) {
-  turn_ = std::make_shared<Turn>(without_body(reader_.request()));
-  if (turn_->request.id.empty()) turn_->request.id = request_id("");
-  turn_->request.peer = client_address(peer_, turn_->request.headers, house_.options.trusts_proxy);
+  task_ = std::make_shared<RequestTask>(without_body(reader_.request()));
+  if (task_->request.id.empty()) task_->request.id = request_id("");
+  task_->request.peer =
+      client_address(peer_, task_->request.headers, context_.options.trusts_proxy);
   keep_alive_ = false;
   fail_turn(failure);
 }
 
 // There is no memory for an answer: to close gives some back.
 void Connection::run_dry() {
-  const bool has_begun = !outbox_.empty() || (turn_ && turn_->has_parts());
+  const bool has_begun = !outbox_.empty() || (task_ && task_->has_parts());
   asio::error_code error;
   if (!has_begun) socket_.write_some(asio::buffer(last_words), error);
   close();
@@ -146,12 +148,12 @@ void Connection::run_dry() {
 
 // The client has closed or is gone.
 void Connection::leave() {
-  const std::shared_ptr<Turn> turn = turn_;
+  const std::shared_ptr<RequestTask> task = task_;
   close();
-  if (!turn) return;
+  if (!task) return;
   Response none;
   none.status = Application::client_left;
-  house_.application.answered({turn->request, none, 0, ms_since(turn->request.arrived)});
+  context_.application.answered({task->request, none, 0, ms_since(task->request.arrived)});
 }
 
 }  // namespace tia::server

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "server/http/error.h"
-#include "server/http/patience.h"
+#include "server/http/timeouts.h"
 
 namespace tia::server {
 namespace {
@@ -32,11 +32,11 @@ bool would_block(const asio::error_code& error) {
 
 }  // namespace
 
-Connection::Connection(tcp::socket socket, House& house)
+Connection::Connection(tcp::socket socket, ServerContext& context)
     : socket_(std::move(socket)),
-      house_(house),
+      context_(context),
       peer_(address_of(socket_)),
-      reader_({house.options.max_body_bytes, house.options.max_png_bytes}) {}
+      reader_({context.options.max_body_bytes, context.options.max_png_bytes}) {}
 
 void Connection::start() {
   asio::error_code error;
@@ -44,9 +44,9 @@ void Connection::start() {
   if (error) return close();                       // to read from it would keep all others waiting
   socket_.set_option(tcp::no_delay(true), error);  // else a round trip waits 40 ms for an ACK
   // Else the system takes megabytes for each client that does not read, until it has none left.
-  socket_.set_option(tcp::socket::send_buffer_size(static_cast<int>(patience::most_at_once)),
+  socket_.set_option(tcp::socket::send_buffer_size(static_cast<int>(timeouts::most_at_once)),
                      error);
-  enter(Phase::reading, house_.closing ? Clock::duration(patience::drained) : patience::head);
+  enter(Phase::reading, context_.closing ? Clock::duration(timeouts::drained) : timeouts::head);
   attempt(&Connection::read);
 }
 
@@ -55,26 +55,26 @@ void Connection::turn_away() {
   socket_.non_blocking(true, error);
   if (error) return close();
   refuse(failure("busy", "all connections are in use (option TIA_CONNECTIONS)",
-                 {{"Retry-After", std::to_string(house_.application.retry_after())}}));
+                 {{"Retry-After", std::to_string(context_.application.retry_after())}}));
   proceed();
 }
 
-void Connection::enter(Phase phase, Clock::duration patience) {
+void Connection::enter(Phase phase, Clock::duration timeout) {
   phase_ = phase;
   since_ = Clock::now();
-  due_ = since_ + patience;
+  due_ = since_ + timeout;
 }
 
 // ---- reading --------------------------------------------------------------------------------
 
 void Connection::read() {
   asio::error_code error;
-  const std::size_t size = socket_.read_some(asio::buffer(house_.scratch), error);
+  const std::size_t size = socket_.read_some(asio::buffer(context_.scratch), error);
   if (error && !would_block(error)) return leave();
   if (phase_ == Phase::reading) taken_ = Clock::now();
-  if (phase_ != Phase::lingering) reader_.feed({house_.scratch.data(), size});
+  if (phase_ != Phase::lingering) reader_.feed({context_.scratch.data(), size});
   if (phase_ == Phase::reading && !queued_) return proceed();
-  if (phase_ == Phase::lingering || reader_.unread() < patience::most_ahead) wait_readable();
+  if (phase_ == Phase::lingering || reader_.unread() < timeouts::most_ahead) wait_readable();
 }
 
 void Connection::wait_readable() {
@@ -118,7 +118,7 @@ void Connection::go_on() {
       case Phase::answering: return wait_readable();  // to see whether the client leaves
       case Phase::writing:
         if (!keep_alive_) return linger();
-        enter(Phase::reading, patience::idle);
+        enter(Phase::reading, timeouts::idle);
         if (reader_.unread() > 0) return queue_up();
         break;
       case Phase::lingering:
@@ -131,7 +131,7 @@ void Connection::go_on() {
 // for all the answers.
 void Connection::queue_up() {
   if (queued_) return;
-  asio::post(house_.io, [self = shared_from_this()] {
+  asio::post(context_.io, [self = shared_from_this()] {
     self->queued_ = false;
     if (self->phase_ == Phase::reading) self->proceed();
   });
@@ -144,14 +144,14 @@ bool Connection::take_request() {
     const State before = reader_.state(), now = reader_.read();
     account();
     if (now == State::whole) {
-      keep_alive_ = reader_.keep_alive() && ++requests_ < patience::most_requests;
+      keep_alive_ = reader_.keep_alive() && ++requests_ < timeouts::most_requests;
       begin(reader_.take());
       return true;
     }
-    if (house_.holds_too_much() && held_ > patience::most_ahead)
+    if (context_.holds_too_much() && held_ > timeouts::most_ahead)
       throw HttpError("busy", "too many requests with long bodies come at once",
-                      {{"Retry-After", std::to_string(house_.application.retry_after())}});
-    set_patience(before);
+                      {{"Retry-After", std::to_string(context_.application.retry_after())}});
+    set_timeout(before);
     if (!reader_.wants_continue()) return false;
     outbox_.put("HTTP/1.1 100 Continue\r\n\r\n");
   } catch (...) {
@@ -160,25 +160,25 @@ bool Connection::take_request() {
   return true;
 }
 
-void Connection::set_patience(State before) {
+void Connection::set_timeout(State before) {
   const State now = reader_.state();
-  if (now == State::idle && house_.closing && requests_ > 0) return linger();
+  if (now == State::idle && context_.closing && requests_ > 0) return linger();
   if (before == State::idle && now != before && requests_ > 0)
-    enter(Phase::reading, patience::head);
+    enter(Phase::reading, timeouts::head);
   if (now == State::body) {
-    if (before != now) enter(Phase::reading, patience::body);
+    if (before != now) enter(Phase::reading, timeouts::body);
     // What came early buys no rest.
     due_ =
-        std::min(since_ + patience::at_slowest_rate(reader_.request().body.size()), Clock::now()) +
-        patience::body;
+        std::min(since_ + timeouts::at_slowest_rate(reader_.request().body.size()), Clock::now()) +
+        timeouts::body;
   }
 }
 
 void Connection::account() {
   const std::size_t held =
-      reader_.held() + outbox_.held() + (turn_ ? turn_->request.body.capacity() : 0);
+      reader_.held() + outbox_.held() + (task_ ? task_->request.body.capacity() : 0);
   if (held != held_)
-    house_.hold(static_cast<std::ptrdiff_t>(held) - static_cast<std::ptrdiff_t>(held_));
+    context_.hold(static_cast<std::ptrdiff_t>(held) - static_cast<std::ptrdiff_t>(held_));
   held_ = held;
 }
 
@@ -196,7 +196,7 @@ bool Connection::flush() {
       else leave();
       return false;
     }
-    if (phase_ == Phase::answering) outbox_.put(turn_->take_parts());
+    if (phase_ == Phase::answering) outbox_.put(task_->take_parts());
   } while (!outbox_.empty());
   account();
   return true;
@@ -217,8 +217,8 @@ void Connection::wait_writable() {
 
 bool Connection::is_stuck(Clock::time_point now) const {
   const bool holds =
-      phase_ == Phase::writing || (phase_ == Phase::reading && held_ > patience::most_ahead);
-  return holds && now - std::max(since_, taken_) > patience::stuck;
+      phase_ == Phase::writing || (phase_ == Phase::reading && held_ > timeouts::most_ahead);
+  return holds && now - std::max(since_, taken_) > timeouts::stuck;
 }
 
 void Connection::tick(Clock::time_point now) {
@@ -238,13 +238,13 @@ void Connection::cut_off(Clock::time_point now) {
       return proceed();
     case Phase::answering:
       fail_turn(failure("timeout",
-                        "no answer within " + std::to_string(house_.options.deadline.count()) +
+                        "no answer within " + std::to_string(context_.options.deadline.count()) +
                             " ms, the time in the queue included (option TIA_DEADLINE_MS)",
-                        {{"Retry-After", std::to_string(house_.application.retry_after())}}));
+                        {{"Retry-After", std::to_string(context_.application.retry_after())}}));
       return proceed();
     case Phase::writing:
       due_ =
-          since_ + patience::answer + patience::at_slowest_rate(outbox_.sent() - waiting_bytes());
+          since_ + timeouts::answer + timeouts::at_slowest_rate(outbox_.sent() - waiting_bytes());
       if (now >= due_) close();
       return;
     case Phase::lingering:
@@ -255,7 +255,7 @@ void Connection::cut_off(Clock::time_point now) {
 void Connection::retire() {
   if (phase_ != Phase::reading || reader_.state() != State::idle || queued_) return;
   if (requests_ > 0) linger();
-  else due_ = Clock::now() + patience::drained;
+  else due_ = Clock::now() + timeouts::drained;
 }
 
 void Connection::give_up() {
@@ -274,20 +274,20 @@ void Connection::give_up() {
 void Connection::linger() {
   asio::error_code error;
   socket_.shutdown(tcp::socket::shutdown_send, error);
-  enter(Phase::lingering, patience::linger);
+  enter(Phase::lingering, timeouts::linger);
   wait_readable();
 }
 
 void Connection::close() {
   if (phase_ == Phase::closed) return;
   phase_ = Phase::closed;
-  house_.hold(-static_cast<std::ptrdiff_t>(std::exchange(held_, 0)));
-  if (turn_) turn_->abandon();
-  turn_.reset();
+  context_.hold(-static_cast<std::ptrdiff_t>(std::exchange(held_, 0)));
+  if (task_) task_->abandon();
+  task_.reset();
   asio::error_code error;
   socket_.close(error);
-  house_.connections.erase(shared_from_this());
-  house_.open = static_cast<int>(house_.connections.size());
+  context_.connections.erase(shared_from_this());
+  context_.open = static_cast<int>(context_.connections.size());
 }
 
 }  // namespace tia::server

@@ -6,16 +6,16 @@
 #include <memory>
 #include <string>
 
-#include "server/http/house.h"
 #include "server/http/outbox.h"
 #include "server/http/request_reader.h"
-#include "server/http/turn.h"
+#include "server/http/request_task.h"
+#include "server/http/server_context.h"
 
 namespace tia::server {
 
 class Connection : public std::enable_shared_from_this<Connection> {
  public:
-  Connection(asio::ip::tcp::socket socket, House& house);
+  Connection(asio::ip::tcp::socket socket, ServerContext& context);
 
   void start();
   /// Cuts off what has taken too long.
@@ -46,19 +46,19 @@ class Connection : public std::enable_shared_from_this<Connection> {
  private:
   enum class Phase { reading, answering, writing, lingering, closed };
 
-  void enter(Phase phase, Clock::duration patience);
+  void enter(Phase phase, Clock::duration timeout);
   void attempt(void (Connection::*step)());
   void proceed();
   void go_on();
   void queue_up();
   bool take_request();
-  void set_patience(RequestReader::State before);
+  void set_timeout(RequestReader::State before);
   void begin(Request request);
   void work();
   void pump();
-  void finish(const std::shared_ptr<Turn>& turn);
-  void hand_over(Turn& turn);
-  void deliver(Turn& turn);
+  void finish(const std::shared_ptr<RequestTask>& task);
+  void hand_over(RequestTask& task);
+  void deliver(RequestTask& task);
   void refuse(const std::exception_ptr& failure);
   void fail_turn(const std::exception_ptr& failure);
   void tell_failure(const std::exception_ptr& failure);
@@ -74,15 +74,15 @@ class Connection : public std::enable_shared_from_this<Connection> {
   void account();
 
   asio::ip::tcp::socket socket_;
-  House& house_;
+  ServerContext& context_;
   std::string peer_;
   RequestReader reader_;
   Phase phase_ = Phase::reading;
   Clock::time_point since_, due_;
-  Clock::time_point taken_;     // when the client last took bytes, or sent some
-  std::shared_ptr<Turn> turn_;  // the request in work
+  Clock::time_point taken_;            // when the client last took bytes, or sent some
+  std::shared_ptr<RequestTask> task_;  // the request in work
   Outbox outbox_;
-  std::size_t held_ = 0;  // what we have told the house that we hold
+  std::size_t held_ = 0;  // what we have told the context that we hold
   std::size_t requests_ = 0;
   bool keep_alive_ = true;
   bool read_armed_ = false, write_armed_ = false;

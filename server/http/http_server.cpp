@@ -12,9 +12,9 @@
 #include <thread>
 #include <vector>
 
+#include "server/http/acceptors.h"
 #include "server/http/answer_writer.h"
 #include "server/http/connection.h"
-#include "server/http/doors.h"
 
 namespace tia::server {
 namespace {
@@ -43,27 +43,27 @@ void allow_descriptors(int connections) {
 class HttpServer::Listener {
  public:
   Listener(HttpOptions options, Application application)
-      : house_(std::move(options), std::move(application)),
-        doors_(
-            house_.io, house_.options.host, house_.options.port,
+      : context_(std::move(options), std::move(application)),
+        acceptors_(
+            context_.io, context_.options.host, context_.options.port,
             [this](tcp::socket socket) { welcome(std::move(socket)); }, [this] { make_room(); }) {
-    allow_descriptors(house_.options.connections);
+    allow_descriptors(context_.options.connections);
     tzset();         // reads the zone's file, which strftime would do at the first answer
     Response first;  // at which the library makes tables: by no two threads at once
     static_cast<void>(answer_bytes(first, false, false));
   }
-  ~Listener() { house_.workers.join(); }
+  ~Listener() { context_.workers.join(); }
 
-  int port() const { return doors_.port(); }
-  int connections() const { return house_.open; }
+  int port() const { return acceptors_.port(); }
+  int connections() const { return context_.open; }
 
   void run() {
-    while (!has_run()) std::this_thread::sleep_for(patience::memory);
-    house_.workers.join();
+    while (!has_run()) std::this_thread::sleep_for(timeouts::memory);
+    context_.workers.join();
   }
 
   void stop(milliseconds delay, milliseconds limit) {
-    house_.tell([this, delay, limit] {
+    context_.tell([this, delay, limit] {
       if (stopping_) return;
       stopping_ = Stopping{Clock::now() + delay, limit};
       wait_to_close();
@@ -84,7 +84,7 @@ class HttpServer::Listener {
   bool close_longest(Which which);
   void give_back(Clock::time_point now);
   void wait_to_close();
-  void close_doors();
+  void close_acceptors();
   void keep_time();
   template <class Then>
   void after(asio::steady_timer& timer, Clock::duration time, Then then) {
@@ -95,13 +95,13 @@ class HttpServer::Listener {
   }
   template <class Action>
   void for_each_connection(Action action) {  // which may close and so erase it
-    const auto all = std::vector(house_.connections.begin(), house_.connections.end());
+    const auto all = std::vector(context_.connections.begin(), context_.connections.end());
     for (const auto& connection : all) action(*connection);
   }
 
-  House house_;
-  Doors doors_;
-  asio::steady_timer ticking_{house_.io}, closing_{house_.io};
+  ServerContext context_;
+  Acceptors acceptors_;
+  asio::steady_timer ticking_{context_.io}, closing_{context_.io};
   std::optional<Stopping> stopping_;
   bool keeps_time_ = false, is_shut_ = false;
 };
@@ -110,20 +110,20 @@ class HttpServer::Listener {
 bool HttpServer::Listener::has_run() {
   const bool resumed = has_resumed();
   try {
-    if (resumed) house_.io.run();
-    else house_.io.run_for(patience::memory);  // what can be done meanwhile
+    if (resumed) context_.io.run();
+    else context_.io.run_for(timeouts::memory);  // what can be done meanwhile
     return resumed;
   } catch (const std::bad_alloc&) {
     return false;
   }
 }
 
-// Sets going what all else hangs on, wherever it was interrupted. The connections' patience does
+// Sets going what all else hangs on, wherever it was interrupted. The connections' timeouts do
 // the same for them. Returns: false where there is no memory for it.
 bool HttpServer::Listener::has_resumed() {
-  house_.io.restart();
+  context_.io.restart();
   try {
-    doors_.let_in();
+    acceptors_.accept_all();
     if (stopping_ && !is_shut_) wait_to_close();
     keep_time();
     return true;
@@ -134,14 +134,14 @@ bool HttpServer::Listener::has_resumed() {
 
 void HttpServer::Listener::welcome(tcp::socket socket) {
   const auto is_full = [this] {
-    return static_cast<int>(house_.connections.size()) >= house_.options.connections;
+    return static_cast<int>(context_.connections.size()) >= context_.options.connections;
   };
   while (is_full() && make_room()) {  // those who were turned away take places, too, for a while
   }
   const bool has_room = !is_full();
-  const auto connection = std::make_shared<Connection>(std::move(socket), house_);
-  house_.connections.insert(connection);
-  house_.open = static_cast<int>(house_.connections.size());
+  const auto connection = std::make_shared<Connection>(std::move(socket), context_);
+  context_.connections.insert(connection);
+  context_.open = static_cast<int>(context_.connections.size());
   if (has_room) connection->start();
   else connection->turn_away();
   keep_time();
@@ -161,7 +161,7 @@ bool HttpServer::Listener::make_room() {
 template <class Which>
 bool HttpServer::Listener::close_longest(Which which) {
   std::shared_ptr<Connection> longest;
-  for (const auto& each : house_.connections)
+  for (const auto& each : context_.connections)
     if (which(*each) && (!longest || each->since() < longest->since())) longest = each;
   if (longest) longest->close();
   return longest != nullptr;
@@ -169,23 +169,24 @@ bool HttpServer::Listener::close_longest(Which which) {
 
 // Tells the application once that there has been nothing to do for a while.
 void HttpServer::Listener::give_back(Clock::time_point now) {
-  const bool at_work = house_.free_workers < house_.options.workers;
-  if (at_work || !house_.last_work || now - *house_.last_work < patience::rest) return;
-  house_.last_work.reset();
-  house_.application.rested();
+  const bool at_work = context_.free_workers < context_.options.workers;
+  if (at_work || !context_.last_work || now - *context_.last_work < timeouts::rest) return;
+  context_.last_work.reset();
+  context_.application.rested();
 }
 
 // One clock for all connections, while there are any.
 void HttpServer::Listener::keep_time() {
-  if (house_.closing && house_.connections.empty()) closing_.cancel();  // all is done: run() ends
-  const bool idle = house_.connections.empty() && !house_.last_work;
-  if (keeps_time_ || idle || (house_.closing && house_.connections.empty())) return;
+  if (context_.closing && context_.connections.empty())
+    closing_.cancel();  // all is done: run() ends
+  const bool idle = context_.connections.empty() && !context_.last_work;
+  if (keeps_time_ || idle || (context_.closing && context_.connections.empty())) return;
   after(ticking_, tick, [this] {
     keeps_time_ = false;
     const auto now = Clock::now();
     for_each_connection([&](Connection& connection) { connection.tick(now); });
     // Who takes an answer goes on as long as there are others whose client does nothing.
-    while (house_.holds_too_much() &&
+    while (context_.holds_too_much() &&
            (close_longest([now](auto& each) { return each.is_stuck(now); }) ||
             close_longest([](auto& each) { return each.is_stalled(); }))) {
     }
@@ -197,12 +198,12 @@ void HttpServer::Listener::keep_time() {
 
 void HttpServer::Listener::wait_to_close() {
   after(closing_, std::max(stopping_->at - Clock::now(), Clock::duration(0)),
-        [this] { close_doors(); });
+        [this] { close_acceptors(); });
 }
 
-void HttpServer::Listener::close_doors() {
-  house_.closing = true;
-  for (tcp::socket& socket : doors_.close()) welcome(std::move(socket));
+void HttpServer::Listener::close_acceptors() {
+  context_.closing = true;
+  for (tcp::socket& socket : acceptors_.close()) welcome(std::move(socket));
   for_each_connection([](Connection& connection) { connection.retire(); });
   after(closing_, stopping_->limit,
         [this] { for_each_connection([](Connection& connection) { connection.give_up(); }); });

@@ -10,7 +10,7 @@
 #include <string>
 #include <string_view>
 
-#include "server/http/patience.h"
+#include "server/http/timeouts.h"
 
 namespace tia::server {
 
@@ -36,8 +36,8 @@ class Outbox {
     const std::string_view tail = shared_ ? std::string_view(*shared_) : std::string_view();
     const std::size_t in_tail = first_ - std::min(first_, bytes_.size());
     const asio::const_buffer head = asio::buffer(bytes_) + first_;
-    const std::array pieces{asio::buffer(head, patience::most_at_once),
-                            asio::buffer(asio::buffer(tail) + in_tail, patience::most_at_once)};
+    const std::array pieces{asio::buffer(head, timeouts::most_at_once),
+                            asio::buffer(asio::buffer(tail) + in_tail, timeouts::most_at_once)};
     const std::size_t sent = socket.write_some(pieces, error);
     first_ += sent;
     sent_ += sent;
@@ -54,7 +54,7 @@ class Outbox {
 
  private:
   void clear() {
-    if (bytes_.capacity() > patience::most_ahead) std::string().swap(bytes_);
+    if (bytes_.capacity() > timeouts::most_ahead) std::string().swap(bytes_);
     bytes_.clear();
     shared_.reset();
     first_ = 0;

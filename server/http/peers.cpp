@@ -11,7 +11,7 @@ namespace {
 using Address = std::array<unsigned char, 16>;
 constexpr int mapped_bits = 96;  // what comes before an IPv4 address among those of IPv6
 
-// An IPv6 zone ("fe80::1%eth0") says through which door a packet came, not from whom.
+// An IPv6 zone ("fe80::1%eth0") says through which interface a packet came, not from whom.
 std::optional<Address> address_of(const std::string& text) {
   Address address{};
   const std::string plain = text.substr(0, text.find('%'));

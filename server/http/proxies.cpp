@@ -16,7 +16,7 @@ bool is_v4(std::string_view text) {
   return !error;
 }
 
-// Without a zone ("%eth0"), which means a door of the proxy's machine, and may be any text.
+// Without a zone ("%eth0"), which means an interface of the proxy's machine, and may be any text.
 bool is_v6(std::string_view text) {
   asio::error_code error;
   asio::ip::make_address_v6(text, error);

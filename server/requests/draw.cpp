@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <functional>
 
+#include "core/film/film.h"
+#include "core/film/pfm.h"
+#include "core/film/png.h"
 #include "core/film/png_text.h"
 #include "core/integrators/shown.h"
 #include "server/operation/memory_costs.h"

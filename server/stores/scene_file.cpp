@@ -14,7 +14,7 @@ namespace {
 
 constexpr int application_id = 0x54696100;  // "Tia", in the file's header, as file(1) shows it
 constexpr int layout_version = 2;           // 1 knew no owners and no times
-constexpr int patience_ms = 5000;           // with another process that is writing
+constexpr int timeout_ms = 5000;            // with another process that is writing
 
 /// Failure: what SQLite says went wrong.
 struct Failure : std::runtime_error {
@@ -115,7 +115,7 @@ void SceneFile::open(const std::string& path) {
   if (made == nullptr) throw std::bad_alloc();
   if (code != SQLITE_OK) fail();
   sqlite3_extended_result_codes(made, 1);
-  sqlite3_busy_timeout(made, patience_ms);
+  sqlite3_busy_timeout(made, timeout_ms);
 }
 
 // All that can be wrong with the file comes to light here: it is written to even if nothing is new.
@@ -172,7 +172,7 @@ void SceneFile::share() {
       if (word("PRAGMA journal_mode = WAL") == "wal") return;
       throw Failure(SQLITE_CANTOPEN, "the folder's file system cannot share memory (SQLite's WAL)");
     } catch (const Failure& failure) {
-      if (failure.code != SQLITE_BUSY || waited_ms >= patience_ms) throw;
+      if (failure.code != SQLITE_BUSY || waited_ms >= timeout_ms) throw;
       sqlite3_sleep(pause_ms);
     }
 }

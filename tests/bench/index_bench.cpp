@@ -7,7 +7,7 @@
 
 #include "core/accel/bvh_builder.h"
 #include "core/accel/trace.h"
-#include "core/core.h"
+#include "core/scene/read_scene.h"
 #include "tests/bench/rays/geometry.h"
 #include "tests/bench/rays/ray_set.h"
 

@@ -3,7 +3,10 @@
 
 #include <ctime>
 
-#include "core/core.h"
+#include "core/film/png.h"
+#include "core/render/render.h"
+#include "core/scene/keys.h"
+#include "core/scene/read_scene.h"
 #include "server/stores/gallery.h"
 #include "tests/bench/rays/geometry.h"
 

@@ -14,7 +14,15 @@
 #include <string>
 #include <vector>
 
-#include "core/core.h"
+#include "core/film/film.h"
+#include "core/film/pfm.h"
+#include "core/film/png.h"
+#include "core/render/explain.h"
+#include "core/render/render.h"
+#include "core/scene/keys.h"
+#include "core/scene/limits.h"
+#include "core/scene/read_scene.h"
+#include "core/version.h"
 #include "tests/sanitizer.h"
 
 namespace tia {

@@ -20,8 +20,8 @@ void must(bool holds) {
 
 constexpr std::int64_t most_body = 2000;
 
-// House: a service that gives little.
-struct House {
+// Service: one that gives little.
+struct Service {
   Config config = [] {
     Config little;
     little.max_pixels = 64;
@@ -36,8 +36,8 @@ struct House {
 };
 
 void expect_an_answer(const Request& request) {
-  static House house;
-  const Response response = answer(request, house.backend.service);
+  static Service little;
+  const Response response = answer(request, little.backend.service);
   must(response.status >= 200 && response.status < 600 && response.status != 500);
   if (response.status >= 400) must(response.content_type == "application/problem+json");
 }

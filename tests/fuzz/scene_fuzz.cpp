@@ -5,7 +5,11 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "core/core.h"
+#include "core/film/png.h"
+#include "core/render/render.h"
+#include "core/scene/keys.h"
+#include "core/scene/limits.h"
+#include "core/scene/read_scene.h"
 
 namespace {
 

@@ -1,4 +1,4 @@
-// What a house remembers of the scenes that it has drawn, when it keeps none of their pictures:
+// What a service remembers of the scenes that it has drawn, when it keeps none of their pictures:
 // little, however long they were.
 #include "tests/memory/scarce_memory.h"
 #include "tests/server/support.h"

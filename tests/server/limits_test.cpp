@@ -4,7 +4,7 @@
 #include "core/render/explanation_size.h"
 #include "core/scene/read_scene.h"
 #include "server/contract/problem.h"
-#include "server/http/patience.h"
+#include "server/http/timeouts.h"
 #include "server/operation/admission.h"
 #include "server/operation/log.h"
 #include "server/requests/recipe.h"
@@ -86,7 +86,7 @@ TEST(LimitNumbers, AChunkHas2To40Bytes) {
 
 Cost cost_of(double rays) { return {Cost::usual_ray * rays, false}; }
 
-// Whether no place of that many rays' kind is left, in a house where nobody waits.
+// Whether no place of that many rays' kind is left, in a service where nobody waits.
 bool is_full(Admission& admission, double rays) {
   try {
     [[maybe_unused]] const auto ticket = admission.enter(cost_of(rays), "a", {});
@@ -183,29 +183,29 @@ TEST(LimitNumbers, OfWhatIsAnsweredAndKept) {
   EXPECT_EQ(CostMemory::most_scenes, 4096U);
 }
 
-// ---- patience -------------------------------------------------------------------------------
+// ---- timeouts -------------------------------------------------------------------------------
 
-TEST(LimitNumbers, OfPatience) {
+TEST(LimitNumbers, OfTimeouts) {
   using namespace std::chrono;
-  EXPECT_EQ(patience::head, milliseconds(5000));
-  EXPECT_EQ(patience::body, milliseconds(5000));
-  EXPECT_EQ(patience::answer, milliseconds(8000));
-  EXPECT_EQ(patience::idle, milliseconds(30'000));
-  EXPECT_EQ(patience::linger, milliseconds(2000));
-  EXPECT_EQ(patience::stuck, milliseconds(1000));
-  EXPECT_EQ(patience::rest, milliseconds(1000));
-  EXPECT_EQ(patience::drained, milliseconds(250));
-  EXPECT_EQ(patience::memory, milliseconds(1));
+  EXPECT_EQ(timeouts::head, milliseconds(5000));
+  EXPECT_EQ(timeouts::body, milliseconds(5000));
+  EXPECT_EQ(timeouts::answer, milliseconds(8000));
+  EXPECT_EQ(timeouts::idle, milliseconds(30'000));
+  EXPECT_EQ(timeouts::linger, milliseconds(2000));
+  EXPECT_EQ(timeouts::stuck, milliseconds(1000));
+  EXPECT_EQ(timeouts::rest, milliseconds(1000));
+  EXPECT_EQ(timeouts::drained, milliseconds(250));
+  EXPECT_EQ(timeouts::memory, milliseconds(1));
   EXPECT_EQ(MemoryAccount::most_wait, milliseconds(2000));
-  EXPECT_EQ(patience::slowest_rate, 65'536U);
-  EXPECT_EQ(patience::at_slowest_rate(1 << 20), milliseconds(16'000));
+  EXPECT_EQ(timeouts::slowest_rate, 65'536U);
+  EXPECT_EQ(timeouts::at_slowest_rate(1 << 20), milliseconds(16'000));
 }
 
 TEST(LimitNumbers, OfAConnection) {
-  EXPECT_EQ(patience::most_requests, 100'000U);
-  EXPECT_EQ(patience::most_ahead, 65'536U);
-  EXPECT_EQ(patience::most_at_once, 262'144U);
-  EXPECT_EQ(patience::most_parts, 262'144U);
+  EXPECT_EQ(timeouts::most_requests, 100'000U);
+  EXPECT_EQ(timeouts::most_ahead, 65'536U);
+  EXPECT_EQ(timeouts::most_at_once, 262'144U);
+  EXPECT_EQ(timeouts::most_parts, 262'144U);
   EXPECT_EQ(Log::most_bytes, 1'048'576U);
 }
 

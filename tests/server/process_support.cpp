@@ -78,8 +78,8 @@ void Process::signal(int number) { ::kill(pid_, number); }
 std::string Process::out() const { return file_bytes(folder_.file("out")); }
 std::string Process::err() const { return file_bytes(folder_.file("err")); }
 
-Finished Process::wait(Clock::duration patience) {
-  if (!eventually([&] { return reaped(); }, patience)) throw std::runtime_error("tia does not end");
+Finished Process::wait(Clock::duration timeout) {
+  if (!eventually([&] { return reaped(); }, timeout)) throw std::runtime_error("tia does not end");
   return {WIFEXITED(status_) ? WEXITSTATUS(status_) : 128 + WTERMSIG(status_), out(), err()};
 }
 long Process::ticks() const {

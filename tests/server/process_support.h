@@ -54,7 +54,7 @@ class Process {
   bool running() { return !reaped(); }
 
   /// Errors: std::runtime_error if it does not end in time.
-  Finished wait(Clock::duration patience = seconds(60));
+  Finished wait(Clock::duration timeout = seconds(60));
   /// Processor time so far, in clock ticks.
   long ticks() const;
   std::string proc(const char* name) const;

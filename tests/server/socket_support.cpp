@@ -15,8 +15,8 @@
 
 namespace tia::test {
 
-bool eventually(const std::function<bool()>& ask, Clock::duration patience) {
-  const auto deadline = Clock::now() + patience;
+bool eventually(const std::function<bool()>& ask, Clock::duration timeout) {
+  const auto deadline = Clock::now() + timeout;
   while (!ask()) {
     if (Clock::now() > deadline) return false;
     std::this_thread::sleep_for(milliseconds(1));

@@ -24,7 +24,7 @@ using std::chrono::milliseconds;
 using std::chrono::seconds;
 
 /// Asks until the answer is yes or the time is up.
-bool eventually(const std::function<bool()>& ask, Clock::duration patience = seconds(20));
+bool eventually(const std::function<bool()>& ask, Clock::duration timeout = seconds(20));
 
 /// Server: the whole service on a free port of this machine, in this process.
 class Server {

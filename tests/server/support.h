@@ -13,6 +13,8 @@
 #include <vector>
 
 #include "core/input/json.h"
+#include "core/scene/read_scene.h"
+#include "core/version.h"
 #include "server/handlers/backend.h"
 #include "server/handlers/dispatch.h"
 #include "tests/sanitizer.h"

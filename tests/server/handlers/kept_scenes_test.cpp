@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <thread>
 
-#include "core/core.h"
+#include "core/scene/read_scene.h"
 #include "server/stores/digest.h"
 #include "server/stores/scene_bytes.h"
 #include "tests/server/socket_support.h"

@@ -1,5 +1,5 @@
 // /scenes, /schema/scene.json, /version, /healthz.
-#include "core/core.h"
+#include "core/scene/read_scene.h"
 #include "tests/server/support.h"
 
 namespace tia::test {

@@ -96,7 +96,7 @@ TEST(Connections, OneWhoseClientTakesNothingMakesRoom) {
     deaf.back()->get("/");
     ASSERT_TRUE(deaf.back()->readable(seconds(20)));
   }
-  std::this_thread::sleep_for(milliseconds(1500));  // by their patience they have 8 s
+  std::this_thread::sleep_for(milliseconds(1500));  // by their timeout they have 8 s
   EXPECT_EQ(exchange(serving.port(), "GET /small HTTP/1.1\r\nHost: x\r\n\r\n").status, 200);
 }
 

@@ -23,8 +23,8 @@ Serving::Serving(Application application, HttpOptions options)
     : http_(std::move(options), std::move(application)),
       running_(std::async(std::launch::async, [this] { http_.run(); })) {}
 Serving::~Serving() { stop(milliseconds(0), milliseconds(0)); }
-bool Serving::ends(milliseconds patience) {
-  return running_.wait_for(patience) == std::future_status::ready;
+bool Serving::ends(milliseconds timeout) {
+  return running_.wait_for(timeout) == std::future_status::ready;
 }
 
 Application answering(std::function<Response(const Request&)> answer) {
@@ -100,14 +100,14 @@ std::string Wire::until(std::string_view mark) {
   }
   return taken;
 }
-std::string Wire::rest(milliseconds patience) {
+std::string Wire::rest(milliseconds timeout) {
   std::string taken;
-  for (std::string more = read(1 << 16, patience); !more.empty(); more = read(1 << 16, patience))
+  for (std::string more = read(1 << 16, timeout); !more.empty(); more = read(1 << 16, timeout))
     taken += more;
   return taken;
 }
-std::string Wire::read(std::size_t most, milliseconds patience) {
-  if (!readable(patience)) throw std::runtime_error("neither bytes nor a close");
+std::string Wire::read(std::size_t most, milliseconds timeout) {
+  if (!readable(timeout)) throw std::runtime_error("neither bytes nor a close");
   std::string bytes(most, '\0');
   const ssize_t n = ::recv(socket_, bytes.data(), most, 0);
   bytes.resize(n > 0 ? static_cast<std::size_t>(n) : 0);

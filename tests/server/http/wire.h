@@ -31,7 +31,7 @@ class Serving {
   int connections() const { return http_.connections(); }
   void stop(milliseconds delay, milliseconds limit) { http_.stop(delay, limit); }
   /// Whether run() returns in time.
-  bool ends(milliseconds patience = seconds(20));
+  bool ends(milliseconds timeout = seconds(20));
 
  private:
   HttpServer http_;
@@ -77,9 +77,9 @@ class Wire {
   /// Reads on until the bytes end with the mark, or the server closes, and takes them.
   std::string until(std::string_view mark);
   /// All bytes until the server closes. Errors: std::runtime_error if it does not in time.
-  std::string rest(milliseconds patience = seconds(60));
+  std::string rest(milliseconds timeout = seconds(60));
   /// So many bytes at most; "" = the server has closed.
-  std::string read(std::size_t most, milliseconds patience = seconds(60));
+  std::string read(std::size_t most, milliseconds timeout = seconds(60));
 
  private:
   Witness witness_;

@@ -22,8 +22,8 @@ namespace {
 /// Socket: one to 127.0.0.1, which knows when its time is up.
 class Socket {
  public:
-  Socket(int port, Clock::duration patience)
-      : socket_(::socket(AF_INET, SOCK_STREAM, 0)), until_(Clock::now() + patience) {
+  Socket(int port, Clock::duration timeout)
+      : socket_(::socket(AF_INET, SOCK_STREAM, 0)), until_(Clock::now() + timeout) {
     sockaddr_in to{};
     to.sin_family = AF_INET;
     to.sin_port = htons(static_cast<std::uint16_t>(port));
@@ -75,14 +75,14 @@ class Socket {
 }  // namespace
 
 int Asker::ask(const std::string& method, const std::string& target, const std::string& body,
-               Clock::duration patience, const char* type) {
+               Clock::duration timeout, const char* type) {
   std::string head = method + ' ' + target +
                      " HTTP/1.1\r\nHost: 127.0.0.1\r\nConnection: close\r\n" +
                      "X-Forwarded-For: " + address_ + "\r\n";
   if (method == "POST")
     head += std::string("Content-Type: ") + type +
             "\r\nContent-Length: " + std::to_string(body.size()) + "\r\n";
-  Socket socket(port_, patience);
+  Socket socket(port_, timeout);
   socket.send(head + "\r\n");  // an answer may come before all is sent
   socket.send(body);
   const std::string answer = socket.rest();

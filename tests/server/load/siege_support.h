@@ -20,7 +20,7 @@ class Asker {
   /// Sends the request and reads its answer whole, or leaves when the time is up.
   /// Returns: the status; 0 where it left, or the server closed first.
   int ask(const std::string& method, const std::string& target, const std::string& body = "",
-          Clock::duration patience = seconds(30), const char* type = "application/json");
+          Clock::duration timeout = seconds(30), const char* type = "application/json");
   /// The body of the last answer.
   const std::string& body() const { return body_; }
 

@@ -29,8 +29,8 @@ class Guest {
       : ticket_(std::async(std::launch::async, [this, &admission, bytes] {
           return admission.read(bytes, "a", stop_.get_token());
         })) {}
-  bool is_in(milliseconds patience = milliseconds(0)) const {
-    return ticket_.wait_for(patience) == std::future_status::ready;
+  bool is_in(milliseconds timeout = milliseconds(0)) const {
+    return ticket_.wait_for(timeout) == std::future_status::ready;
   }
   bool gets_in() const { return is_in(seconds(20)); }
   void leave() { ticket_.get(); }  // the ticket ends here

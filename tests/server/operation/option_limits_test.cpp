@@ -23,7 +23,7 @@ const std::string small_picture_target = "/render?width=8&height=6";
 
 // ---- work and waiting -----------------------------------------------------------------------
 
-// Whose house has no room for one more of those.
+// Whose service has no room for one more of those.
 bool is_refused(const std::function<void()>& enter) {
   try {
     enter();

@@ -1,7 +1,8 @@
 // The gallery: every scene in web/scenes is there, reads, and answers to its keys.
 #include <filesystem>
 
-#include "core/core.h"
+#include "core/scene/keys.h"
+#include "core/scene/read_scene.h"
 #include "tests/server/support.h"
 
 namespace tia::test {

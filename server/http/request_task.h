@@ -13,11 +13,13 @@
 
 namespace tia::server {
 
-/// Turn: a request in work. The worker owns `response` and `bytes` until it is done, then the
-/// connection does; the parts of an answer pass between them under a lock.
-class Turn {
+/// RequestTask: a request in work. The worker owns `response` and `bytes` until it is done, then
+/// the connection does; the parts of an answer pass between them under a lock.
+class RequestTask {
  public:
-  explicit Turn(Request asked) : request(std::move(asked)) { request.stop = stop.get_token(); }
+  explicit RequestTask(Request asked) : request(std::move(asked)) {
+    request.stop = stop.get_token();
+  }
 
   std::stop_source stop;
   Request request;

@@ -1,4 +1,4 @@
-#include "server/http/doors.h"
+#include "server/http/acceptors.h"
 
 #include <asio/ip/v6_only.hpp>
 #include <stdexcept>
@@ -20,8 +20,8 @@ bool is_shortage(const asio::error_code& error) {
 
 }  // namespace
 
-Doors::Doors(asio::io_context& io, const std::string& host, int port, Welcome welcome,
-             std::function<void()> make_room)
+Acceptors::Acceptors(asio::io_context& io, const std::string& host, int port, Welcome welcome,
+                     std::function<void()> make_room)
     : io_(io), welcome_(std::move(welcome)), make_room_(std::move(make_room)), port_(port) {
   const char* hint = "";
   try {
@@ -37,8 +37,8 @@ Doors::Doors(asio::io_context& io, const std::string& host, int port, Welcome we
   }
 }
 
-void Doors::open(const tcp::endpoint& endpoint) {
-  tcp::acceptor& acceptor = doors_.emplace_back(io_).acceptor;
+void Acceptors::open(const tcp::endpoint& endpoint) {
+  tcp::acceptor& acceptor = acceptors_.emplace_back(io_).socket;
   acceptor.open(endpoint.protocol());
   // Not SO_REUSEPORT, with which two servers share one port unawares.
   acceptor.set_option(tcp::acceptor::reuse_address(true));
@@ -52,41 +52,41 @@ void Doors::open(const tcp::endpoint& endpoint) {
   port_ = acceptor.local_endpoint().port();
 }
 
-void Doors::let_in() {
-  for (Door& door : doors_) {
-    if (!door.acceptor.is_open()) continue;
+void Acceptors::accept_all() {
+  for (Acceptor& acceptor : acceptors_) {
+    if (!acceptor.socket.is_open()) continue;
     asio::error_code error;
-    door.acceptor.cancel(error);
-    accept(door);
+    acceptor.socket.cancel(error);
+    accept(acceptor);
   }
 }
 
-void Doors::accept(Door& door) {
-  const int call = ++door.calls;
-  door.acceptor.async_accept([this, &door, call](asio::error_code error, tcp::socket socket) {
-    if (error == asio::error::operation_aborted || !door.acceptor.is_open()) return;
+void Acceptors::accept(Acceptor& acceptor) {
+  const int call = ++acceptor.calls;
+  acceptor.socket.async_accept([this, &acceptor, call](asio::error_code error, tcp::socket socket) {
+    if (error == asio::error::operation_aborted || !acceptor.socket.is_open()) return;
     if (!error) welcome_(std::move(socket));
-    if (call != door.calls) return;  // a later one waits
-    if (!error) return accept(door);
+    if (call != acceptor.calls) return;  // a later one waits
+    if (!error) return accept(acceptor);
     // That there are no descriptors left the system says even if nobody has come.
     const bool needs_room = is_shortage(error);
-    door.acceptor.wait(tcp::acceptor::wait_read, error);
+    acceptor.socket.wait(tcp::acceptor::wait_read, error);
     if (needs_room && !error) make_room_();
-    door.resting.expires_after(breath);
-    door.resting.async_wait([this, &door](asio::error_code interrupted) {
-      if (!interrupted) accept(door);
+    acceptor.resting.expires_after(breath);
+    acceptor.resting.async_wait([this, &acceptor](asio::error_code interrupted) {
+      if (!interrupted) accept(acceptor);
     });
   });
 }
 
-std::vector<tcp::socket> Doors::close() {
+std::vector<tcp::socket> Acceptors::close() {
   std::vector<tcp::socket> last;
-  for (Door& door : doors_) {
+  for (Acceptor& acceptor : acceptors_) {
     asio::error_code error;
-    while (!error && last.size() < backlog) last.push_back(door.acceptor.accept(error));
+    while (!error && last.size() < backlog) last.push_back(acceptor.socket.accept(error));
     if (error && !last.empty()) last.pop_back();
-    door.acceptor.close(error);
-    door.resting.cancel();
+    acceptor.socket.close(error);
+    acceptor.resting.cancel();
   }
   return last;
 }

@@ -14,16 +14,16 @@
 #include <unordered_map>
 
 #include "server/http/application.h"
-#include "server/http/patience.h"
+#include "server/http/timeouts.h"
 #include "server/http/worker_threads.h"
 
 namespace tia::server {
 
 class Connection;
 
-/// House: all but the atomics belongs to the connections' thread.
-struct House {
-  House(HttpOptions given, Application serving)
+/// ServerContext: all but the atomics belongs to the connections' thread.
+struct ServerContext {
+  ServerContext(HttpOptions given, Application serving)
       : options(std::move(given)), application(std::move(serving)) {}
 
   HttpOptions options;
@@ -46,7 +46,7 @@ struct House {
     for (;;) try {
         return asio::post(io, then);
       } catch (const std::bad_alloc&) {
-        std::this_thread::sleep_for(patience::memory);
+        std::this_thread::sleep_for(timeouts::memory);
       }
   }
   /// That connections hold so many bytes more, or fewer.

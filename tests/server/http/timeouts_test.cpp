@@ -1,5 +1,5 @@
 // How long a connection may take for what: slow clients are cut, steady ones are not.
-#include "server/http/patience.h"
+#include "server/http/timeouts.h"
 
 #include <map>
 
@@ -41,7 +41,7 @@ Client dripping(const std::string& first, milliseconds pause) {
   };
 }
 
-TEST(Patience, OfFiveSecondsHasAServerForAHeadAndForABodyHoweverTheyDrip) {
+TEST(Timeouts, OfFiveSecondsHasAServerForAHeadAndForABodyHoweverTheyDrip) {
   Serving serving(echo());
   const auto port = serving.port();
   const std::string half = "GET / HTTP/1.1\r\nX: ";
@@ -72,7 +72,7 @@ TEST(Patience, OfFiveSecondsHasAServerForAHeadAndForABodyHoweverTheyDrip) {
   }
 }
 
-TEST(Patience, AConnectionThatNeverSaysAnythingIsClosedWithoutAWord) {
+TEST(Timeouts, AConnectionThatNeverSaysAnythingIsClosedWithoutAWord) {
   Serving serving(echo());
   const Ended end = start(serving.port(), [](Wire&) {}).get();
   EXPECT_EQ(end.bytes, "");
@@ -81,7 +81,7 @@ TEST(Patience, AConnectionThatNeverSaysAnythingIsClosedWithoutAWord) {
 }
 
 // A head may take 5 s, an idle connection 30.
-TEST(Patience, BetweenTwoRequestsIsLongerThanForOne) {
+TEST(Timeouts, BetweenTwoRequestsIsLongerThanForOne) {
   Serving serving(echo());
   Wire idle(serving.port());
   idle.get("/");
@@ -91,7 +91,7 @@ TEST(Patience, BetweenTwoRequestsIsLongerThanForOne) {
   EXPECT_EQ(status_of(idle.until("\r\n\r\n")), 200);
 }
 
-TEST(Patience, ABodyThatComesSteadilyMayTakeLonger) {
+TEST(Timeouts, ABodyThatComesSteadilyMayTakeLonger) {
   Serving serving(echo());
   constexpr std::size_t pieces = 70, bytes = 12 << 10;  // 7 s at 120 KiB/s
   Wire wire(serving.port());
@@ -110,7 +110,7 @@ TEST(Patience, ABodyThatComesSteadilyMayTakeLonger) {
 // A picture of 2048 x 2048 pixels in floats is larger than what the system takes off our hands.
 constexpr std::size_t large = 2048UL * 2048 * 12;
 
-TEST(Patience, AClientThatDoesNotReadIsCutWithinTenSeconds) {
+TEST(Timeouts, AClientThatDoesNotReadIsCutWithinTenSeconds) {
   Serving serving(answering([](const Request&) { return text(std::string(large, 'x')); }));
   Wire wire(serving.port(), 4096);
   const auto started = Clock::now();
@@ -123,7 +123,7 @@ TEST(Patience, AClientThatDoesNotReadIsCutWithinTenSeconds) {
   EXPECT_LT(wire.rest().size(), large);
 }
 
-TEST(Patience, AClientThatReadsSlowlyButSteadilyGetsAll) {
+TEST(Timeouts, AClientThatReadsSlowlyButSteadilyGetsAll) {
   constexpr std::size_t size = 8 << 20;
   Serving serving(answering([](const Request&) { return text(std::string(size, 'x')); }));
   Wire wire(serving.port(), 64 << 10);

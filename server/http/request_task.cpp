@@ -1,14 +1,14 @@
-#include "server/http/turn.h"
+#include "server/http/request_task.h"
 
 #include <utility>
 
 #include "server/http/answer_writer.h"
-#include "server/http/patience.h"
+#include "server/http/timeouts.h"
 
 namespace tia::server {
 
-void Turn::make(const Answer& answer, const std::atomic<bool>& closing,
-                const std::function<void()>& more) noexcept {
+void RequestTask::make(const Answer& answer, const std::atomic<bool>& closing,
+                       const std::function<void()>& more) noexcept {
   try {
     make_answer(answer, closing, more);
   } catch (...) {
@@ -16,8 +16,8 @@ void Turn::make(const Answer& answer, const std::atomic<bool>& closing,
   }
 }
 
-void Turn::make_answer(const Answer& answer, const std::atomic<bool>& closing,
-                       const std::function<void()>& more) {
+void RequestTask::make_answer(const Answer& answer, const std::atomic<bool>& closing,
+                              const std::function<void()>& more) {
   response = answer(request);
   if (closing) keep_alive = false;
   if (response.parts && request.is_http_1_0) gather_parts();
@@ -35,15 +35,15 @@ void Turn::make_answer(const Answer& answer, const std::atomic<bool>& closing,
 }
 
 // HTTP/1.0 knows no chunks.
-void Turn::gather_parts() {
+void RequestTask::gather_parts() {
   std::exchange(response.parts, nullptr)([&](std::string_view part) { response.body += part; });
 }
 
-bool Turn::put(std::string_view part, const std::function<void()>& more) {
+bool RequestTask::put(std::string_view part, const std::function<void()>& more) {
   {
     std::unique_lock lock(mutex_);
     taken_.wait(lock, [&] {
-      return parts_.size() < patience::most_parts || request.stop.stop_requested();
+      return parts_.size() < timeouts::most_parts || request.stop.stop_requested();
     });
     if (request.stop.stop_requested()) return false;
     in_parts_ = true;
@@ -54,7 +54,7 @@ bool Turn::put(std::string_view part, const std::function<void()>& more) {
   return true;
 }
 
-std::string Turn::take_parts() {
+std::string RequestTask::take_parts() {
   std::string parts;
   const std::lock_guard lock(mutex_);
   parts.swap(parts_);
@@ -62,13 +62,13 @@ std::string Turn::take_parts() {
   return parts;
 }
 
-void Turn::abandon() {
+void RequestTask::abandon() {
   const std::lock_guard lock(mutex_);
   stop.request_stop();
   taken_.notify_one();
 }
 
-bool Turn::has_parts() {
+bool RequestTask::has_parts() {
   const std::lock_guard lock(mutex_);
   return in_parts_;
 }

@@ -4,7 +4,7 @@
 #include <chrono>
 #include <cstddef>
 
-namespace tia::server::patience {
+namespace tia::server::timeouts {
 
 using std::chrono::seconds;
 
@@ -29,4 +29,4 @@ constexpr std::chrono::milliseconds at_slowest_rate(std::size_t bytes) {
   return std::chrono::milliseconds(bytes * 1000 / slowest_rate);
 }
 
-}  // namespace tia::server::patience
+}  // namespace tia::server::timeouts
