@@ -82,7 +82,7 @@ template <class Scope, class Point, class Real>
 Direct<Real> from_place(Scope& scope, const Lamp& lamp, const Incoming<Real>& from,
                         const Seen<Point, Real>& seen, const Vec3<Real>& direction,
                         const Gloss<Real>& gloss) {
-  if constexpr (!Scope::plain) scope.effort.test();  // a lamp below the horizon takes time, too
+  if constexpr (!Scope::plain) scope.work.test();  // a lamp below the horizon takes time, too
   const Real n_dot_l = dot(seen.at.n, from.way);
   // Infinite or NaN where the lamp is nearer than float can tell.
   const Mask<Real> lit = seen.here && n_dot_l > Real(0) && n_dot_l < Real(infinity);

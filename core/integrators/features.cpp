@@ -57,9 +57,9 @@ Vec3<Real> cost_feature(WorldScope& scope, const Ray<Real>& ray, Mask<Real> acti
       return Vec3f{static_cast<float>(lane(v.x, i)), static_cast<float>(lane(v.y, i)),
                    static_cast<float>(lane(v.z, i))};
     };
-    Effort effort([&](std::int64_t work) { scope.effort.test(work); });
-    closest_hit(scope.world, Ray<float>{alone(ray.origin), alone(ray.direction)}, true, effort);
-    cost[static_cast<std::size_t>(i)] = static_cast<LaneOf<Real>>(effort.tests());
+    WorkCounter work([&](std::int64_t portion) { scope.work.test(portion); });
+    closest_hit(scope.world, Ray<float>{alone(ray.origin), alone(ray.direction)}, true, work);
+    cost[static_cast<std::size_t>(i)] = static_cast<LaneOf<Real>>(work.tests());
   }
   const Real all = load<Real>(cost.data());
   return {all, all, all};

@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/accel/trace.h"
+#include "core/accel/world/trace.h"
 #include "core/integrators/path.h"
 
 namespace tia {
@@ -33,24 +33,24 @@ struct Rules {
 struct WorldScope {
   static constexpr bool plain = false;
   const World& world;
-  Effort effort;
+  WorkCounter work;
   Rules rules{};
   RayTally rays{};
 
   template <class Real>
   Hit<Real> closest(const Ray<Real>& ray, Mask<Real> active) {
-    return closest_hit(world, ray, active, effort);
+    return closest_hit(world, ray, active, work);
   }
   /// The share of the light that comes from t_max to the ray's origin.
   template <class Real>
   Real visible(const Ray<Real>& ray, const Real& t_max, const Lamp& lamp, Mask<Real> active) {
-    if (shadows_are_transparent()) return transmitted(world, ray, t_max, lamp, active, effort);
-    const Mask<Real> dark = occluded(world, ray, t_max, lamp, active, effort);
+    if (shadows_are_transparent()) return transmitted(world, ray, t_max, lamp, active, work);
+    const Mask<Real> dark = occluded(world, ray, t_max, lamp, active, work);
     return select(dark, Real(0), Real(1));
   }
   /// The part that takes light first on the way from the ray's origin to t_max; -1: none.
   int blocker(const Ray<float>& ray, float t_max, const Lamp& lamp) {
-    return blocking_part(world, ray, t_max, lamp, shadows_are_transparent(), effort);
+    return blocking_part(world, ray, t_max, lamp, shadows_are_transparent(), work);
   }
   bool shadows_are_transparent() const {
     return world.transparent_shadows && rules.transparent_shadows;

@@ -12,7 +12,7 @@ std::unique_ptr<RayNode> tree_of(const World& world, const Ray<float>& ray,
                                  const Draws<float>& draws, const RenderOptions& options,
                                  ExplanationSize& size, const std::stop_token& stop) {
   RayMeter meter(options.max_rays, options.max_work, stop);
-  WorldScope scope{world, Effort([&](std::int64_t work) { meter.add_work(work); }),
+  WorldScope scope{world, WorkCounter([&](std::int64_t work) { meter.add_work(work); }),
                    rules_of(options.integrator, options.max_depth)};
   const NoteLimit limit{[&](const Hit<float>& hit) { size.ray(hit); },
                         [&](TermName name, const LampNote& light) { size.term(name, light); }};

@@ -7,7 +7,7 @@
 #include <stop_token>
 #include <vector>
 
-#include "core/accel/all_hits.h"
+#include "core/accel/world/all_hits.h"
 #include "core/input/codec.h"
 #include "core/integrators/notes.h"
 #include "core/render/explanation_size.h"

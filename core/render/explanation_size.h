@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/accel/all_hits.h"
+#include "core/accel/world/all_hits.h"
 #include "core/integrators/notes.h"
 #include "core/scene/labels.h"
 

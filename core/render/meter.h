@@ -17,7 +17,7 @@ struct RayCounts {
   bool operator==(const RayCounts&) const = default;
 };
 
-/// Told now and then, by any thread, how many rays and tests of them (Effort) a render has taken so
+/// Told now and then, by any thread, how many rays and tests of them (WorkCounter) a render has taken so
 /// far; may throw, which ends the render.
 using Spent = std::function<void(std::int64_t rays, std::int64_t tests)>;
 

@@ -6,7 +6,7 @@
 #include <functional>
 #include <stop_token>
 
-#include "core/accel/world.h"
+#include "core/accel/world/world.h"
 #include "core/film/image.h"
 #include "core/render/pool.h"
 #include "core/render/trace_block.h"

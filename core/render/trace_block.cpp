@@ -36,7 +36,7 @@ class Tracer {
       const Beam beam(shot.view, x0, y0, x0 + block.width, y0 + block.height);
       return {shot.world, candidates(shot.world, beam)};
     } else {
-      return {shot.world, Effort([this](std::int64_t work) { spent(work); }),
+      return {shot.world, WorkCounter([this](std::int64_t work) { spent(work); }),
               rules_of(shot.integrator, shot.max_depth)};
     }
   }

@@ -11,7 +11,7 @@ namespace tia {
 struct Limits {
   std::int64_t max_pixels = 16'777'216;    ///< pixels of the whole picture
   std::int64_t max_rays = 2'000'000'000;   ///< rays of all kinds, of the window that is drawn
-  std::int64_t max_work = 10'000'000'000;  ///< tests of boxes and surfaces (Effort)
+  std::int64_t max_work = 10'000'000'000;  ///< tests of boxes and surfaces (WorkCounter)
 };
 
 /// Errors: InputError of one `limit` fault that names the limit and the option that sets it.

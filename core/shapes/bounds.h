@@ -5,9 +5,9 @@
 #include <variant>
 
 #include "core/math/octet.h"
-#include "core/shapes/box.h"
-#include "core/shapes/chord.h"
-#include "core/shapes/sphere.h"
+#include "core/shapes/simple/box.h"
+#include "core/shapes/simple/chord.h"
+#include "core/shapes/simple/sphere.h"
 
 namespace tia {
 

@@ -7,7 +7,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "core/accel/world.h"
+#include "core/accel/world/world.h"
 #include "server/operation/memory_account.h"
 #include "server/operation/recent.h"
 #include "server/operation/store_counts.h"

@@ -5,8 +5,8 @@
 #include <array>
 #include <map>
 
-#include "core/accel/bvh_builder.h"
-#include "core/accel/trace.h"
+#include "core/accel/world/trace.h"
+#include "core/boxes/bvh_builder.h"
 #include "core/scene/read_scene.h"
 #include "tests/bench/rays/geometry.h"
 #include "tests/bench/rays/ray_set.h"
@@ -60,7 +60,7 @@ template <class Real, RayKind kind>
 void index_trace(State& state) {
   const Case& at = case_of(state.range(0), state.range(1));
   const RaySet& rays = at.rays[static_cast<std::size_t>(kind)];
-  Effort effort;
+  WorkCounter work;
   std::int64_t traced = 0;
   std::size_t i = 0;
   for (auto _ : state) {
@@ -73,8 +73,8 @@ void index_trace(State& state) {
     const Ray<Real> ray{vector_at<Real>(rays.origin, i), vector_at<Real>(rays.direction, i)};
     if constexpr (kind == RayKind::shadow)
       benchmark::DoNotOptimize(occluded<Real>(at.world, ray, load<Real>(&rays.t_max[i]),
-                                              at.world.lamps.front(), active, effort));
-    else benchmark::DoNotOptimize(closest_hit<Real>(at.world, ray, active, effort));
+                                              at.world.lamps.front(), active, work));
+    else benchmark::DoNotOptimize(closest_hit<Real>(at.world, ray, active, work));
   }
   state.SetItemsProcessed(traced);
 }

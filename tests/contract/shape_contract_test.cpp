@@ -64,8 +64,8 @@ class ShapeContract : public testing::Test {
   }
   template <class Real>
   static Hit<Real> hit_of(const World& world, const Ray<Real>& ray) {
-    Effort effort;
-    return closest_hit(world, ray, iota<Real>() >= Real(0), effort);
+    WorkCounter work;
+    return closest_hit(world, ray, iota<Real>() >= Real(0), work);
   }
 };
 

@@ -6,7 +6,7 @@
 
 #include <optional>
 
-#include "core/accel/all_hits.h"
+#include "core/accel/world/all_hits.h"
 #include "core/film/decode.h"
 #include "core/formulas/parse.h"
 #include "core/input/errors.h"
@@ -15,9 +15,9 @@
 #include "core/lights/sphere_light.h"
 #include "core/scene/keys.h"
 #include "core/scene/read_scene.h"
-#include "core/shapes/algebraic_term.h"
-#include "core/shapes/mesh.h"
-#include "core/shapes/occupied.h"
+#include "core/shapes/algebraic/algebraic_term.h"
+#include "core/shapes/mesh/mesh.h"
+#include "core/shapes/voxels/occupied.h"
 #include "tests/core/film/files.h"
 
 namespace tia {

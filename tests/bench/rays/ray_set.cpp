@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "core/accel/trace.h"
+#include "core/accel/world/trace.h"
 #include "core/math/rng.h"
 #include "core/math/warp.h"
 #include "core/render/patch.h"
@@ -71,11 +71,11 @@ std::array<RaySet, 4> make_rays(const World& world) {
   std::array<RaySet, 4> sets;
   for (std::size_t k = 0; k < sets.size(); ++k) sets[k].kind = static_cast<RayKind>(k);
   RaySet &primary = sets[0], &shadow = sets[1], &mirror = sets[2], &diffuse = sets[3];
-  Effort effort;
+  WorkCounter work;
   for_each_pixel([&](int x, int y) {
     const Ray<float> ray = primary_ray(x, y);
     primary.add(ray.origin, ray.direction, infinity);
-    const Hit<float> hit = closest_hit<float>(world, ray, true, effort);
+    const Hit<float> hit = closest_hit<float>(world, ray, true, work);
     if (!(hit.t < infinity)) {
       for (RaySet* rays : {&shadow, &mirror, &diffuse}) rays->add_hole();
       return;

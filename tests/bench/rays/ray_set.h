@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/accel/world.h"
+#include "core/accel/world/world.h"
 
 namespace tia::bench {
 

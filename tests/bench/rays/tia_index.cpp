@@ -2,7 +2,7 @@
 
 #include <chrono>
 
-#include "core/accel/trace.h"
+#include "core/accel/world/trace.h"
 #include "tests/bench/rays/tracers.h"
 
 namespace tia::bench {
@@ -29,7 +29,7 @@ TiaIndex::TiaIndex(const Geometry& geometry, Pool& pool) {
 }
 
 void TiaIndex::trace(const RaySet& rays, Answers& answers) const {
-  Effort effort;
+  WorkCounter work;
   const Lamp& lamp = world_->lamps.front();
   for (std::size_t i = 0; i < rays.size(); i += Wide::size) {
     const Wide t_max = load<Wide>(&rays.t_max[i]);
@@ -37,9 +37,9 @@ void TiaIndex::trace(const RaySet& rays, Answers& answers) const {
     if (!any(active)) continue;
     const Ray<Wide> ray{vector_at<Wide>(rays.origin, i), vector_at<Wide>(rays.direction, i)};
     const Wide t = rays.any_hit()
-                       ? select(occluded<Wide>(*world_, ray, t_max, lamp, active, effort), Wide(0),
+                       ? select(occluded<Wide>(*world_, ray, t_max, lamp, active, work), Wide(0),
                                 Wide(infinity))
-                       : closest_hit<Wide>(*world_, ray, active, effort).t;
+                       : closest_hit<Wide>(*world_, ray, active, work).t;
     store(t, &answers[i]);
   }
 }

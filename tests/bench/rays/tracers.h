@@ -4,7 +4,7 @@
 #include <memory>
 #include <string>
 
-#include "core/accel/world.h"
+#include "core/accel/world/world.h"
 #include "core/render/pool.h"
 #include "tests/bench/rays/geometry.h"
 #include "tests/bench/rays/ray_set.h"

@@ -6,7 +6,7 @@
 #include <map>
 #include <vector>
 
-#include "core/shapes/mesh.h"
+#include "core/shapes/mesh/mesh.h"
 #include "tests/core/accel/worlds.h"
 
 namespace tia::test {

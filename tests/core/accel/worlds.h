@@ -4,7 +4,7 @@
 
 #include <numeric>
 
-#include "core/accel/trace.h"
+#include "core/accel/world/trace.h"
 #include "tests/core/random_scene.h"
 
 namespace tia::test {
@@ -182,8 +182,8 @@ inline Ray<Wide> packed(const std::vector<Ray<float>>& rays) {
 
 template <class Real>
 Hit<Real> hit_of(const World& world, const Ray<Real>& ray) {
-  Effort effort;
-  return closest_hit(world, ray, iota<Real>() >= Real(0), effort);
+  WorkCounter work;
+  return closest_hit(world, ray, iota<Real>() >= Real(0), work);
 }
 inline Hit<float> lane_of(const Hit<Wide>& hit, int k) {
   return {lane(hit.t, k), lane(hit.part, k), lane(hit.element, k), lane(hit.copy, k)};

@@ -1,7 +1,7 @@
 // Rays that are few and costly: they stop when they are told to, and cost no more than is allowed.
 #include <gtest/gtest.h>
 
-#include "core/accel/all_hits.h"
+#include "core/accel/world/all_hits.h"
 #include "tests/core/faults.h"
 #include "tests/core/support.h"
 
@@ -17,16 +17,16 @@ Scene overlapping(int copies) {
       "children":[{"type":"sphere","center":[0,0,-9],"radius":2}]}]})");
 }
 
-TEST(Effort, CountsTestsAndHandsWorkOnInPortions) {
+TEST(WorkCounter, CountsTestsAndHandsWorkOnInPortions) {
   std::int64_t handed_on = 0;
-  Effort effort([&](std::int64_t work) {
-    EXPECT_GE(work, Effort::portion);
-    EXPECT_LT(work, Effort::portion + 3);
-    handed_on += work;
+  WorkCounter work([&](std::int64_t portion) {
+    EXPECT_GE(portion, WorkCounter::portion);
+    EXPECT_LT(portion, WorkCounter::portion + 3);
+    handed_on += portion;
   });
-  for (int i = 0; i < 100'000; ++i) effort.test(3);
-  EXPECT_EQ(effort.tests(), 100'000);
-  EXPECT_GT(handed_on, 300'000 - Effort::portion);
+  for (int i = 0; i < 100'000; ++i) work.test(3);
+  EXPECT_EQ(work.tests(), 100'000);
+  EXPECT_GT(handed_on, 300'000 - WorkCounter::portion);
   EXPECT_LE(handed_on, 300'000);
 }
 
@@ -74,13 +74,13 @@ TEST(Work, StopsWithinARayWhenItIsToldTo) {
   const View view = view_of(Camera{}, 1, 1);
   std::stop_source source;
   std::int64_t handed_on = 0;
-  Effort effort([&](std::int64_t work) {
-    handed_on += work;
+  WorkCounter work([&](std::int64_t portion) {
+    handed_on += portion;
     source.request_stop();
     if (source.stop_requested()) throw Stopped();
   });
-  EXPECT_THROW(closest_hit(world, view.ray<float>(0, 0), true, effort), Stopped);
-  EXPECT_LT(handed_on, 2 * Effort::portion);
+  EXPECT_THROW(closest_hit(world, view.ray<float>(0, 0), true, work), Stopped);
+  EXPECT_LT(handed_on, 2 * WorkCounter::portion);
 }
 
 TEST(Work, OfCostlySurfacesCountsMore) {

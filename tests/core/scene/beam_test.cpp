@@ -1,7 +1,7 @@
 // The cone of a block's rays, by which objects are left out of it.
 #include <gtest/gtest.h>
 
-#include "core/accel/world.h"
+#include "core/accel/world/world.h"
 #include "tests/core/random_scene.h"
 
 namespace tia {

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/accel/all_hits.h"
+#include "core/accel/world/all_hits.h"
 #include "core/scene/read_scene.h"
 #include "tests/core/support.h"
 

@@ -2,8 +2,8 @@
 // to what it meets.
 #pragma once
 
-#include "core/shapes/explicit.h"
-#include "core/shapes/implicit.h"
+#include "core/shapes/formula/explicit.h"
+#include "core/shapes/formula/implicit.h"
 #include "tests/core/shapes/lines.h"
 
 namespace tia::test {

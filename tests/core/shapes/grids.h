@@ -1,7 +1,7 @@
 // Grids of voxels, as tests make them.
 #pragma once
 
-#include "core/shapes/voxels.h"
+#include "core/shapes/voxels/voxels.h"
 #include "tests/core/shapes/lines.h"
 
 namespace tia::test {

@@ -51,7 +51,9 @@ TEST(Files, NoneIsOpenButTheStandardStreams) {
   for (const char* target : served_targets) tia.get(target);
   for (const auto& entry : fs::directory_iterator(tia.proc("fd"))) {
     if (std::stoi(entry.path().filename()) <= 2) continue;
-    const std::string is = fs::read_symlink(entry.path()).string();
+    std::error_code closed;  // by now
+    const std::string is = fs::read_symlink(entry.path(), closed).string();
+    if (closed) continue;
     EXPECT_TRUE(is.starts_with("socket:") || is.starts_with("pipe:") ||
                 is.starts_with("anon_inode:"))
         << is;

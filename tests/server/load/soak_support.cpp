@@ -7,7 +7,7 @@ namespace tia::test {
 
 double scale() {
   const char* text = std::getenv("TIA_SOAK");
-  return text == nullptr ? 1 : std::max(1.0, std::atof(text));
+  return text == nullptr ? 0.5 : std::max(0.5, std::atof(text));
 }
 int scaled(int count) { return static_cast<int>(count * scale()); }
 

@@ -1,0 +1,129 @@
+#include "core/accel/mesh/mesh_index.h"
+
+namespace tia {
+namespace {
+
+Vec3d triple(const std::vector<double>& values, std::size_t i) {
+  return {values[3 * i], values[3 * i + 1], values[3 * i + 2]};
+}
+
+Vec3d area_vector(const Vec3d& a, const Vec3d& b, const Vec3d& c) { return cross(b - a, c - a); }
+
+// Longest edge squared: what an area is large or small against.
+double extent(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
+  const Vec3d edges[] = {b - a, c - b, a - c};
+  return std::max({dot(edges[0], edges[0]), dot(edges[1], edges[1]), dot(edges[2], edges[2])});
+}
+
+}  // namespace
+
+MeshIndex::MeshIndex(const Mesh& mesh, const Workers& workers) {
+  const auto& places = mesh.positions.values;
+  positions.reserve(places.size() / 3);
+  for (std::size_t i = 0; i < places.size() / 3; ++i) positions.push_back(triple(places, i));
+  for (std::size_t i = 0; i < mesh.normals.values.size() / 3; ++i)
+    normals.push_back(normalize(triple(mesh.normals.values, i)));
+  for (std::size_t i = 0; i < mesh.uvs.values.size() / 2; ++i)
+    uvs.push_back({mesh.uvs.values[2 * i], mesh.uvs.values[2 * i + 1]});
+  const auto& numbers = mesh.indices.values;
+  triangles.reserve(numbers.size() / 3);
+  for (std::size_t i = 0; i < numbers.size(); i += 3)
+    triangles.push_back({numbers[i], numbers[i + 1], numbers[i + 2]});
+  workers.end_if_asked();
+
+  const std::vector<std::uint32_t> sound = sound_triangles(workers);
+  measure(sound);
+  std::vector<Box32> boxes(sound.size());
+  workers.for_each_share(sound.size(), [&](std::size_t from, std::size_t to) {
+    for (std::size_t i = from; i < to; ++i) boxes[i] = measured_box(sound[i]);
+  });
+  bvh = build_bvh(boxes, workers);
+  for (std::uint32_t& each : bvh.order) each = sound[each];
+  pack(workers);
+}
+
+// Whether it has an area, and so can be hit.
+bool MeshIndex::is_sound(std::size_t triangle) const {
+  constexpr double thinnest =
+      1e-14;  // an area below this share of the longest edge's square is none
+  const Vec3d &a = corner(triangle, 0), &b = corner(triangle, 1), &c = corner(triangle, 2);
+  const Vec3d across = area_vector(a, b, c);
+  const double most = thinnest * extent(a, b, c);
+  return dot(across, across) > most * most;
+}
+
+std::vector<std::uint32_t> MeshIndex::sound_triangles(const Workers& workers) {
+  std::vector<char> is(triangles.size());
+  workers.for_each_share(is.size(), [&](std::size_t from, std::size_t to) {
+    for (std::size_t i = from; i < to; ++i) is[i] = is_sound(i);
+  });
+  std::vector<std::uint32_t> sound;
+  sound.reserve(triangles.size());
+  for (std::size_t i = 0; i < triangles.size(); ++i)
+    if (is[i] != 0) sound.push_back(static_cast<std::uint32_t>(i));
+  degenerate = triangles.size() - sound.size();
+  return sound;
+}
+
+void MeshIndex::measure(const std::vector<std::uint32_t>& sound) {
+  if (sound.empty()) return;
+  Aabb all;
+  for (const std::uint32_t i : sound)
+    for (std::size_t k = 0; k < 3; ++k) all = around(all, corner(i, k));
+  middle = all.center();
+  const Vec3d half = all.size() * 0.5;
+  unit = std::exp2(std::ilogb(std::max({half.x, half.y, half.z})) + 1);
+}
+
+double MeshIndex::plane_distance(std::size_t triangle, const Line& line) const {
+  const Vec3d a = measured(corner(triangle, 0));
+  const Vec3d n = area_vector(a, measured(corner(triangle, 1)), measured(corner(triangle, 2)));
+  return dot(n, a - line.origin) / dot(n, line.direction);
+}
+
+// Larger than the rounded triangle by more than what the test of a ray from nearby rounds.
+Box32 MeshIndex::measured_box(std::size_t triangle) const {
+  Vec3f low{infinity, infinity, infinity}, high = -low;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto p = static_cast<Vec3f>(measured(corner(triangle, i)));
+    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+  }
+  const Vec3f more{room, room, room};
+  return {low - more, high + more};
+}
+
+void MeshIndex::pack(const Workers& workers) {
+  packed = {bvh, workers, [this](std::uint32_t triangle) {
+              std::array<float, 9> words;
+              for (std::size_t i = 0; i < 3; ++i) {
+                const auto p = static_cast<Vec3f>(measured(corner(triangle, i)));
+                words[3 * i] = p.x, words[3 * i + 1] = p.y, words[3 * i + 2] = p.z;
+              }
+              return words;
+            }};
+}
+
+MeshPoint point_of(const MeshIndex& mesh, std::size_t triangle, const Vec3d& p) {
+  const Vec3d &a = mesh.corner(triangle, 0), &b = mesh.corner(triangle, 1),
+              &c = mesh.corner(triangle, 2);
+  const Vec3d whole = area_vector(a, b, c);
+  // Barycentric coordinates: the share of the area that faces each corner.
+  const double v = dot(area_vector(a, p, c), whole) / dot(whole, whole);
+  const double w = dot(area_vector(a, b, p), whole) / dot(whole, whole);
+  const double u = 1 - v - w;
+  MeshPoint point{normalize(whole), {}, {v, w}};
+  const auto& [i, j, k] = mesh.triangles[triangle];
+  point.n = point.ng;
+  if (!mesh.normals.empty()) {
+    const Vec3d smooth = mesh.normals[i] * u + mesh.normals[j] * v + mesh.normals[k] * w;
+    if (dot(smooth, smooth) > 0) point.n = normalize(smooth);
+  }
+  if (!mesh.uvs.empty()) {
+    const Vec2d &s = mesh.uvs[i], &t = mesh.uvs[j], &r = mesh.uvs[k];
+    point.uv = {s.u * u + t.u * v + r.u * w, s.v * u + t.v * v + r.v * w};
+  }
+  return point;
+}
+
+}  // namespace tia

@@ -1,0 +1,119 @@
+// MeshIndex: a mesh as the tracer needs it: triangles in an index, packed for rays in single
+// precision.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "core/accel/mesh/triangle.h"
+#include "core/boxes/bvh_builder.h"
+#include "core/boxes/packed_leaves.h"
+#include "core/shapes/crossing.h"
+#include "core/shapes/mesh/mesh.h"
+
+namespace tia {
+
+struct MeshIndex {
+  std::vector<Vec3d> positions;
+  std::vector<Vec3d> normals;                           ///< one a position, unit; empty: flat
+  std::vector<Vec2d> uvs;                               ///< one a position; empty: none
+  std::vector<std::array<std::uint32_t, 3>> triangles;  ///< all of the mesh's, the degenerate too
+  Bvh bvh;                                              ///< over those that are not degenerate
+  std::size_t degenerate = 0;
+
+  /// The mesh's own measure, in which its triangles are packed: from -1 to 1 around its middle. So
+  /// they keep their digits in float wherever the mesh stands and whatever its size.
+  Vec3d middle{};
+  double unit = 1;  ///< a power of two
+  /// By how much of it boxes are larger than the triangles in them.
+  static constexpr float room = 0x1p-18F;
+  /// Of each triangle the nine coordinates of its corners.
+  PackedLeaves<float, 9> packed;
+
+  /// Errors: Stopped.
+  explicit MeshIndex(const Mesh& mesh, const Workers& workers = {});
+  const Vec3d& corner(std::size_t triangle, std::size_t i) const {
+    return positions[triangles[triangle][i]];
+  }
+  /// How far along a line in the mesh's own measure the plane of that triangle is, of any sign.
+  double plane_distance(std::size_t triangle, const Line& line) const;
+  /// In the mesh's own measure.
+  Vec3d measured(const Vec3d& p) const { return (p - middle) * (1 / unit); }
+  /// Packs the triangles as the leaves of `bvh` list them.
+  void pack(const Workers& workers = {});
+
+ private:
+  std::vector<std::uint32_t> sound_triangles(const Workers& workers);
+  bool is_sound(std::size_t triangle) const;
+  void measure(const std::vector<std::uint32_t>& sound);
+  Box32 measured_box(std::size_t triangle) const;
+};
+
+/// The geometric normal and the smooth one, both unit, and the surface coordinates.
+struct MeshPoint {
+  Vec3d ng, n;
+  Vec2d uv;
+};
+/// At a point of that triangle; the uvs are barycentric where the mesh has none.
+MeshPoint point_of(const MeshIndex& mesh, std::size_t triangle, const Vec3d& p);
+
+/// A mesh is large whose unit times this is beyond the distance that it is met at.
+inline constexpr float large_mesh = 0.4F;
+
+/// MeshRay: rays in a mesh's own measure, from where they are or, if that is far away, from next to
+/// the mesh: t = start + m * rate for the distance m in that measure.
+///
+/// Float keeps places in a mesh to 2^-22 of its unit. Where a ray begins on a large one, its offset
+/// from surfaces (offset_of) is not far beyond that, and what is near is settled in double: a
+/// surface would shadow itself.
+template <class Real>
+struct MeshRay {
+  using P = Precise<Real>;
+  Vec3<P> exact_origin, exact_direction;
+  Vec3<Real> origin, direction;
+  P start, rate, inverse_rate;
+  Real near;  ///< up to which m it is settled in double whether a hit is ahead; 0: not needed
+
+  /// Of rays in the mesh's object space; `unit_length`: whether their directions are unit;
+  /// `extent`: how far their origins are from the world's.
+  MeshRay(const MeshIndex& mesh, const RootRay<Real>& ray, bool unit_length, const Real& extent);
+  /// One of them.
+  Line exact(int i) const {
+    const auto of = [i](const Vec3<P>& v) -> Vec3d {
+      return {lane(v.x, i), lane(v.y, i), lane(v.z, i)};
+    };
+    return {of(exact_origin), of(exact_direction)};
+  }
+  Real t_of(const Real& m) const { return narrow<Real>(start + widen(m) * rate); }
+  Real m_of(const Real& t) const { return narrow<Real>((widen(t) - start) * inverse_rate); }
+};
+
+template <class Real>
+MeshRay<Real>::MeshRay(const MeshIndex& mesh, const RootRay<Real>& ray, bool unit_length,
+                       const Real& extent) {
+  using std::sqrt;
+  const double per_unit = 1 / mesh.unit;
+  const Vec3<P> from = ray.origin - static_cast<Vec3<P>>(mesh.middle);
+  exact_direction = ray.direction;
+  rate = P(mesh.unit), inverse_rate = P(per_unit);
+  if (!unit_length) {
+    const P length = sqrt(dot(ray.direction, ray.direction));
+    exact_direction = exact_direction * (P(1) / length);
+    rate = rate / length, inverse_rate = inverse_rate * length;
+  }
+  // The mesh is less than 2 from its middle.
+  const P before = -dot(from, ray.direction) * ray.inverse_a - P(3) * rate;
+  start = (before + abs_of(before)) * P(0.5);
+  exact_origin = (from + ray.direction * start) * P(per_unit);
+  const auto rounded = [](const Vec3<P>& v) -> Vec3<Real> {
+    return {narrow<Real>(v.x), narrow<Real>(v.y), narrow<Real>(v.z)};
+  };
+  origin = rounded(exact_origin);
+  direction = rounded(exact_direction);
+  const Real distance = max_of(extent, narrow<Real>(start));
+  const Mask<Real> is_large = !(distance >= narrow<Real>(rate) * Real(large_mesh));
+  near = select(is_large, Real(0x1p-14F), Real(0));
+}
+
+}  // namespace tia

@@ -1,0 +1,161 @@
+#include "core/accel/world/all_hits.h"
+
+#include <algorithm>
+#include <tuple>
+
+#include "core/accel/mesh/mesh_search.h"
+
+namespace tia {
+namespace {
+
+constexpr std::int64_t most_work = 4'000'000;
+
+[[noreturn]] void fail(const std::string& allowed) {
+  throw InputError({FaultKind::limit, "", std::nullopt, allowed});
+}
+
+// A query (mesh_search.h) that has no limit.
+template <class Add>
+struct EveryTriangle {
+  Add add;
+  double limit = Aabb::far;
+  void offer(double m, double triangle, bool here) const {
+    if (here) add(m, triangle);
+  }
+};
+template <class Add>
+EveryTriangle(Add) -> EveryTriangle<Add>;
+
+class Collector {
+ public:
+  Collector(const Geometry& geometry, std::vector<Meeting>& found, WorkCounter& work)
+      : geometry_(geometry), found_(found), work_(work) {}
+
+  void through(const Space& space, Packet<double>& packet) {
+    for (const std::uint32_t i : space.rest) meet(space.items[i], packet);
+    const auto meet_ball = [&](std::uint32_t i) { meet(geometry_.balls[i], packet); };
+    if (space.balls.few()) std::ranges::for_each(space.balls.balls, meet_ball);
+    else for_each_of(space.balls.bvh, packet, meet_ball);
+    for_each_of(space.bvh, packet, [&](std::uint32_t i) { meet(space.items[i], packet); });
+  }
+
+ private:
+  template <class Visit>
+  void for_each_of(const Bvh& bvh, Packet<double>& packet, Visit visit) {
+    traverse(bvh, packet.box, true, endless_, work_,
+             [&](std::uint32_t first, std::uint32_t count, bool) {
+               for (std::uint32_t i = first; i < first + count; ++i) visit(bvh.order[i]);
+             });
+  }
+  void meet(const Item& item, Packet<double>& packet) {
+    const auto at = static_cast<std::size_t>(item.index);
+    switch (item.kind) {
+      case Item::flat: return meet_part(geometry_.flats[at].part, packet);
+      case Item::part: return meet_part(item.index, packet);
+      case Item::mesh: return meet_mesh(item.index, packet);
+      case Item::solid: return meet(geometry_.solids[at], packet);
+      case Item::copies: return meet(geometry_.copies[at], packet);
+    }
+  }
+  void add(double t, int part, int element, const Packet<double>& packet,
+           const std::optional<Bracket>& bracket = {}) {
+    if (!(t > 0 && t < Aabb::far)) return;
+    if (found_.size() == most_hits)
+      fail(std::string("a ray that crosses at most ")
+               .append(std::to_string(most_hits))
+               .append(" surfaces"));
+    found_.push_back({.t = t, .part = part, .element = element, .copy = packet.copy});
+    found_.back().bracket = bracket;
+  }
+  void meet(const Solid& solid, Packet<double>& packet) {
+    work_.test(solid.work);
+    const Line line = Lines<double>(packet.root)[0];
+    for (const Boundary& each : spans(solid, geometry_.parts, line, work_))
+      add(each.t, each.part, each.element, packet, bracket_of(each, line));
+  }
+  // A solid's boundary is a crossing of one of its parts: the very same t.
+  std::optional<Bracket> bracket_of(const Boundary& at, const Line& line) {
+    const Part& part = geometry_.part(at.part);
+    work_.test(part.work);
+    std::optional<Bracket> found;
+    work_.add(
+        spans(part, line, [&](double t, int element, const std::optional<Bracket>& bracket = {}) {
+          if (t == at.t && element == at.element) found = bracket;
+        }));
+    return found;
+  }
+  void meet(const Ball& ball, Packet<double>& packet) {
+    if (ball.grid < 0) return meet_part(ball.part, packet);
+    const Copies& grid = geometry_.copies[static_cast<std::size_t>(ball.grid)];
+    Packet<double> inside =
+        packet.seen_through(grid.to_group).inside_copy(grid.offset(ball.copy), ball.copy);
+    meet_part(ball.part, inside);
+  }
+  void meet_part(int part, Packet<double>& packet) {
+    const Part& own = geometry_.part(part);
+    work_.test(own.work);
+    work_.add(crossings(own, Lines<double>(packet.root)[0],
+                          [&](double t, int element, const std::optional<Bracket>& bracket = {}) {
+                            add(t, part_of(own, part, element), element, packet, bracket);
+                          }));
+  }
+  void meet_mesh(int part, Packet<double>& packet) {
+    const Part& own = geometry_.part(part);
+    const MeshIndex& mesh = *geometry_.meshes[static_cast<std::size_t>(own.mesh)];
+    const MeshRay<double> ray(mesh, packet.seen_through(own.to_object).root, false, 0.0);
+    EveryTriangle triangles{[&](double m, double triangle) {
+      add(ray.t_of(m), part, static_cast<int>(triangle), packet);
+    }};
+    search<false>(mesh, ray, triangles, true, work_);
+  }
+  void meet(const Copies& grid, Packet<double>& packet) {
+    const Packet<double> outside = packet.seen_through(grid.to_group);
+    const int before = packet.copy * static_cast<int>(grid.repeat.copies());
+    const Space& space = geometry_.spaces[static_cast<std::size_t>(grid.inside)];
+    traverse(grid, outside.box, true, endless_, work_, [&](int copy, bool) {
+      Packet<double> inside = outside.inside_copy(grid.offset(copy), before + copy);
+      through(space, inside);
+    });
+  }
+
+  const Geometry& geometry_;
+  std::vector<Meeting>& found_;
+  WorkCounter& work_;
+  double endless_ = Aabb::far;
+};
+
+// Two triangles of one mesh met at one place: their shared edge or corner.
+bool same_place(const World& world, const Meeting& a, const Meeting& b) {
+  constexpr double slack = 1e-12;
+  return a.part == b.part && a.copy == b.copy && world.part(a.part).mesh >= 0 &&
+         b.t - a.t <= slack * b.t;
+}
+
+}  // namespace
+
+std::vector<Meeting> all_hits(const World& world, const Ray<double>& ray) {
+  std::vector<Meeting> found;
+  std::int64_t done = 0;
+  WorkCounter work([&](std::int64_t portion) {
+    done += portion;
+    if (done > most_work) fail("a ray that is tried on less: too much overlaps");
+  });
+  Packet<double> packet(ray);
+  for (const Geometry* each : world.geometries())
+    Collector(*each, found, work).through(each->spaces.front(), packet);
+  std::sort(found.begin(), found.end(), [](const Meeting& a, const Meeting& b) {
+    return std::tie(a.t, a.part, a.copy, a.element) < std::tie(b.t, b.part, b.copy, b.element);
+  });
+  const auto one = [&](const Meeting& a, const Meeting& b) { return same_place(world, a, b); };
+  found.erase(std::unique(found.begin(), found.end(), one), found.end());
+  for (Meeting& each : found) {
+    each.point = ray.at(each.t);
+    each.normal = normals_at(world, each.point, each.part, each.element, each.copy).ng;
+    each.uv = uv_at(world, each.point, each.part, each.element, each.copy);
+    if (!(dot(each.normal, each.normal) > 0)) each.normal = -ray.direction;  // too small for one
+    each.front = dot(each.normal, ray.direction) < 0;
+  }
+  return found;
+}
+
+}  // namespace tia

@@ -1,0 +1,32 @@
+// Everything that a line meets, in double: what an explanation shows.
+#pragma once
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "core/accel/world/trace.h"
+
+namespace tia {
+
+/// Meeting: one crossing of a ray with a surface of the world.
+/// Space/units: world space; the normal is the surface's own, outwards, and unit.
+struct Meeting {
+  double t = 0;
+  int part = 0, element = 0;
+  std::int64_t copy = 0;
+  Vec3d point{}, normal{};
+  Vec2d uv{};
+  bool front = false;                ///< whether the ray meets the outer side
+  std::optional<Bracket> bracket{};  ///< of its root, where that was one of an equation's
+};
+
+inline constexpr std::size_t most_hits = 10'000;
+
+/// All crossings with t > 0, ascending; at equal t in the scene's order. Where a ray runs through
+/// an edge that triangles of a mesh share, that is one crossing.
+/// Errors: InputError (limit) where there are more than most_hits, or where the ray
+/// would be tried on millions of things.
+std::vector<Meeting> all_hits(const World& world, const Ray<double>& ray);
+
+}  // namespace tia

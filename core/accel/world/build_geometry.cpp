@@ -1,0 +1,186 @@
+// A scene's objects -> Geometry: places are multiplied out, materials handed down.
+#include "core/accel/world/geometry_builder.h"
+#include "core/input/stopped.h"
+
+namespace tia {
+namespace {
+
+Matter matter_of(const Finish& finish, const Vec3d& ambient_light) {
+  const Vec3d color = finish.texture ? Vec3d{1, 1, 1} : rgb_of(finish.color);
+  Matter matter;
+  matter.albedo = color * finish.diffuse;
+  matter.ambient = color * ambient_light * finish.ambient;
+  matter.emission = rgb_of(finish.emission);
+  matter.absorption = rgb_of(finish.absorption);
+  matter.brilliance = finish.brilliance;
+  matter.specular = finish.specular;
+  matter.exponent = 1 / finish.roughness;
+  matter.reflection = finish.reflection;
+  matter.transmission = finish.transmission;
+  matter.ior = finish.ior;
+  matter.fresnel = finish.fresnel;
+  return matter;
+}
+
+class Compiler {
+ public:
+  Compiler(const Scene& scene, const Workers& workers, const MeshSource& mesh)
+      : scene_(scene), workers_(workers), mesh_(mesh) {
+    geometry_.matters.push_back(matter_of(Material{}));
+    for (const auto& [name, material] : scene.materials) {
+      named_.emplace(name, static_cast<int>(geometry_.matters.size()));
+      geometry_.matters.push_back(matter_of(material));
+    }
+  }
+
+  Geometry compile() {
+    for (const Object& object : scene_.objects) add(object, {});
+    builder_.finish();
+    return std::move(geometry_);
+  }
+
+ private:
+  Matter matter_of(const Material& material) {
+    const auto& finish = std::get<Finish>(material.kind);
+    Matter matter = tia::matter_of(finish, rgb_of(scene_.ambient_light));
+    if (finish.texture) matter.texture = pushed(geometry_.textures, prepare(*finish.texture));
+    return matter;
+  }
+  int matter_index(const MaterialRef& material) {
+    if (const auto* name = std::get_if<std::string>(&material)) return named_.at(*name);
+    return pushed(geometry_.matters, matter_of(*std::get<Boxed<Material>>(material)));
+  }
+  Setting below(const Object& object, const Setting& above) {
+    return {above.place * object.transform.affine(),
+            object.material ? matter_index(*object.material) : above.matter, above.space,
+            above.inverted};
+  }
+
+  void add(const Object& object, const Setting& above) {
+    workers_.end_if_asked();
+    const Setting own = below(object, above);
+    std::visit(
+        [&]<class Kind>(const Kind& kind) {
+          if constexpr (IsSurface<Kind>) add_surface(prepare(kind), own);
+          else add_kind(kind, own);
+        },
+        object.shape);
+    add_numbered(object);
+  }
+  // After its one part.
+  void add_numbered(const Object& object) {
+    if (object.materials.empty()) return;
+    std::vector<int> matters;
+    for (const MaterialRef& material : object.materials) matters.push_back(matter_index(material));
+    builder_.add_numbered(matters);
+  }
+
+  // ---- surfaces -------------------------------------------------------------------------------
+
+  template <class F>
+  void add_surface(const F& form, const Setting& own) {
+    builder_.add(form, own);
+  }
+  // A luminous one is a light.
+  void add_surface(const Sphere& sphere, const Setting& own) {
+    const int part = builder_.add(sphere, own);
+    const Constant emission = geometry_.matter_of(part).emission;
+    if (emits(emission.exact)) add_lamps(own.place.point(sphere.center), emission, part);
+  }
+  // One lamp for each copy of a luminous ball.
+  void add_lamps(const Vec3d& center, const Constant& color, int part) {
+    std::int64_t copies = 1;
+    for (int space = geometry_.part(part).space; geometry_.space(space).copies >= 0;) {
+      const Copies& above =
+          geometry_.copies[static_cast<std::size_t>(geometry_.space(space).copies)];
+      copies *= above.repeat.copies();
+      space = above.outside;
+    }
+    for (std::int64_t copy = 0; copy < copies; ++copy) {
+      const Vec3d place =
+          geometry_.to_space(geometry_.part(part).space, copy).inverse().point(center);
+      Lamp lamp{PointForm{place}, place, color};
+      lamp.part = part;
+      lamp.copy = static_cast<int>(copy);
+      geometry_.lamps.push_back(lamp);
+    }
+  }
+
+  void add_kind(const Mesh& mesh, const Setting& own) { builder_.add(mesh_(mesh, workers_), own); }
+
+  // ---- composites -----------------------------------------------------------------------------
+
+  void add_kind(const Group& group, const Setting& own) {
+    if (!group.repeat) {
+      for (const Object& child : group.children) add(child, own);
+      return;
+    }
+    Aabb box;
+    for (const Object& child : group.children) box = around(box, bounds_.of(child));
+    const int grid = builder_.begin_grid(*group.repeat, box, own);
+    const int inside = geometry_.copies[static_cast<std::size_t>(grid)].inside;
+    for (const Object& child : group.children) add(child, {Affine{}, own.matter, inside, false});
+    builder_.end_grid(grid, own);
+  }
+
+  void add_kind(const Csg& csg, const Setting& own) {
+    Solid solid;
+    const int object = geometry_.objects++;
+    add_operands(csg.children, csg.operation, own, object, solid);
+    builder_.add(std::move(solid), bounds_of(own.place, bounds_.of(csg)), own.space);
+  }
+  using Operands = std::span<const Object>;
+  void add_operands(Operands children, Operation operation, const Setting& above, int object,
+                    Solid& solid) {
+    if (operation != Operation::difference)
+      return add_balanced(children, operation, above, object, solid);
+    // The first without all the others.
+    add_operand(children.front(), below(children.front(), above), object, solid);
+    if (children.size() == 1) return;
+    Setting taken_away = above;
+    taken_away.inverted = !taken_away.inverted;
+    add_balanced(children.subspan(1), Operation::union_, taken_away, object, solid);
+    solid.steps.push_back({-1, operation});
+  }
+  // Halves before they are merged with each other: one after the other, each would be merged with
+  // all that is there already.
+  void add_balanced(Operands children, Operation operation, const Setting& above, int object,
+                    Solid& solid) {
+    if (children.size() == 1)
+      return add_operand(children.front(), below(children.front(), above), object, solid);
+    const std::size_t half = children.size() / 2;
+    add_balanced(children.first(half), operation, above, object, solid);
+    add_balanced(children.subspan(half), operation, above, object, solid);
+    solid.steps.push_back({-1, operation});
+  }
+  void add_operand(const Object& child, const Setting& own, int object, Solid& solid) {
+    workers_.end_if_asked();
+    if (const auto* csg = std::get_if<Csg>(&child.shape))
+      return add_operands(csg->children, csg->operation, own, object, solid);
+    if (const auto* children = children_of(child))
+      return add_operands(*children, Operation::union_, own, object, solid);
+    std::visit(
+        [&]<class Kind>(const Kind& kind) {
+          if constexpr (IsSurface<Kind>)
+            solid.steps.push_back({builder_.add_part(prepare(kind), own, object), {}});
+        },
+        child.shape);
+    add_numbered(child);
+  }
+
+  const Scene& scene_;
+  const Workers& workers_;
+  const MeshSource& mesh_;
+  ObjectBounds bounds_;
+  Geometry geometry_;
+  GeometryBuilder builder_{geometry_, workers_};
+  std::map<std::string, int> named_;
+};
+
+}  // namespace
+
+Geometry geometry_of(const Scene& scene, const Workers& workers, const MeshSource& mesh) {
+  return Compiler(scene, workers, mesh).compile();
+}
+
+}  // namespace tia

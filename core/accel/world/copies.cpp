@@ -1,0 +1,41 @@
+#include "core/accel/world/copies.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tia {
+
+Vec3d Copies::offset(std::int64_t number) const {
+  const std::int64_t nx = repeat.count[0], ny = repeat.count[1];
+  return repeat.offset(static_cast<int>(number % nx), static_cast<int>(number / nx % ny),
+                       static_cast<int>(number / nx / ny));
+}
+
+std::size_t CopyRange::longest(const Vec3d& step) const {
+  const std::array<double, 3> steps{step.x, step.y, step.z};
+  std::size_t longest = 0;
+  double most = -1;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const double length = count(axis) > 1 ? count(axis) * std::fabs(steps[axis]) : 0;
+    if (length > most) {
+      most = length;
+      longest = axis;
+    }
+  }
+  return longest;
+}
+
+Box32 CopyRange::box(const Copies& grid) const {
+  const Vec3d first = grid.repeat.offset(from[0], from[1], from[2]);
+  const Vec3d last = grid.repeat.offset(to[0] - 1, to[1] - 1, to[2] - 1);
+  const Vec3f slack{grid.slack, grid.slack, grid.slack};
+  return {static_cast<Vec3f>(grid.box.min + lower(first, last)) - slack,
+          static_cast<Vec3f>(grid.box.max + upper(first, last)) + slack};
+}
+
+float Copies::slack_of(const Aabb& all) {
+  const Vec3d far = upper(all.max, all.min * -1.0);
+  return static_cast<float>(std::max({far.x, far.y, far.z}) * 0x1p-21 + 1e-20);
+}
+
+}  // namespace tia

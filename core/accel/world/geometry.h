@@ -1,0 +1,148 @@
+// Geometry: what rays can meet, indexed, and what shading needs of it. It is a tree of spaces: the
+// world itself, and the inside of each repeated group, which is there once however often it is
+// repeated. Lights, camera and options are the World's business.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/accel/mesh/mesh_index.h"
+#include "core/accel/world/copies.h"
+#include "core/accel/world/part.h"
+#include "core/accel/world/solid.h"
+#include "core/boxes/bvh.h"
+#include "core/lights/light.h"
+#include "core/math/strata.h"
+#include "core/scene/scene.h"
+
+namespace tia {
+
+inline bool emits(const Vec3d& light) { return light.x > 0 || light.y > 0 || light.z > 0; }
+
+/// Matter: what shading needs of a material. Linear RGB.
+struct Matter {
+  Constant albedo;    ///< diffuse * color, the colour of a texture left out
+  Constant ambient;   ///< what it sends back of the light from everywhere, that colour left out
+  Constant emission;  ///< light of its own
+  Constant absorption;
+  double brilliance = 1;
+  double specular = 0, exponent = 20;
+  double reflection = 0, transmission = 0, ior = 1;
+  bool fresnel = false;
+  int texture = -1;  ///< which of the geometry's gives its points their colours; -1: none
+
+  bool operator==(const Matter&) const = default;
+};
+
+/// Lamp: a light that shines on points.
+struct Lamp {
+  LightForm form;
+  Constant middle;           ///< of what has one
+  Constant color;            ///< color * intensity
+  double fade_distance = 0;  ///< 0: it does not fade
+  double fade_power = 0;
+  /// Of its area, that shine; null: its middle alone. Lamps of as many places share them.
+  std::shared_ptr<const Strata> places{};
+  int part = -1;       ///< its own surface, which never blocks it; -1: none
+  int copy = 0;        ///< which copy of it
+  std::string name{};  ///< the JSON Pointer of one of the scene's lights; "": a luminous object
+};
+
+/// Ball: a sphere as whole packets are tried on it, in its space; one of a small grid's in that
+/// where the grid stands.
+struct Ball {
+  Sphere sphere;
+  int part = 0;
+  int grid = -1;  ///< the geometry's grid of which it is a copy, -1 inside of one and where none is
+  int copy = 0;   ///< which one
+};
+
+/// Flat: a plane as whole packets are tried on it, in its space.
+struct Flat {
+  PlaneForm plane;
+  int part = 0;
+};
+
+/// BallIndex: balls, packed for packets and for single rays.
+struct BallIndex {
+  std::vector<std::uint32_t> balls;  ///< of the geometry's
+  Bvh bvh;                           ///< over them
+  PackedLeaves<double, 4> packed;    ///< centre, radius^2
+
+  /// Whether they are so few that they are tried in turn, without an index.
+  bool few() const { return bvh.nodes.empty(); }
+  /// Packs the balls as the leaves of `bvh` list them.
+  void pack(const std::vector<Ball>& all, const Workers& workers = {});
+};
+
+/// Item: one thing that a ray is tried on by itself.
+struct Item {
+  enum Kind { flat, part, mesh, solid, copies };
+  Kind kind = part;
+  int index = 0;  ///< into the geometry's list of that kind; of a mesh: its part
+};
+
+struct Space {
+  BallIndex balls;
+  std::vector<Item> items;
+  std::vector<Box32> boxes;         ///< one an item
+  Bvh bvh;                          ///< over the items that have bounds
+  std::vector<std::uint32_t> rest;  ///< the items that have none
+  int copies = -1;                  ///< what repeats it; -1: the world itself
+};
+
+/// Meshes are shared: whatever moves keeps its index.
+using SharedMesh = std::shared_ptr<const MeshIndex>;
+
+struct Geometry {
+  std::vector<Space> spaces;  ///< the first is the world itself
+  std::vector<Part> parts;    ///< in the scene's order
+  std::vector<Ball> balls;
+  std::vector<Flat> flats;
+  std::vector<SharedMesh> meshes;
+  std::vector<Solid> solids;
+  std::vector<Copies> copies;
+  std::vector<Matter> matters;
+  std::vector<TextureForm> textures;
+  std::vector<Lamp> lamps;     ///< of its luminous balls
+  int first_part = 0;          ///< the number of its first part, which is the world's
+  int objects = 0;             ///< how many, those of the parts before it included
+  std::size_t degenerate = 0;  ///< triangles without area, which nothing meets
+
+  /// Domain: one of its own, by the number that the world has for it.
+  const Part& part(int i) const { return parts[static_cast<std::size_t>(i - first_part)]; }
+  const Matter& matter_of(int i) const { return matters[static_cast<std::size_t>(part(i).matter)]; }
+  Space& space(int i) { return spaces[static_cast<std::size_t>(i)]; }
+  const Space& space(int i) const { return spaces[static_cast<std::size_t>(i)]; }
+  /// From the world to that copy of a space.
+  Affine to_space(int space, std::int64_t copy) const;
+};
+
+/// Geometries are shared: it takes no lock to read one.
+using SharedGeometry = std::shared_ptr<const Geometry>;
+
+/// MeshSource: gives the index of a mesh, made or found. Errors: Stopped.
+using MeshSource = std::function<SharedMesh(const Mesh&, const Workers&)>;
+/// Makes it.
+SharedMesh indexed(const Mesh& mesh, const Workers& workers);
+
+/// What rays can meet of a scene's objects. It depends on objects, materials and ambient light, and
+/// on nothing else of the scene. Domain: a scene that read_scene has passed.
+/// Errors: Stopped once that is asked for.
+Geometry geometry_of(const Scene& scene, const Workers& workers = {},
+                     const MeshSource& mesh = indexed);
+
+/// Space/units: bytes, its own and all that it owns on the heap, its meshes left out: those are
+/// shared. Pictures of textures, which the scene shares, count in full.
+std::size_t bytes_of(const Geometry& geometry);
+std::size_t bytes_of(const MeshIndex& mesh);
+/// What a form owns on the heap.
+std::size_t heap_of_form(const Form& form);
+
+/// From the world's space to a part's own, by way of the copy of its group.
+Affine to_object(const Geometry& geometry, const Part& part, std::int64_t copy);
+
+}  // namespace tia

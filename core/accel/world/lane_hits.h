@@ -1,0 +1,75 @@
+// What a packet's rays hit of one thing that is searched in double: ray by ray, or eight at once.
+#pragma once
+
+#include <array>
+#include <bit>
+
+#include "core/accel/world/packet.h"
+#include "core/accel/world/part.h"
+#include "core/accel/world/solid.h"
+#include "core/boxes/work_counter.h"
+
+namespace tia {
+
+/// LaneHits: where each lane hits first; t infinite where it does not.
+template <class Real>
+struct LaneHits {
+  Real t, part, element;
+};
+
+namespace detail {
+
+template <class Real>
+struct HitArrays {
+  std::array<LaneOf<Real>, static_cast<std::size_t>(lanes<Real>)> t, part{}, element{};
+
+  HitArrays() { t.fill(infinity); }
+  void set(std::size_t lane, const Boundary& hit) {
+    t[lane] = static_cast<LaneOf<Real>>(hit.t);
+    part[lane] = static_cast<LaneOf<Real>>(hit.part);
+    element[lane] = static_cast<LaneOf<Real>>(hit.element);
+  }
+  LaneHits<Real> all() const {
+    return {tia::load<Real>(t.data()), tia::load<Real>(part.data()),
+            tia::load<Real>(element.data())};
+  }
+};
+
+}  // namespace detail
+
+/// Of the lanes of `here`. Beyond t_max nothing is wanted of crossing_of(line, t_max), a Boundary.
+template <class Real, class F>
+LaneHits<Real> hits_by_lanes(const RootRay<Real>& rays, Mask<Real> here, const Real& limit,
+                             F crossing_of) {
+  detail::HitArrays<Real> hits;
+  const Lines<Real> lines(rays);
+  for (unsigned left = bits(here); left != 0; left &= left - 1) {
+    const int i = std::countr_zero(left);
+    const auto at = static_cast<std::size_t>(i);
+    hits.set(at, crossing_of(lines[at], static_cast<double>(lane(limit, i))));
+  }
+  return hits.all();
+}
+
+/// Of a part that goes in eights.
+template <class Real>
+LaneHits<Real> hits_in_eights(const Part& part, int number, const RootRay<Real>& rays,
+                              Mask<Real> here, const Real& limit, WorkCounter& work) {
+  constexpr auto n = static_cast<std::size_t>(lanes<Real>);
+  static_assert(n % 8 == 0);
+  detail::HitArrays<Real> hits;
+  const Lines<Real> lines(rays);
+  std::array<double, n> t_max;
+  store(widen(limit), t_max.data());
+  const unsigned wanted = bits(here);
+  for (std::size_t first = 0; first < n; first += 8) {
+    const EightCrossings found =
+        nearest_crossings(part, {lines.eight(first), Octet(0.0),
+                                 Octet::load_unaligned(&t_max[first]), wanted >> first & 0xFF});
+    work.add(found.work);
+    for (std::size_t i = 0; i < 8; ++i) hits.set(first + i, {found.t[i], number, found.element[i]});
+  }
+  return hits.all();
+}
+
+}  // namespace tia

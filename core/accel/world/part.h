@@ -1,0 +1,186 @@
+// Part: a surface with one material, in its place; what all kinds of shapes become for the tracer.
+#pragma once
+
+#include <cmath>
+#include <concepts>
+#include <cstdint>
+#include <variant>
+
+#include "core/math/transform.h"
+#include "core/shapes/shape.h"
+
+namespace tia {
+
+/// Part. Space/units: `to_object` leads from the space that the part stands in to its own.
+struct Part {
+  Form form;  ///< for a mesh part, of no meaning
+  Affine to_object{};
+  Vec3d middle{};         ///< of its bounds in its own space; 0 where they are infinite
+  int mesh = -1;          ///< the geometry's mesh that it is instead of a form; -1: none
+  int ball = -1;          ///< the geometry's ball that it is as well; -1: none
+  int flat = -1;          ///< the geometry's flat that it is as well; -1: none
+  int matter = 0;         ///< the geometry's matter that it wears
+  int object = 0;         ///< the object that it belongs to, counted from 0 in the scene's order
+  int space = 0;          ///< the space of the geometry that it stands in
+  int numbers = 0;        ///< how many parts after it are its own, one for each numbered material
+                          ///< (material_number); -1: it is one of those
+  bool inverted = false;  ///< whether it cuts a solid, whose outside is then its inside
+  bool placed = false;    ///< whether to_object does anything
+  int work = 1;           ///< what trying a ray on it costs (WorkCounter)
+};
+
+namespace detail {
+
+/// Calls f(form, line, shift, length): the line as the form wants it, whose parameter s is the
+/// given line's t = (s + shift) / length. Returns: what f does.
+template <class F>
+auto with_own_line(const Part& part, const Line& line, F f) {
+  const Vec3d origin = part.to_object.point(line.origin);
+  const Vec3d way = part.to_object.vector(line.direction);
+  const double length = tia::length(way);
+  const Vec3d unit = way * (1 / length);
+  const double shift = dot(part.middle - origin, unit);
+  const Line own{origin + unit * shift, unit};
+  return std::visit([&](const auto& form) { return f(form, own, shift, length); }, part.form);
+}
+
+/// How far along its own line a part is searched: a t beyond the limit may be no longer so once it
+/// is rounded, and then order in the scene decides.
+template <class Real>
+Real search_limit(const Real& t_max, const Real& shift, const Real& length) {
+  constexpr double slack = 1e-6, rounding = 0x1p-50;
+  return t_max * Real(1 + slack) * length - shift + Real(rounding) * abs_of(shift);
+}
+
+/// The work that a function of a form returns, 0 where it returns nothing.
+template <class F>
+std::int64_t work_of_call(F call) {
+  if constexpr (std::same_as<decltype(call()), void>) return call(), 0;
+  else return call();
+}
+
+// Hands a form's crossings on in the given line's t, and their brackets where emit takes them.
+template <class Emit>
+struct OnGivenLine {
+  Emit& emit;
+  double shift, length;
+
+  double of(double s) const { return (s + shift) / length; }
+  void operator()(double s, int element) const { emit(of(s), element); }
+  void operator()(double s, int element, const Bracket& b)
+      const requires std::invocable<Emit&, double, int, const Bracket&> {
+    emit(of(s), element, Bracket{of(b.from), of(b.to), b.how, b.degree});
+  }
+};
+
+}  // namespace detail
+
+/// Calls emit(t, element) for each crossing of the line with the part's surface, or with its
+/// bracket (emit_root).
+/// Domain: a part that is no mesh; a line of any direction but 0.
+/// Returns: the work that it did beyond part.work; so do the two below.
+template <class Emit>
+std::int64_t crossings(const Part& part, const Line& line, Emit emit) {
+  return detail::with_own_line(
+      part, line, [&](const auto& form, const Line& own, double shift, double n) {
+        const detail::OnGivenLine<Emit> out{emit, shift, n};
+        return detail::work_of_call([&] { return crossings(form, own, out); });
+      });
+}
+
+/// Calls emit(t, element) where the line enters and leaves the part as a solid, in pairs.
+/// Domain: a part whose form is solid.
+template <class Emit>
+std::int64_t spans(const Part& part, const Line& line, Emit emit) {
+  return detail::with_own_line(
+      part, line, [&](const auto& form, const Line& own, double shift, double n) {
+        const detail::OnGivenLine<Emit> out{emit, shift, n};
+        if constexpr (requires { spans(form, own, out); })
+          return detail::work_of_call([&] { return spans(form, own, out); });
+        else return detail::work_of_call([&] { return crossings(form, own, out); });
+      });
+}
+
+/// The part that an element of a part belongs to, itself or the one of its material.
+inline int part_of(const Part& part, int number, int element) {
+  if (part.numbers == 0) return number;
+  return number + std::visit(
+                      [&](const auto& form) {
+                        if constexpr (requires { material_number(form, element); })
+                          return material_number(form, element);
+                        else return 0;
+                      },
+                      part.form);
+}
+
+/// The part's first crossing with t > 0. One beyond t_max need not be found.
+inline FirstCrossing nearest_crossing(const Part& part, const Line& line, double t_max) {
+  FirstCrossing nearest;
+  detail::with_own_line(part, line, [&](const auto& form, const Line& own, double shift, double n) {
+    if constexpr (requires { first_crossing(form, own, shift, n); }) {
+      nearest = first_crossing(form, own, -shift, detail::search_limit(t_max, shift, n));
+      nearest.at.t = (nearest.at.t + shift) / n;
+    } else {
+      nearest.work = detail::work_of_call([&] {
+        return crossings(form, own, [&](double s, int element) {
+          const double t = (s + shift) / n;
+          if (t > 0 && t < nearest.at.t) nearest.at = {t, element};
+        });
+      });
+    }
+  });
+  return nearest;
+}
+
+/// Whether a part's normals at its element 0 are found for eight points at once.
+inline bool normals_go_in_eights(const Part& part) {
+  return part.mesh < 0 && std::visit(
+                              [](const auto& form) {
+                                return requires(const Vec3<Octet>& p) { normals(form, p); };
+                              },
+                              part.form);
+}
+/// In the part's own space. Domain: a part whose normals go in eights.
+inline Vec3<Octet> normals_of_eight(const Part& part, const Vec3<Octet>& p) {
+  return std::visit(
+      [&](const auto& form) {
+        if constexpr (requires { normals(form, p); }) return normals(form, p);
+        else return p;
+      },
+      part.form);
+}
+
+/// Whether a part's first crossings are found for eight lines at once.
+inline bool goes_in_eights(const Part& part) {
+  return std::visit(
+      [](const auto& form) {
+        return requires(const EightLines& eight) { first_crossings(form, eight); };
+      },
+      part.form);
+}
+/// nearest_crossing of eight lines, the same to the bit. Domain: a part that goes in eights.
+inline EightCrossings nearest_crossings(const Part& part, const EightLines& given) {
+  const Ray<Octet>& line = given.line;
+  const Vec3<Octet> origin = part.to_object.point(line.origin);
+  const Vec3<Octet> way = part.to_object.vector(line.direction);
+  const Octet length = tia::length(way);
+  const Vec3<Octet> unit = way * (Octet(1.0) / length);
+  const Octet shift = dot(static_cast<Vec3<Octet>>(part.middle) - origin, unit);
+  const EightLines own{{origin + unit * shift, unit},
+                       -shift,
+                       detail::search_limit(given.before, shift, length),
+                       given.wanted};
+  return std::visit(
+      [&](const auto& form) {
+        EightCrossings found;
+        if constexpr (requires { first_crossings(form, own); }) {
+          found = first_crossings(form, own);
+          const Octet t = (Octet::load_unaligned(found.t.data()) + shift) / length;
+          t.store_unaligned(found.t.data());
+        }
+        return found;
+      },
+      part.form);
+}
+
+}  // namespace tia

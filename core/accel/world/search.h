@@ -1,0 +1,242 @@
+// The search of rays through the world: its geometries, their spaces with their indices, and all
+// kinds of things in them. What is searched for is the query's business.
+#pragma once
+
+#include <bit>
+
+#include "core/accel/world/lane_hits.h"
+#include "core/accel/world/queries.h"
+#include "core/accel/world/world.h"
+
+namespace tia {
+
+/// Tries the rays on everything of a space that may answer the query. Where `quick`, few rays of a
+/// packet go alone, each on several things at once; else every thing is tried on all the rays: the
+/// plain way to the same answers.
+template <class Real, class Query, bool quick = (lanes<Real> > 1)>
+class Search {
+ public:
+  Search(const Geometry& geometry, Query& query, WorkCounter& work)
+      : geometry_(geometry), query_(query), work_(work) {}
+
+  void through(const Space& space, Packet<Real>& packet, Mask<Real> active) {
+    for (const std::uint32_t i : space.rest) {
+      work_.test();
+      const Mask<Real> here = active && packet.box.enters(space.boxes[i], query_.limit());
+      if (any(here)) meet(space.items[i], packet, here);
+    }
+    if (space.balls.few()) {
+      for (const std::uint32_t i : space.balls.balls) meet(geometry_.balls[i], packet, active);
+    }
+    through(
+        space.balls.bvh, packet, active,
+        [&](std::uint32_t first, std::uint32_t count, Mask<Real> here) {
+          meet_balls(space.balls, first, count, packet, here);
+        },
+        [&](std::uint32_t node, Packet<float>& ray, auto& search) {
+          search.below(space.balls, node, ray);
+        });
+    through(
+        space.bvh, packet, active,
+        [&](std::uint32_t first, std::uint32_t count, Mask<Real> here) {
+          meet_items(space, first, count, packet, here);
+        },
+        [&](std::uint32_t node, Packet<float>& ray, auto& search) {
+          search.below(space, node, ray);
+        });
+  }
+
+  /// One ray alone, through what is below a node.
+  void below(const BallIndex& balls, std::uint32_t node, Packet<float>& ray) {
+    const RootRay<FloatRegister> root(ray.root);
+    traverse(balls.bvh, node, LoneRay(ray.box), query_.limit(), work_,
+             [&](std::uint32_t first, std::uint32_t count, bool) {
+               meet_balls(balls, first, count, root, ray.copy);
+             });
+  }
+  void below(const Space& space, std::uint32_t node, Packet<float>& ray) {
+    traverse(space.bvh, node, LoneRay(ray.box), query_.limit(), work_,
+             [&](std::uint32_t first, std::uint32_t count, bool) {
+               meet_items(space, first, count, ray, true);
+             });
+  }
+
+ private:
+  template <class Leaf, class Below>
+  void through(const Bvh& bvh, Packet<Real>& packet, Mask<Real> active, Leaf leaf, Below below) {
+    if constexpr (!quick) {
+      traverse(bvh, packet.box, active, query_.limit(), work_, leaf);
+    } else if constexpr (lanes<Real> == 1) {
+      if (!bvh.nodes.empty()) below(0U, packet, *this);
+    } else {
+      if (bvh.nodes.empty()) return;
+      const auto alone = [&](std::uint32_t node, Mask<Real> here) {
+        one_by_one(packet, here,
+                   [&](Packet<float>& ray, auto& search) { below(node, ray, search); });
+      };
+      const RayInterval interval(packet.box, active);
+      if (interval.scattered() || count(active) <= few_lanes) alone(0, active);
+      else
+        traverse(bvh, packet.box, interval, active, query_.limit(), work_, leaf, few_lanes,
+                 alone);
+    }
+  }
+  // Calls work(ray, search) for each lane.
+  template <class Work>
+  void one_by_one(const Packet<Real>& packet, Mask<Real> here, Work work) {
+    for (unsigned left = bits(here); left != 0; left &= left - 1) {
+      const int i = std::countr_zero(left);
+      auto own = query_.one(i);
+      Packet<float> ray = packet.one(i);
+      Search<float, decltype(own), true> search(geometry_, own, work_);
+      work(ray, search);
+      query_.set_one(i, own);
+    }
+  }
+
+  // ---- balls ----------------------------------------------------------------------------------
+
+  void meet_balls(const BallIndex& balls, std::uint32_t first, std::uint32_t count,
+                  Packet<Real>& packet, Mask<Real> here) {
+    for (std::uint32_t i = first; i < first + count; ++i)
+      meet(geometry_.balls[balls.bvh.order[i]], packet, here);
+  }
+  void meet_balls(const BallIndex& balls, std::uint32_t first, std::uint32_t count,
+                  const RootRay<FloatRegister>& ray, int copy) {
+    constexpr auto step = static_cast<std::uint32_t>(lanes<FloatRegister>);
+    using P = Precise<FloatRegister>;
+    const double* const words = balls.packed.leaf(first);
+    for (std::uint32_t from = 0; from < count; from += step) {
+      work_.test();
+      const auto word = [&](std::uint32_t k) {
+        return P::load_unaligned(words + k * count + from);
+      };
+      const FloatRegister t =
+          intersect_sphere<FloatRegister>({word(0), word(1), word(2)}, word(3), ray);
+      unsigned left = bits(t <= FloatRegister(query_.limit()));
+      if (count - from < step) left &= (1U << (count - from)) - 1;
+      for (; left != 0; left &= left - 1) {
+        const auto i = static_cast<std::uint32_t>(std::countr_zero(left));
+        const Ball& ball = geometry_.balls[balls.bvh.order[first + from + i]];
+        if (query_.skips(ball.part, copy + ball.copy)) continue;
+        query_.offer(lane(t, static_cast<int>(i)), number(ball.part), Real(0), copy + ball.copy,
+                     true);
+      }
+    }
+  }
+
+  // ---- everything else ------------------------------------------------------------------------
+
+  void meet_items(const Space& space, std::uint32_t first, std::uint32_t count,
+                  Packet<Real>& packet, Mask<Real> entered) {
+    for (std::uint32_t i = first; i < first + count; ++i) {
+      const std::uint32_t item = space.bvh.order[i];
+      Mask<Real> here = entered;
+      if (count > 1) here = here && packet.box.enters(space.boxes[item], query_.limit());
+      if (any(here)) meet(space.items[item], packet, here);
+    }
+  }
+  void meet(const Item& item, Packet<Real>& packet, Mask<Real> here) {
+    switch (item.kind) {
+      case Item::flat: return meet(geometry_.flats[at(item)], packet, here);
+      case Item::part: return meet_part(item.index, packet, here);
+      case Item::mesh: return meet_mesh(item.index, packet, here);
+      case Item::solid: return meet(geometry_.solids[at(item)], packet, here);
+      case Item::copies: return meet(geometry_.copies[at(item)], packet, here);
+    }
+  }
+  static std::size_t at(const Item& item) { return static_cast<std::size_t>(item.index); }
+  static Real number(int i) { return Real(static_cast<float>(i)); }
+
+  [[gnu::flatten]] void meet(const Ball& ball, Packet<Real>& packet, Mask<Real> here) {
+    const int copy = packet.copy + ball.copy;
+    if (query_.skips(ball.part, copy)) return;
+    work_.test();
+    const Real t = intersect(ball.sphere, packet.root);
+    query_.offer(t, number(ball.part), Real(0), copy, here);
+  }
+  [[gnu::flatten]] void meet(const Flat& flat, Packet<Real>& packet, Mask<Real> here) {
+    work_.test();
+    const Real t = intersect(flat.plane, packet.root);
+    query_.offer(t, number(flat.part), Real(0), packet.copy, here);
+  }
+
+  void offer(const LaneHits<Real>& hits, const Packet<Real>& packet, Mask<Real> here) {
+    query_.offer(hits.t, hits.part, hits.element, packet.copy, here && hits.t > Real(0));
+  }
+  void meet_part(int part, Packet<Real>& packet, Mask<Real> here) {
+    if (query_.skips(part, packet.copy)) return;
+    const Part& own = geometry_.part(part);
+    work_.test(count(here) * own.work);
+    if constexpr ((lanes<Real>) > 1) {
+      if (goes_in_eights(own))
+        return offer(hits_in_eights(own, part, packet.root, here, query_.limit(), work_), packet,
+                     here);
+    }
+    const auto nearest = [&](const Line& line, double t_max) -> Boundary {
+      const auto [hit, more] = nearest_crossing(own, line, t_max);
+      work_.add(more);
+      return {hit.t, part_of(own, part, hit.element), hit.element};
+    };
+    offer(hits_by_lanes(packet.root, here, query_.limit(), nearest), packet, here);
+  }
+  void meet(const Solid& solid, Packet<Real>& packet, Mask<Real> here) {
+    work_.test(count(here) * solid.work);
+    const auto first = [&](const Line& line, double) -> Boundary {
+      for (const Boundary& each : spans(solid, geometry_.parts, line, work_))
+        if (each.t > 0) return each;
+      return {Aabb::far, 0, 0};
+    };
+    offer(hits_by_lanes(packet.root, here, query_.limit(), first), packet, here);
+  }
+
+  void meet_mesh(int part, Packet<Real>& packet, Mask<Real> here) {
+    if (query_.skips(part, packet.copy)) return;
+    const Part& own = geometry_.part(part);
+    const MeshIndex& mesh = *geometry_.meshes[static_cast<std::size_t>(own.mesh)];
+    const bool placed = own.placed;
+    const MeshRay<Real> ray(mesh, placed ? packet.seen_through(own.to_object).root : packet.root,
+                            !placed && packet.unit_length, extent_of(packet));
+    auto triangles = query_.in(ray);
+    here = here && triangles.limit > Real(0);
+    search<quick>(mesh, ray, triangles, here, work_);
+    query_.take(triangles, ray, part, packet.copy, here);
+  }
+  // How far from the world's origin the rays are; 0 where that is not known.
+  static Real extent_of(const Packet<Real>& packet) {
+    if (!packet.unit_length) return Real(0);
+    const auto& o = packet.root.origin;
+    return max_of(max_of(abs_of(narrow<Real>(o.x)), abs_of(narrow<Real>(o.y))),
+                  abs_of(narrow<Real>(o.z)));
+  }
+
+  void meet(const Copies& grid, Packet<Real>& packet, Mask<Real> here) {
+    const Packet<Real> outside = packet.seen_through(grid.to_group);
+    const int before = packet.copy * static_cast<int>(grid.repeat.copies());
+    const Space& space = geometry_.spaces[static_cast<std::size_t>(grid.inside)];
+    traverse(grid, outside.box, here, query_.limit(), work_, [&](int copy, Mask<Real> entered) {
+      Packet<Real> inside = outside.inside_copy(grid.offset(copy), before + copy);
+      // The box of a copy of one thing is that thing's.
+      if (space.items.size() == 1 && space.balls.balls.empty())
+        meet(space.items.front(), inside, entered);
+      else through(space, inside, entered);
+    });
+  }
+
+  const Geometry& geometry_;
+  Query& query_;
+  WorkCounter& work_;
+};
+
+/// Tries the rays on everything of the world that may answer the query.
+template <class Real, class Query>
+void search(const World& world, const Ray<Real>& ray, Mask<Real> active, Query& query,
+            WorkCounter& work) {
+  Packet<Real> packet(ray);
+  for (const Geometry* geometry : world.geometries()) {
+    if (geometry->parts.empty()) continue;
+    Search<Real, Query>(*geometry, query, work).through(geometry->spaces.front(), packet, active);
+  }
+}
+
+}  // namespace tia

@@ -1,0 +1,44 @@
+#include "core/accel/world/solid.h"
+
+#include <algorithm>
+
+#include "core/input/per_thread.h"
+
+namespace tia {
+namespace {
+
+// Two faces count as one where they are no farther apart than roots in double are wrong.
+double same_distance(const Line& line) {
+  const Vec3d& o = line.origin;
+  const double reach = std::max({std::fabs(o.x), std::fabs(o.y), std::fabs(o.z)});
+  return 0x1p-40 * reach / length(line.direction);
+}
+
+}  // namespace
+
+const Spans& spans(const Solid& solid, const std::vector<Part>& parts, const Line& line,
+                   WorkCounter& work) {
+  auto& stack = per_thread<std::vector<Spans>, struct BetweenSteps>();
+  auto& result = per_thread<Spans, struct OfStep>();
+  std::size_t top = 0;
+  const double same = same_distance(line);
+  for (const Solid::Step& step : solid.steps) {
+    if (step.part >= 0) {
+      if (top == stack.size()) stack.emplace_back();
+      Spans& own = stack[top++];
+      own.clear();
+      const Part& part = parts[static_cast<std::size_t>(step.part)];
+      work.add(spans(part, line, [&](double t, int element) {
+        own.push_back({t, part_of(part, step.part, element), element});
+      }));
+    } else {
+      --top;
+      work.add(static_cast<std::int64_t>((stack[top - 1].size() + stack[top].size()) / 4));
+      merge(step.operation, stack[top - 1], stack[top], same, result);
+      stack[top - 1].swap(result);
+    }
+  }
+  return stack.front();
+}
+
+}  // namespace tia

@@ -1,0 +1,27 @@
+// Solid: CSG compiled to a list of steps over parts.
+#pragma once
+
+#include <vector>
+
+#include "core/accel/world/part.h"
+#include "core/boxes/work_counter.h"
+
+namespace tia {
+
+/// Solid: steps in postfix order over a stack of spans: put a part's spans on it, or merge the two
+/// on top.
+struct Solid {
+  struct Step {
+    int part = -1;  ///< -1: merge
+    Operation operation = Operation::union_;
+  };
+  std::vector<Step> steps;
+  int work = 0;  ///< what trying a ray on it costs: the sum of its parts
+};
+
+/// What the line runs through in the solid. The reference is good until this thread's next call.
+/// The work takes what it costs beyond solid.work. Errors: what the work's report throws.
+const Spans& spans(const Solid& solid, const std::vector<Part>& parts, const Line& line,
+                   WorkCounter& work);
+
+}  // namespace tia

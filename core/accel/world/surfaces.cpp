@@ -1,0 +1,170 @@
+// The surface where rays hit a part: its normals, coordinates and colours there, lane by lane, or
+// eight lanes at once where the part's form can.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/accel/world/trace.h"
+
+namespace tia {
+namespace {
+
+MeshPoint mesh_point(const Geometry& geometry, const Part& part, const Vec3d& local, int element) {
+  return point_of(*geometry.meshes[static_cast<std::size_t>(part.mesh)],
+                  static_cast<std::size_t>(element), local);
+}
+
+}  // namespace
+
+Normals normals_at(const World& world, const Vec3d& p, int part, int element, std::int64_t copy) {
+  const Geometry& geometry = world.geometry_of(part);
+  const Part& own = geometry.part(part);
+  const Affine map = to_object(geometry, own, copy);
+  const Vec3d local = map.point(p);
+  // Normals are carried out by the inverse transpose.
+  const auto outwards = [&](const Vec3d& n) { return normalize(map.row(own.inverted ? -n : n)); };
+  if (own.mesh >= 0) {
+    const MeshPoint at = mesh_point(geometry, own, local, element);
+    return {outwards(at.n), outwards(at.ng)};
+  }
+  const Vec3d n = outwards(
+      std::visit([&](const auto& form) { return normal(form, local, element); }, own.form));
+  return {n, n};
+}
+
+Vec2d uv_at(const World& world, const Vec3d& p, int part, int element, std::int64_t copy) {
+  const Geometry& geometry = world.geometry_of(part);
+  const Part& own = geometry.part(part);
+  const Vec3d local = to_object(geometry, own, copy).point(p);
+  if (own.mesh >= 0) return mesh_point(geometry, own, local, element).uv;
+  return std::visit([&](const auto& form) { return uv(form, local, element); }, own.form);
+}
+
+namespace {
+
+/// SurfaceLanes: points and normals, to be filled lane by lane.
+template <class Real>
+class SurfaceLanes {
+ public:
+  void set(std::size_t lane, const Vec3d& p, const Normals& at_p) {
+    const auto& [n_of, ng] = at_p;
+    const double all[] = {p.x, p.y, p.z, n_of.x, n_of.y, n_of.z, ng.x, ng.y, ng.z};
+    for (std::size_t k = 0; k < 9; ++k) parts_[k][lane] = static_cast<LaneOf<Real>>(all[k]);
+  }
+  SurfacePoint<Real> all() const { return {vector(0), vector(3), vector(6), {}}; }
+
+ private:
+  Vec3<Real> vector(std::size_t k) const {
+    return {load<Real>(parts_[k].data()), load<Real>(parts_[k + 1].data()),
+            load<Real>(parts_[k + 2].data())};
+  }
+
+  std::array<std::array<LaneOf<Real>, static_cast<std::size_t>(lanes<Real>)>, 9> parts_{};
+};
+
+}  // namespace
+
+template <class Real>
+SurfacePoint<Real> surface_by_lanes(const World& world, const Ray<Real>& ray, const Hit<Real>& hit,
+                                    int part, Mask<Real> here) {
+  SurfaceLanes<Real> all;
+  const Lines<Real> lines{RootRay<Real>(ray)};
+  for (unsigned left = bits(here); left != 0; left &= left - 1) {
+    const int i = std::countr_zero(left);
+    const auto at = static_cast<std::size_t>(i);
+    const Vec3d p = lines[at].at(lane(hit.t, i));
+    all.set(at, p,
+            normals_at(world, p, part, static_cast<int>(lane(hit.element, i)),
+                       static_cast<std::int64_t>(lane(hit.copy, i))));
+  }
+  return all.all();
+}
+
+template <class Real>
+SurfacePoint<Real> surface_in_eights(const Part& part, const Ray<Real>& ray, const Real& t) {
+  constexpr auto n = static_cast<std::size_t>(lanes<Real>);
+  static_assert(n % 8 == 0);
+  const Lines<Real> lines{RootRay<Real>(ray)};
+  std::array<double, n> distances;
+  store(widen(t), distances.data());
+  SurfaceLanes<Real> all;
+  for (std::size_t first = 0; first < n; first += 8) {
+    const Vec3<Octet> p = lines.eight(first).at(Octet::load_unaligned(&distances[first]));
+    const Vec3<Octet> own = normals_of_eight(part, part.to_object.point(p));
+    const Vec3<Octet> out = normalize(part.to_object.row(part.inverted ? -own : own));
+    for (int i = 0; i < 8; ++i) {
+      const Vec3d one{lane(out.x, i), lane(out.y, i), lane(out.z, i)};
+      all.set(first + static_cast<std::size_t>(i), {lane(p.x, i), lane(p.y, i), lane(p.z, i)},
+              {one, one});
+    }
+  }
+  return all.all();
+}
+
+template <class Real>
+SurfacePoint<Real> copied_ball_surface(const Ball& ball, const Copies& grid, const Ray<Real>& ray,
+                                       const Hit<Real>& hit) {
+  using P = Precise<Real>;
+  constexpr auto n = static_cast<std::size_t>(lanes<Real>);
+  std::array<std::array<double, n>, 3> centers{};
+  for (std::size_t i = 0; i < n; ++i) {
+    const auto copy = static_cast<std::int64_t>(lane(hit.copy, static_cast<int>(i)));
+    const Vec3d center = ball.sphere.center + grid.offset(copy);
+    centers[0][i] = center.x, centers[1][i] = center.y, centers[2][i] = center.z;
+  }
+  const RootRay<Real> root(ray);
+  const Vec3<P> p = root.origin + root.direction * widen(hit.t);
+  const Vec3<P> out =
+      grid.to_group.point(p) -
+      Vec3<P>{load<P>(centers[0].data()), load<P>(centers[1].data()), load<P>(centers[2].data())};
+  const auto narrowed = [](const Vec3<P>& v) -> Vec3<Real> {
+    return {narrow<Real>(v.x), narrow<Real>(v.y), narrow<Real>(v.z)};
+  };
+  const Vec3<Real> normal = normalize(narrowed(grid.to_group.row(out)));
+  return {narrowed(p), normal, normal, {}};
+}
+
+template <class Real>
+Vec3<Real> texture_colors(const World& world, const Ray<Real>& ray, const Hit<Real>& hit, int part,
+                          Mask<Real> here) {
+  constexpr auto n = static_cast<std::size_t>(lanes<Real>);
+  const Geometry& geometry = world.geometry_of(part);
+  const TextureForm& texture =
+      geometry.textures[static_cast<std::size_t>(geometry.matter_of(part).texture)];
+  const bool wants_uv = std::holds_alternative<ImageForm>(texture.kind);
+  std::array<std::array<LaneOf<Real>, n>, 3> rgb{};
+  const Lines<Real> lines{RootRay<Real>(ray)};
+  for (unsigned left = bits(here); left != 0; left &= left - 1) {
+    const int i = std::countr_zero(left);
+    const auto at = static_cast<std::size_t>(i);
+    const auto copy = static_cast<std::int64_t>(lane(hit.copy, i));
+    const Line line = lines[at];
+    const Vec3d p = line.at(lane(hit.t, i));
+    const Affine map = to_object(geometry, geometry.part(part), copy);
+    const Vec2d uv =
+        wants_uv ? uv_at(world, p, part, static_cast<int>(lane(hit.element, i)), copy) : Vec2d{};
+    // The point is off its surface along the ray, by the rounding of t and of what t is made of.
+    const double reach = std::max(
+        {std::fabs(p.x), std::fabs(p.y), std::fabs(p.z), static_cast<double>(lane(hit.t, i))});
+    const double blur = 4e-6 * reach * length(map.vector(line.direction));
+    const Vec3d color = color_at(texture, map.point(p), uv, blur);
+    const double parts[] = {color.x, color.y, color.z};
+    for (std::size_t k = 0; k < 3; ++k) rgb[k][at] = static_cast<LaneOf<Real>>(parts[k]);
+  }
+  return {load<Real>(rgb[0].data()), load<Real>(rgb[1].data()), load<Real>(rgb[2].data())};
+}
+
+#define TIA_SURFACES(Real)                                                                       \
+  template Vec3<Real> texture_colors(const World&, const Ray<Real>&, const Hit<Real>&, int,      \
+                                     Mask<Real>);                                                \
+  template SurfacePoint<Real> copied_ball_surface(const Ball&, const Copies&, const Ray<Real>&,  \
+                                                  const Hit<Real>&);                             \
+  template SurfacePoint<Real> surface_by_lanes(const World&, const Ray<Real>&, const Hit<Real>&, \
+                                               int, Mask<Real>);
+TIA_SURFACES(Wide)
+TIA_SURFACES(float)
+TIA_SURFACES(double)
+#undef TIA_SURFACES
+template SurfacePoint<Wide> surface_in_eights(const Part&, const Ray<Wide>&, const Wide&);
+
+}  // namespace tia

@@ -1,0 +1,148 @@
+#include "core/accel/world/trace.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/accel/world/search.h"
+
+namespace tia {
+
+namespace {
+
+// The distance that double finds by the plane of the triangle that is hit, where the mesh is so
+// large beside it that an offset from the surface (offset_of) is lost in what float keeps of it;
+// else, and where the triangle is seen edge on, the one that is there.
+double settled_distance(const Geometry& geometry, const Part& part, const Line& line,
+                        std::size_t triangle, std::int64_t copy, double t) {
+  const MeshIndex& mesh = *geometry.meshes[static_cast<std::size_t>(part.mesh)];
+  const Affine map = to_object(geometry, part, copy);
+  const Vec3d way = map.vector(line.direction) * (1 / mesh.unit);
+  const double rate = 1 / length(way);
+  if (!(t < large_mesh * rate)) return t;
+  const double exact = mesh.plane_distance(triangle, {mesh.measured(map.point(line.origin)), way});
+  return exact > 0 && std::fabs(exact - t) < 0x1p-12 * rate ? exact : t;
+}
+
+// After the search, which compares what float has found: so it does not matter what comes first.
+template <class Real>
+void settle_distances(const World& world, const Ray<Real>& ray, Mask<Real> active, Hit<Real>& hit) {
+  if (world.of_objects->meshes.empty()) return;
+  const Hit<Real> found = hit;
+  for_each_winner(found, active, [&](int part, Mask<Real> here) {
+    const Geometry& geometry = world.geometry_of(part);
+    const Part& own = geometry.part(part);
+    if (own.mesh < 0) return;
+    if (own.space == 0 && !own.placed) {
+      const MeshIndex& mesh = *geometry.meshes[static_cast<std::size_t>(own.mesh)];
+      here = here && found.t < Real(static_cast<float>(mesh.unit));  // wider than it is asked below
+      if (!any(here)) return;
+    }
+    std::array<LaneOf<Real>, static_cast<std::size_t>(lanes<Real>)> t;
+    store(found.t, t.data());
+    const Lines<Real> lines{RootRay<Real>(ray)};
+    for (unsigned left = bits(here); left != 0; left &= left - 1) {
+      const int i = std::countr_zero(left);
+      LaneOf<Real>& at = t[static_cast<std::size_t>(i)];
+      at = static_cast<LaneOf<Real>>(settled_distance(
+          geometry, own, lines[static_cast<std::size_t>(i)],
+          static_cast<std::size_t>(lane(found.element, i)),
+          static_cast<std::int64_t>(lane(found.copy, i)), static_cast<double>(at)));
+    }
+    hit.t = select(here, load<Real>(t.data()), hit.t);
+  });
+}
+
+template <class Real>
+Hit<Real> nearest(const World& world, const Ray<Real>& ray, Mask<Real> active, Nearest<Real> query,
+                  WorkCounter& work) {
+  search(world, ray, active, query, work);
+  if constexpr (!std::is_same_v<Real, double>) settle_distances(world, ray, active, query.hit);
+  return query.hit;
+}
+
+}  // namespace
+
+template <class Real>
+Hit<Real> closest_hit(const World& world, const Ray<Real>& ray, Mask<Real> active, WorkCounter& work) {
+  return nearest<Real>(world, ray, active, {}, work);
+}
+
+template <class Real>
+Mask<Real> occluded(const World& world, const Ray<Real>& ray, const Real& t_max, const Lamp& lamp,
+                    Mask<Real> active, WorkCounter& work) {
+  AnyHit<Real> query{t_max, lamp.part, lamp.copy};
+  search(world, ray, active, query, work);
+  return query.blocked();
+}
+
+namespace {
+
+// Goes from surface to surface, the lamp's own left out, as far as t_max and as long as lanes want
+// to: visit(hit, lanes) tells which of them do. The offset behind each surface is as far as a
+// shadow ray's in front of its own.
+template <class Real, class Visit>
+void walk(const World& world, const Ray<Real>& ray, const Real& t_max, const Lamp& lamp,
+          Mask<Real> going, WorkCounter& work, Visit visit) {
+  Real done(0);
+  while (any(going)) {
+    const Vec3<Real> from = ray.at(done);
+    const Nearest<Real> query{{}, lamp.part, lamp.copy};
+    const Hit<Real> hit = nearest<Real>(world, {from, ray.direction}, going, query, work);
+    const Real t = done + hit.t;
+    going = visit(hit, going && t < t_max);
+    done = select(going, t + offset_of(t, ray.at(t)), done);
+  }
+}
+
+// What the lanes' hits let through.
+template <class Real>
+Real transmissions(const World& world, const Hit<Real>& hit, Mask<Real> met) {
+  Real share(0);
+  for_each_winner(hit, met, [&](int part, Mask<Real> here) {
+    share = select(here, lift<Real>(world.matter_of(part).transmission), share);
+  });
+  return share;
+}
+
+}  // namespace
+
+template <class Real>
+Real transmitted(const World& world, const Ray<Real>& ray, const Real& t_max, const Lamp& lamp,
+                 Mask<Real> active, WorkCounter& work) {
+  Real share(1);
+  const auto take = [&](const Hit<Real>& hit, Mask<Real> met) -> Mask<Real> {
+    share = select(met, share * transmissions(world, hit, met), share);
+    return met && share > Real(0);
+  };
+  walk(world, ray, t_max, lamp, active, work, take);
+  return share;
+}
+
+int blocking_part(const World& world, const Ray<float>& ray, float t_max, const Lamp& lamp,
+                  bool transparent, WorkCounter& work) {
+  int blocking = -1;
+  walk(world, ray, t_max, lamp, true, work, [&](const Hit<float>& hit, bool met) {
+    if (!met) return false;
+    const int part = static_cast<int>(hit.part);
+    if (transparent && world.matter_of(part).transmission == 1) return true;
+    blocking = part;
+    return false;
+  });
+  return blocking;
+}
+
+// ---- the three scalars ----------------------------------------------------------------------
+
+#define TIA_TRACE(Real)                                                                           \
+  template Hit<Real> closest_hit(const World&, const Ray<Real>&, Mask<Real>, WorkCounter&);            \
+  template Mask<Real> occluded(const World&, const Ray<Real>&, const Real&, const Lamp&,          \
+                               Mask<Real>, WorkCounter&);                                              \
+  template Real transmitted(const World&, const Ray<Real>&, const Real&, const Lamp&, Mask<Real>, \
+                            WorkCounter&);
+TIA_TRACE(Wide)
+TIA_TRACE(float)
+TIA_TRACE(double)
+#undef TIA_TRACE
+
+}  // namespace tia

@@ -1,0 +1,205 @@
+// What a ray meets first, whether anything stands in its way, and the surface there.
+#pragma once
+
+#include <bit>
+
+#include "core/accel/world/world.h"
+
+namespace tia {
+
+/// The nearest hit with t > 0 of the lanes that are active; at equal t the object that comes first
+/// in the scene.
+/// Errors: what the work's report throws.
+template <class Real>
+Hit<Real> closest_hit(const World& world, const Ray<Real>& ray, Mask<Real> active, WorkCounter& work);
+
+/// The same in a world of few balls, of which the ray may meet none but those listed.
+template <class Real>
+Hit<Real> closest_ball(const World& world, const std::vector<int>& balls, const Ray<Real>& ray) {
+  Hit<Real> nearest;
+  if (balls.empty()) return nearest;
+  const RootRay<Real> root_ray(ray);
+  for (const int i : balls) {
+    const Ball& ball = world.balls[static_cast<std::size_t>(i)];
+    const Real t = intersect(ball.sphere, root_ray);
+    const auto nearer = t < nearest.t;
+    nearest.t = select(nearer, t, nearest.t);
+    nearest.part = select(nearer, Real(static_cast<float>(ball.part)), nearest.part);
+  }
+  return nearest;
+}
+
+/// Whether anything but the lamp's own ball stands between the ray's origin and t_max; of lanes
+/// that are not active it says nothing. Errors: what the work's report throws.
+template <class Real>
+Mask<Real> occluded(const World& world, const Ray<Real>& ray, const Real& t_max, const Lamp& lamp,
+                    Mask<Real> active, WorkCounter& work);
+
+/// How far a ray starts from its surface: 1e-4 at the thesis' distances, in proportion to the
+/// distance elsewhere, so that scenes of other scales have neither acne nor leaks.
+template <class Real>
+Real offset_of(const Real& t, const Vec3<Real>& p) {
+  const Real extent = max_of(max_of(abs_of(p.x), abs_of(p.y)), abs_of(p.z));
+  return Real(5e-6F) * max_of(t, extent);
+}
+
+/// The share of a lamp's light that goes straight from t_max to the ray's origin through all that
+/// transmits: each surface on the way takes its own. Errors: as occluded's.
+template <class Real>
+Real transmitted(const World& world, const Ray<Real>& ray, const Real& t_max, const Lamp& lamp,
+                 Mask<Real> active, WorkCounter& work);
+
+/// The part that takes of a lamp's light first on the way from the ray's origin to t_max; -1: none.
+/// Where shadows are transparent, what lets all light through takes none. Errors: as occluded's.
+int blocking_part(const World& world, const Ray<float>& ray, float t_max, const Lamp& lamp,
+                  bool transparent, WorkCounter& work);
+
+/// The same as occluded in a world of few balls.
+template <class Real>
+Mask<Real> occluded_by_balls(const World& world, const Ray<Real>& ray, const Real& t_max,
+                             const Lamp& lamp) {
+  const RootRay<Real> root_ray(ray);
+  Mask<Real> blocked(false);
+  for (const Ball& ball : world.balls)
+    if (ball.part != lamp.part) blocked = blocked | (intersect(ball.sphere, root_ray) < t_max);
+  return blocked;
+}
+
+/// SurfacePoint: the costly half of a hit, for the winner only.
+/// Space/units: world space; both normals are unit and face the viewer, by the side of ng.
+template <class Real>
+struct SurfacePoint {
+  Vec3<Real> p, n, ng;  ///< n is what shading uses, ng is the surface's own
+  Mask<Real> front{};   ///< where the viewer is outside
+  const Vec3<Real>& side() const { return ng; }
+  void take(const SurfacePoint& other, Mask<Real> here) {
+    p = select(here, other.p, p);
+    n = select(here, other.n, n);
+    ng = select(here, other.ng, ng);
+    front = (here && other.front) || (!here && front);
+  }
+};
+
+/// Normals: the surface's own and the one that shading uses, unit and outwards; where a solid is
+/// cut, out of what is left.
+struct Normals {
+  Vec3d n, ng;
+};
+/// A part's at a point of it, in double, in world space.
+Normals normals_at(const World& world, const Vec3d& p, int part, int element, std::int64_t copy);
+/// A part's surface coordinates at a point of it.
+Vec2d uv_at(const World& world, const Vec3d& p, int part, int element, std::int64_t copy);
+
+/// The colours that a part's texture has where the lanes of `here` hit it. Domain: a part that has
+/// one.
+template <class Real>
+Vec3<Real> texture_colors(const World& world, const Ray<Real>& ray, const Hit<Real>& hit, int part,
+                          Mask<Real> here);
+
+/// The lanes of `here` one by one, not turned to the viewer.
+template <class Real>
+SurfacePoint<Real> surface_by_lanes(const World& world, const Ray<Real>& ray, const Hit<Real>& hit,
+                                    int part, Mask<Real> here);
+
+/// Eight lanes at a time. Domain: a part in the world's own space, hit where its normals go in
+/// eights (normals_go_in_eights); other lanes come out meaningless.
+template <class Real>
+SurfacePoint<Real> surface_in_eights(const Part& part, const Ray<Real>& ray, const Real& t);
+
+/// A normal turned to the viewer by the cosine between the surface's own and the ray. Where a thing
+/// is too small for a normal the cosine is NaN, and the way back along the ray takes its place.
+template <class Real>
+Vec3<Real> turned(const Vec3<Real>& n, const Real& cosine, const Vec3<Real>& direction) {
+  return select(cosine <= Real(0), n, select(cosine > Real(0), -n, -direction));
+}
+
+/// BallPoint: a SurfacePoint whose two normals are one.
+template <class Real>
+struct BallPoint {
+  Vec3<Real> p, n;
+  Mask<Real> front{};
+  const Vec3<Real>& side() const { return n; }
+  void take(const BallPoint& other, Mask<Real> here) {
+    p = select(here, other.p, p);
+    n = select(here, other.n, n);
+  }
+};
+template <class Real>
+BallPoint<Real> ball_surface(const Ball& ball, const Ray<Real>& ray, const Real& t) {
+  BallPoint<Real> at;
+  at.p = ray.at(t);
+  at.n = normal(ball.sphere, at.p);
+  const Real cosine = dot(at.n, ray.direction);
+  at.front = cosine <= Real(0);
+  at.n = turned(at.n, cosine, ray.direction);
+  return at;
+}
+
+/// A plane has one normal.
+template <class Real>
+SurfacePoint<Real> flat_surface(const Flat& flat, const Ray<Real>& ray, const Real& t) {
+  const RootRay<Real> root(ray);
+  const auto p = root.origin + root.direction * widen(t);
+  const Vec3<Real> n = lift<Real>(flat.plane.frame.n);
+  return {{narrow<Real>(p.x), narrow<Real>(p.y), narrow<Real>(p.z)}, n, n, {}};
+}
+/// A ball of a group that the world itself repeats, each lane on its own copy.
+template <class Real>
+SurfacePoint<Real> copied_ball_surface(const Ball& ball, const Copies& grid, const Ray<Real>& ray,
+                                       const Hit<Real>& hit);
+
+/// Of any part, not turned to the viewer: by the packet where its kind allows, else lane by lane.
+template <class Real>
+SurfacePoint<Real> outward_surface(const World& world, const Ray<Real>& ray, const Hit<Real>& hit,
+                                   int part, Mask<Real> here) {
+  const Geometry& geometry = world.geometry_of(part);
+  const Part& own = geometry.part(part);
+  if (own.space == 0 && own.flat >= 0)
+    return flat_surface(geometry.flats[static_cast<std::size_t>(own.flat)], ray, hit.t);
+  if (own.space != 0 && own.ball >= 0) {
+    const int number = geometry.space(own.space).copies;
+    const Copies& grid = geometry.copies[static_cast<std::size_t>(number)];
+    const Ball& ball = geometry.balls[static_cast<std::size_t>(own.ball)];
+    if (grid.outside == 0) return copied_ball_surface(ball, grid, ray, hit);
+  }
+  if constexpr ((lanes<Real>) > 1) {
+    const bool aside = any(here && hit.element > Real(0));
+    if (own.space == 0 && !aside && normals_go_in_eights(own))
+      return surface_in_eights(own, ray, hit.t);
+  }
+  return surface_by_lanes(world, ray, hit, part, here);
+}
+
+/// Domain: lanes outside `here`, whose rays have not hit `part`, come out meaningless.
+template <class Real>
+SurfacePoint<Real> surface(const World& world, const Ray<Real>& ray, const Hit<Real>& hit, int part,
+                           Mask<Real> here) {
+  const Geometry& geometry = world.geometry_of(part);
+  const Part& own = geometry.part(part);
+  if (own.space == 0 && own.ball >= 0) {
+    const Ball& ball = geometry.balls[static_cast<std::size_t>(own.ball)];
+    const BallPoint<Real> at = ball_surface(ball, ray, hit.t);
+    return {at.p, at.n, at.n, at.front};
+  }
+  SurfacePoint<Real> at = outward_surface(world, ray, hit, part, here);
+  const Real cosine = dot(at.ng, ray.direction);
+  at.n = turned(at.n, cosine, ray.direction);
+  at.ng = turned(at.ng, cosine, ray.direction);
+  at.front = cosine <= Real(0);
+  return at;
+}
+
+/// Calls f(part, mask) once for each part that lanes have hit: a packet rarely sees more than two,
+/// so what depends on the part alone is found once for all lanes.
+template <class Real, class F>
+void for_each_winner(const Hit<Real>& hit, Mask<Real> active, F f) {
+  Mask<Real> left = active && hit.t < Real(infinity);
+  while (const unsigned lanes_left = bits(left)) {
+    const auto part = static_cast<int>(lane(hit.part, std::countr_zero(lanes_left)));
+    const Mask<Real> here = left && hit.part == Real(static_cast<float>(part));
+    f(part, here);
+    left = left && !here;
+  }
+}
+
+}  // namespace tia

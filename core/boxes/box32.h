@@ -1,0 +1,23 @@
+// Boxes in float that hold what boxes in double do.
+#pragma once
+
+#include "core/math/aabb.h"
+#include "core/math/vec3.h"
+
+namespace tia {
+
+/// Box32: a box in float.
+struct Box32 {
+  Vec3f min, max;
+};
+/// The least box in float that holds one in double.
+Box32 enclosing(const Aabb& box);
+/// A little beyond that, so that it holds all that the exact one holds for a ray that runs in one
+/// of its faces, too.
+Box32 rounded_outwards(const Aabb& box);
+
+/// The next float that is not above, or not below, a number.
+float rounded_down(double x);
+float rounded_up(double x);
+
+}  // namespace tia

@@ -1,0 +1,53 @@
+// Eight boxes at once.
+#pragma once
+
+#include <array>
+
+#include "core/boxes/box32.h"
+#include "core/math/wide.h"
+
+namespace tia {
+
+/// BoxSet: up to eight boxes, as their six faces: the least x of all, the least y …, the greatest
+/// z.
+struct BoxSet {
+  static constexpr std::size_t size = 8;
+  using Floats = std::array<float, size>;
+  std::array<Floats, 6> faces{};
+  unsigned count = 0;
+
+  void add(const Box32& box) {
+    const float all[] = {box.min.x, box.min.y, box.min.z, box.max.x, box.max.y, box.max.z};
+    for (std::size_t i = 0; i < 6; ++i) faces[i][count] = all[i];
+    ++count;
+  }
+  [[gnu::always_inline]] Box32 box(std::size_t i) const {
+    return {{faces[0][i], faces[1][i], faces[2][i]}, {faces[3][i], faces[4][i], faces[5][i]}};
+  }
+};
+
+namespace detail {
+
+inline constexpr std::size_t box_registers = BoxSet::size / FloatRegister::size;
+/// A number for each of eight boxes.
+using Eight = Registers<FloatRegister, box_registers>;
+
+inline Eight load(const BoxSet::Floats& from) { return Eight::load_unaligned(from.data()); }
+inline Eight least_of(const Eight& a, const Eight& b) {
+  return Eight::map([](const auto& x, const auto& y) { return xsimd::min(x, y); }, a, b);
+}
+inline Eight greatest_of(const Eight& a, const Eight& b) {
+  return Eight::map([](const auto& x, const auto& y) { return xsimd::max(x, y); }, a, b);
+}
+/// As bits, where one number is at most the other of the boxes that there are.
+inline unsigned at_most(const Eight& a, const Eight& b, const BoxSet& boxes) {
+  const auto mask = a <= b;
+  unsigned all = 0;
+  for (std::size_t i = 0; i < box_registers; ++i)
+    all |= bits(mask.part[i]) << (i * FloatRegister::size);
+  return all & ((1U << boxes.count) - 1);
+}
+
+}  // namespace detail
+
+}  // namespace tia

@@ -1,0 +1,74 @@
+// The rays of a packet, together against eight boxes.
+#pragma once
+
+#include <array>
+
+#include "core/boxes/box_ray.h"
+#include "core/boxes/box_set.h"
+#include "core/math/lanes.h"
+
+namespace tia {
+
+/// The greatest of the lanes that count, rounded to float; -infinity where none does.
+/// NaN never counts: a register's maximum would forget others for it.
+inline float greatest(float a, bool here) { return here ? a : -infinity; }
+inline float greatest(double a, bool here) { return here ? static_cast<float>(a) : -infinity; }
+inline float greatest(const Wide& a, const WideMask& here) {
+  const Wide counting = select(here && a == a, a, Wide(-infinity));
+  return greatest_lane(xsimd::max(counting.part[0], counting.part[1]));
+}
+template <class Real>
+float least(const Real& a, const Mask<Real>& here) {
+  return -greatest(-a, here);
+}
+
+/// RayInterval: the intervals that a packet's rays leave from and go in, so that one test tells
+/// what all of them miss; of a single ray it is that ray. Source: Boulos, Wald, Shirley, "Geometric
+/// and arithmetic culling methods for entire ray packets" (2006).
+class RayInterval {
+ public:
+  template <class Real>
+  RayInterval(const BoxRay<Real>& ray, const Mask<Real>& active) {
+    ray.for_each_axis([&](int axis, const Real& low, const Real& high, const Real& inverse) {
+      Axis& own = axes_[static_cast<std::size_t>(axis)];
+      own.least = least(inverse, active);
+      own.greatest = greatest(inverse, active);
+      own.mixed = own.least < 0 && own.greatest > 0;
+      own.backwards = own.greatest < 0;
+      own.near_from = own.backwards ? least(high, active) : greatest(low, active);
+      own.far_from = own.backwards ? greatest(low, active) : least(high, active);
+    });
+  }
+
+  /// Whether its rays go so many ways that it parts next to nothing.
+  bool scattered() const { return axes_[0].mixed + axes_[1].mixed + axes_[2].mixed >= 2; }
+
+  /// Returns: as bits, which boxes of its rays may enter somewhere from 0 to t_max; in
+  /// `near` from where on. It never misses a box that one of its rays meets.
+  unsigned enters(const BoxSet& boxes, float t_max, BoxSet::Floats& near) const {
+    using namespace detail;
+    Eight in(0), out(t_max);
+    for (std::size_t i = 0; i < axes_.size(); ++i) {
+      const Axis& own = axes_[i];
+      if (own.mixed) continue;
+      const Eight low = load(boxes.faces[i]), high = load(boxes.faces[i + 3]);
+      const Eight to_near = (own.backwards ? high : low) - Eight(own.near_from);
+      const Eight to_far = (own.backwards ? low : high) - Eight(own.far_from);
+      in = greatest_of(least_of(to_near * Eight(own.least), to_near * Eight(own.greatest)), in);
+      out = least_of(greatest_of(to_far * Eight(own.least), to_far * Eight(own.greatest)), out);
+    }
+    in = in * Eight(box_shrink);
+    in.store_unaligned(near.data());
+    return at_most(in, out * Eight(box_grow), boxes);
+  }
+
+ private:
+  struct Axis {
+    float near_from, far_from;  // the origins nearest to what is ahead, and farthest from it
+    float least, greatest;      // of the inverse directions
+    bool backwards, mixed;      // with rays both ways an axis parts nothing
+  };
+  std::array<Axis, 3> axes_;
+};
+
+}  // namespace tia

@@ -1,0 +1,48 @@
+// WorkCounter: what tracing has cost so far.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <utility>
+
+namespace tia {
+
+/// WorkCounter: counts tests of boxes and surfaces, and hands the work that they are on in portions to
+/// whoever bounds it: a ray that meets a million things that overlap must not be one step.
+/// Space/units: work in tests of a box or a ball by a whole packet, or of a register of boxes,
+/// triangles or balls by one ray; so its sum depends on how rays are packed.
+class WorkCounter {
+ public:
+  /// Takes a portion of work; may throw, which ends the tracing.
+  using Report = std::function<void(std::int64_t work)>;
+  static constexpr std::int64_t portion = 1 << 16;
+
+  /// One that only counts.
+  WorkCounter() = default;
+  explicit WorkCounter(Report report) : report_(std::move(report)) {}
+
+  /// One test more. Errors: what the report throws.
+  void test(std::int64_t work = 1) {
+    ++tests_;
+    left_ -= work;
+    if (left_ <= 0) tell();
+  }
+  /// What a test cost beyond what it was counted for. Errors: what the report throws.
+  void add(std::int64_t work) {
+    left_ -= work;
+    if (left_ <= 0) tell();
+  }
+  std::int64_t tests() const { return tests_; }
+
+ private:
+  [[gnu::noinline]] void tell() {
+    const std::int64_t work = portion - std::exchange(left_, portion);
+    if (report_) report_(work);
+  }
+
+  std::int64_t tests_ = 0;
+  Report report_;
+  std::int64_t left_ = portion;  // apart from tests_: or compilers count both in one slow register
+};
+
+}  // namespace tia
