@@ -118,6 +118,31 @@ test('at 360 px the picture comes first', () =>
     assert.ok(picture.y < 320 && picture.width >= 320, JSON.stringify(picture));
   }, { viewport: { width: 360, height: 740 } }));
 
+for (const width of [1280, 360]) {
+  test(`a card of the gallery that is hovered or focused shows all its words and moves nothing, ${width} px`, () =>
+    look(async (page) => {
+      const cards = page.locator('.thumbs li');
+      await cards.first().waitFor();
+      const heights = () => cards.evaluateAll((all) => [...all.map((it) => it.offsetHeight), document.documentElement.scrollHeight]);
+      const still = await heights();
+      // The one with most to say.
+      const longest = await cards.evaluateAll((all) => {
+        const lengths = all.map((it) => it.querySelector('.note').textContent.length);
+        return lengths.indexOf(Math.max(...lengths));
+      });
+      const card = cards.nth(longest);
+      const isWhole = () => card.locator('.note').evaluate((it) => it.scrollHeight <= it.clientHeight);
+      assert.ok(!await isWhole());
+      await card.hover();
+      assert.ok(await isWhole());
+      assert.deepEqual(await heights(), still);
+      await page.mouse.move(0, 0);
+      await card.getByRole('button').focus();
+      assert.ok(await isWhole());
+      assert.deepEqual(await heights(), still);
+    }, { viewport: { width, height: 740 } }));
+}
+
 async function faults(page) {
   await page.evaluate(axe.source);
   const { violations } = await page.evaluate(() => globalThis.axe.run(document));
