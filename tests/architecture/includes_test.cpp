@@ -1,4 +1,5 @@
-// The architecture's arrows, read off the #include lines and a few words of core/ and server/.
+// The architecture's arrows, read off the #include lines and a few words of core/ and server/, and
+// off the import lines of web/.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -95,12 +96,12 @@ std::string refusal(const std::string& file, const std::string& header) {
 struct Source {
   std::string path, text;  // the path below the repository's root
 };
-std::vector<Source> sources(const std::string& folder) {
+std::vector<Source> sources(const std::string& folder,
+                            const std::set<std::string>& extensions = {".h", ".cpp"}) {
   std::vector<Source> all;
   const fs::path root = TIA_SOURCE_DIR;
   for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
-    const std::string extension = entry.path().extension();
-    if (extension != ".h" && extension != ".cpp") continue;
+    if (!extensions.contains(entry.path().extension())) continue;
     std::ifstream file(entry.path());
     std::ostringstream text;
     text << file.rdbuf();
@@ -115,6 +116,18 @@ std::vector<std::string> includes_of(const std::string& text) {
   for (std::sregex_iterator it(text.begin(), text.end(), line), end; it != end; ++it)
     headers.push_back((*it)[2]);
   return headers;
+}
+
+// The modules that a module imports, below the repository's root.
+std::vector<std::string> imports_of(const Source& module) {
+  static const std::regex import(R"re(\b(from|import)\s*\(?\s*['"](\.[^'"]+)['"])re");
+  std::vector<std::string> modules;
+  for (std::sregex_iterator it(module.text.begin(), module.text.end(), import), end; it != end;
+       ++it) {
+    const fs::path path = fs::path(module.path).parent_path() / std::string((*it)[2]);
+    modules.push_back(path.lexically_normal().generic_string());
+  }
+  return modules;
 }
 
 std::string without_comments(const std::string& text) {
@@ -203,6 +216,18 @@ TEST(Includes, FormNoCircles) {
   EXPECT_EQ(circle_in(graph), "");
 }
 
+TEST(Imports, ExistAndFormNoCircles) {
+  Graph graph;
+  for (const Source& module : sources("web", {".js"}))
+    for (const std::string& needed : imports_of(module)) {
+      EXPECT_TRUE(fs::exists(fs::path(TIA_SOURCE_DIR) / needed))
+          << module.path << " imports " << needed;
+      graph[module.path].insert(needed);
+    }
+  EXPECT_GT(graph.size(), 40U);
+  EXPECT_EQ(circle_in(graph), "");
+}
+
 TEST(Includes, CoreNamesNoClockNoEnvironmentNoLogAndNoChance) {
   for (const Source& source : sources("core")) {
     std::string code = without_comments(source.text);
@@ -280,6 +305,15 @@ TEST(IncludeRules, ClocksSocketsAndLogsInCoreAreSeen) {
 TEST(IncludeRules, IncludeLinesOfBothKindsAreRead) {
   EXPECT_EQ(includes_of("#include <a>\n  # include \"b/c.h\"\n// #include <not>\nint x;"),
             (std::vector<std::string>{"a", "b/c.h"}));
+}
+
+TEST(IncludeRules, ImportLinesOfAllKindsAreRead) {
+  const std::string text =
+      "import a from './a.js';\nimport {\n  b,\n} from \"../b.js\";\nimport '../c/d.js';\n"
+      "export { e } from './e.js';\nconst f = await import('./f.js');\nimport g from 'node:g';\n";
+  EXPECT_EQ(imports_of({"web/room/x.js", text}),
+            (std::vector<std::string>{"web/room/a.js", "web/b.js", "web/c/d.js", "web/room/e.js",
+                                      "web/room/f.js"}));
 }
 
 }  // namespace
