@@ -1,5 +1,5 @@
 // What a request may bring and what its answer may be, as data: the routes say it, the OpenAPI
-// document and the page of documentation tell it.
+// document tells it.
 #pragma once
 
 #include <string_view>

@@ -2,7 +2,6 @@
 #include "server/contract/openapi.h"
 
 #include <algorithm>
-#include <map>
 
 #include "core/version.h"
 #include "server/contract/answer_headers.h"
@@ -18,7 +17,7 @@ constexpr const char* about_all =
     "HEAD is answered as GET without the body (of /render nothing is drawn, nor counted), OPTIONS "
     "of any path with 204 and Allow, other methods with 405. In a query, numbers with commas "
     "between may be a JSON array, too. What cannot be done is answered with a problem document "
-    "(RFC 9457); default is what any request may meet.";
+    "(RFC 9457).";
 
 Value reference(const char* to, std::string_view name) {
   return Value::Object{{"$ref", std::string("#/components/") + to + "/" + std::string(name)}};
@@ -117,7 +116,11 @@ Value operation_object(const Route& route, Definitions& named) {
   std::string examples;
   for (const std::string_view target : route.examples)
     examples.append(examples.empty() ? "Such as `" : ", `").append(target).append("`");
-  if (!examples.empty()) operation.emplace_back("description", examples + ".");
+  if (!examples.empty()) {
+    operation.emplace_back("description", examples + ".");
+    operation.emplace_back("x-examples",
+                           Value::Array(route.examples.begin(), route.examples.end()));
+  }
   if (Value::Array parameters = parameters_array(route, named); !parameters.empty())
     operation.emplace_back("parameters", std::move(parameters));
   if (!route.body.empty())
@@ -129,10 +132,15 @@ Value operation_object(const Route& route, Definitions& named) {
 }
 
 Value::Object paths_object(const std::vector<Route>& routes, Definitions& named) {
-  std::map<std::string, Value::Object> paths;
-  for (const Route& route : routes)
-    paths[path_template(route)].emplace_back(lower(route.method), operation_object(route, named));
-  return {paths.begin(), paths.end()};
+  Value::Object paths;
+  for (const Route& route : routes) {
+    const std::string path = path_template(route);
+    auto found = std::ranges::find(paths, path, &Value::Member::first);
+    if (found == paths.end()) found = paths.insert(found, {path, Value::Object{}});
+    found->second.as<Value::Object>()->emplace_back(lower(route.method),
+                                                    operation_object(route, named));
+  }
+  return paths;
 }
 
 // ---- components -----------------------------------------------------------------------------
@@ -179,6 +187,19 @@ Value::Object header_components() {
   return headers;
 }
 
+Value::Array problems_array() {
+  Value::Array problems;
+  for (const ProblemRow& row : problem_rows()) {
+    Value::Object problem{{"type", problem_uri(row)},
+                          {"title", row.title},
+                          {"status", row.status},
+                          {"description", row.about}};
+    if (!row.header.empty()) problem.emplace_back("header", row.header);
+    problems.emplace_back(std::move(problem));
+  }
+  return problems;
+}
+
 // References to definitions as what they are in the document.
 Value rebased(Value value) {
   constexpr std::string_view from = "#/$defs/", to = "#/components/schemas/";
@@ -221,7 +242,8 @@ Value openapi_document(const std::vector<Route>& routes) {
                     {"jsonSchemaDialect", "https://json-schema.org/draft/2020-12/schema"},
                     {"servers", Value::Array{Value::Object{{"url", "/"}}}},
                     {"paths", std::move(paths)},
-                    {"components", std::move(components)}});
+                    {"components", std::move(components)},
+                    {"x-problems", problems_array()}});
 }
 
 }  // namespace tia::server

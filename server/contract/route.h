@@ -1,6 +1,6 @@
 // A route as data: method, path, meaning and handler, what a request may bring and what its answer
-// may be. The table of them (handlers/route_table) answers requests; the OpenAPI document and the
-// page of documentation come from it.
+// may be. The table of them (handlers/route_table) answers requests; the OpenAPI document comes
+// from it.
 #pragma once
 
 #include <string>

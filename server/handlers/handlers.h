@@ -54,6 +54,7 @@ Value version_schema(Definitions& named);
 
 // page_handler.cpp
 Response get_page(const Request& request, const std::string&, Service& service);
+Response get_docs(const Request& request, const std::string&, Service& service);
 Response get_page_file(const Request& request, const std::string&, Service& service);
 bool is_page_file(std::string_view path);
 /// The folders of the page's files, "/" first, each with a slash at its end.
@@ -65,7 +66,6 @@ std::vector<Content> page_file_contents(std::string_view folder);
 
 // documents_handler.cpp
 Response get_openapi(const Request& request, const std::string&, Service& service);
-Response get_docs(const Request& request, const std::string&, Service& service);
 Response get_problem(const Request& request, const std::string& type, Service& service);
 
 }  // namespace tia::server

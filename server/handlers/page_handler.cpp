@@ -1,4 +1,4 @@
-// The page and its files, from memory, in the coding that the client takes.
+// The pages and their files, from memory, in the coding that the client takes.
 #include <algorithm>
 #include <map>
 #include <optional>
@@ -55,6 +55,10 @@ Response file_response(const Request& request, std::string_view path) {
 
 Response get_page(const Request& request, const std::string&, Service&) {
   return file_response(request, "/index.html");
+}
+
+Response get_docs(const Request& request, const std::string&, Service&) {
+  return file_response(request, "/docs.html");
 }
 
 Response get_page_file(const Request& request, const std::string&, Service&) {

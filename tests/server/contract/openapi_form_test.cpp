@@ -28,7 +28,7 @@ TEST(OpenApi, SaysWhatItIs) {
   EXPECT_EQ(text_at(at(all, "info"), "version"), version());
   for (const auto& [name, part] : as_object(all))
     EXPECT_THAT((std::set<std::string>{"openapi", "info", "jsonSchemaDialect", "servers", "paths",
-                                       "components"}),
+                                       "components", "x-problems"}),
                 Contains(name));
 }
 
