@@ -16,7 +16,7 @@ RUN server/image.sh build/release /image
 RUN install -d -m 775 /volume/data
 
 FROM scratch
-# When and of what it was made is for who makes it to say: docker build --label, see README.md.
+# When and of what it was made is for who makes it to say: docker build --label, see server/README.md.
 LABEL org.opencontainers.image.title="Tia" \
       org.opencontainers.image.description="A ray-tracing render service" \
       org.opencontainers.image.version="0.1.0" \

@@ -6,7 +6,7 @@ function(embed_folder target folder)
   find_program(GZIP gzip REQUIRED)
   set(root "${PROJECT_SOURCE_DIR}/${folder}")
   file(GLOB_RECURSE files CONFIGURE_DEPENDS RELATIVE "${root}" "${root}/*")
-  list(FILTER files EXCLUDE REGEX "(^|/)\\.|~$")  # hidden files and editors' backups
+  list(FILTER files EXCLUDE REGEX "(^|/)\\.|~$|(^|/)README\\.md$")  # nor hidden files and backups
   list(SORT files COMPARE STRING)
 
   set(blobs "")

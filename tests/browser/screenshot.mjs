@@ -1,4 +1,4 @@
-// Draws the README's first picture anew: node tests/browser/screenshot.mjs
+// Draws the picture of the first page, README.md, anew: node tests/browser/screenshot.mjs
 // The edge of the ball's shadow was clicked; the second ray, towards the lamp, is chosen.
 
 import { fileURLToPath } from 'node:url';

@@ -1,5 +1,5 @@
-// How much memory a text takes while it is read and after, as bytes for each of its bytes. What the
-// README says of memory stands on these factors; each text is the worst of its kind that we know.
+// How much memory a text takes while it is read and after, as bytes for each of its bytes. What
+// memory_costs.h claims stands on these factors; each text is the worst of its kind that we know.
 // Run with --gtest_filter=MemoryFactors.* to see them: each test prints its row.
 #include <cstdio>
 #include <functional>

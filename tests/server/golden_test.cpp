@@ -1,4 +1,4 @@
-// The pictures that the README shows are what this version renders. Pixels are compared, not files:
+// The pictures that the pages show are what this version renders. Pixels are compared, not files:
 // another version of the encoder's library may pack the same pixels otherwise.
 #include <gtest/gtest.h>
 
@@ -44,7 +44,7 @@ TEST_P(GoldenPicture, IsWhatThisVersionRenders) {
   EXPECT_TRUE(decode_png(now.body) == published);
 }
 
-INSTANTIATE_TEST_SUITE_P(Readme, GoldenPicture,
+INSTANTIATE_TEST_SUITE_P(Pages, GoldenPicture,
                          testing::Values(Golden{"none", "/render"}, Golden{"a", "/render?key=a"},
                                          Golden{"d", "/render?key=d"}, Golden{"s", "/render?key=s"},
                                          Golden{"w", "/render?key=w"},
@@ -71,8 +71,8 @@ TEST(GoldenGallery, EverySceneHasAStatedHash) {
 
 class GoldenScene : public testing::TestWithParam<std::pair<const std::string, std::string>> {};
 
-// Of the README's picture a window of the middle is compared: all of it would take long.
-TEST_P(GoldenScene, IsDrawnAtItsStatedHashAndAsTheReadmeShowsIt) {
+// Of the page's picture a window of the middle is compared: all of it would take long.
+TEST_P(GoldenScene, IsDrawnAtItsStatedHashAndAsThePageShowsIt) {
   constexpr int x0 = 280, y0 = 200, x1 = 380, y1 = 280;
   const auto& [name, hash] = GetParam();
   Host host;

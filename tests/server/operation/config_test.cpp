@@ -166,20 +166,6 @@ TEST(Options, HostIsTextAndTheLoopbackByDefault) {
   EXPECT_EQ(config_of("host", "8").host, "8");
 }
 
-TEST(Options, AreTheTableOfTheReadme) {
-  std::string table;
-  for (const OptionRow& row : option_rows()) {
-    const std::string standard = row.name == "threads"        ? "the processors"
-                                 : row.name == "memory_bytes" ? "three quarters"
-                                 : row.value.empty()          ? "none"
-                                                              : row.value;
-    table += "| `" + row.flag + "` `" + row.variable + "` | " + standard + " | " + row.allowed +
-             " | " + row.about + " |\n";
-  }
-  const std::string readme = file_bytes(std::string(TIA_SOURCE_DIR) + "/README.md");
-  EXPECT_NE(readme.find("|---|---:|---|---|\n" + table + "\n"), readme.npos) << table;
-}
-
 TEST(Options, AreReadBackFromTheFileOfVariablesThatTheyPrint) {
   const Config config = read_config({{"host", "::1", ""},
                                      {"max_rays", "123456789012345", ""},
