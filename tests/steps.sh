@@ -11,6 +11,7 @@ steps=(
   'memory     | change | release          | every allocation may fail'
   'page       | change | release          | the page in headless Chromium: keys, drags, errors, widths, accessibility'
   'deploy     | change | release          | balancer, manifests, image'
+  'pages      | change | release          | the README.md of every folder: commands, tables, links'
   'portable   | full   |                  | another compiler builds it, for any x86-64 processor'
   'same-bytes | full   | release portable | both draw the same bytes'
   'old        | full   | release portable | processors without AVX get a message, or the same bytes'
@@ -90,11 +91,12 @@ googletest() {
   done
 }
 
-# node_tests FOLDER: the tests of a folder that has its own packages, as many shares of its files
-# at once as there are processors.
+# node_tests FOLDER: the tests of a folder, which may have its own packages, as many shares of its
+# files at once as there are processors.
 node_tests() {
   local name=$1 folder=tests/$1 all=(tests/"$1"/*.test.mjs) shares share files good bad cancelled
-  if [ ! "$folder/node_modules/.package-lock.json" -nt "$folder/package-lock.json" ]; then
+  if [ -e "$folder/package-lock.json" ] &&
+    [ ! "$folder/node_modules/.package-lock.json" -nt "$folder/package-lock.json" ]; then
     npm ci --prefix "$folder" --no-audit --no-fund || true
   fi
   shares=$(nproc)
@@ -122,6 +124,7 @@ step_server() { googletest release server_tests; }
 step_memory() { googletest release memory_tests; }
 step_page() { node_tests browser; }
 step_deploy() { node_tests deploy; }
+step_pages() { node_tests pages; }
 
 # All text is laid out as .clang-format has it.
 step_style() {
