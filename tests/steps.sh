@@ -42,7 +42,7 @@ build() {
 
 # show FILE: an output but for the tests that pass.
 show() {
-  sed -E '/^(\[ RUN|\[       OK|\[---|ok |# Subtest|  ---|  duration_ms|  \.\.\.|$)/d' "$1"
+  sed -E '/^ *(\[ RUN|\[       OK|\[---|ok |# Subtest|---|duration_ms|\.\.\.|[0-9]+\.\.[0-9]+|$)/d' "$1"
 }
 
 last_match() { sed -nE "s/$1/\\1/p" "$scratch/log" | tail -n 1; }
