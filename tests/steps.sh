@@ -16,6 +16,7 @@ steps=(
   'same-bytes | full   | release portable | both draw the same bytes'
   'old        | full   | release portable | processors without AVX get a message, or the same bytes'
   'asan       | full   | release          | no wrong address, no leak, no undefined behaviour in all the tests'
+  'coverage   | full   | asan             | the tests run nearly every line of core and server'
   'fuzz       | full   | asan             | whatever the bytes, no reader breaks'
   'tsan       | full   |                  | no data race in the server'
 )
@@ -198,9 +199,21 @@ step_old() {
 step_asan() {
   build asan -DTIA_TESTS_OF="$ROOT/build/release" -- core_tests server_tests memory_tests \
     {request,scene,query,formula,picture}_fuzz || return 0
+  local -x LLVM_PROFILE_FILE=$ROOT/build/asan/counts/%4m.profraw
+  rm -rf build/asan/counts
   googletest asan core_tests
   googletest asan server_tests
   googletest asan memory_tests
+}
+
+# What step asan has counted, of the tests and of every tia that they started and let end.
+step_coverage() {
+  local programs=({core,server,memory}_tests)
+  llvm-profdata merge -sparse build/asan/counts/*.profraw -o build/asan/counts/all || true
+  if llvm-cov export -summary-only -instr-profile=build/asan/counts/all build/asan/tia \
+    "${programs[@]/#/-object=build/asan/tests/}" | python3 tests/coverage.py "$ROOT"; then pass; else
+    fail coverage
+  fi
 }
 
 # Who watches threads must see both sides of what passes between them: the tests' own as well.
@@ -217,7 +230,7 @@ step_fuzz() {
     mkdir -p "$scratch/$name"
     longest=4096
     if [ "$name" = picture ] || [ "$name" = request ]; then longest=65536; fi
-    if "build/asan/tests/${name}_fuzz" -max_total_time="${FUZZ_SECONDS:-10}" \
+    if LLVM_PROFILE_FILE=/dev/null "build/asan/tests/${name}_fuzz" -max_total_time="${FUZZ_SECONDS:-10}" \
       -max_len="$longest" -timeout=5 -rss_limit_mb=2048 -verbosity=0 -artifact_prefix=build/asan/ \
       "$scratch/$name" "tests/fuzz/corpus/$name" > "$scratch/log" 2>&1; then pass; else
       cat "$scratch/log"

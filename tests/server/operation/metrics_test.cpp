@@ -47,6 +47,23 @@ TEST(Metrics, ObserveEveryPhaseOfAPicture) {
   }
 }
 
+std::set<std::string> families_of(const std::string& text) {
+  std::set<std::string> names;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);)
+    if (!line.starts_with('#')) names.insert(line.substr(0, line.find_first_of("{ ")));
+  return names;
+}
+
+TEST(Metrics, AreAllThereBeforeTheFirstRequest) {
+  Host host;
+  const std::set<std::string> first = families_of(host.get("/metrics").body);
+  EXPECT_TRUE(first.contains("tia_requests_total"));
+  host.get("/render?width=8&height=8");
+  host.get("/none");
+  EXPECT_EQ(families_of(host.get("/metrics").body), first);
+}
+
 TEST(Metrics, CountRequestsByRouteAndStatus) {
   Host host;
   for (const char* target :
