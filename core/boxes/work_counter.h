@@ -7,8 +7,8 @@
 
 namespace tia {
 
-/// WorkCounter: counts tests of boxes and surfaces, and hands the work that they are on in portions to
-/// whoever bounds it: a ray that meets a million things that overlap must not be one step.
+/// WorkCounter: counts tests of boxes and surfaces, and hands the work that they are on in portions
+/// to whoever bounds it: a ray that meets a million things that overlap must not be one step.
 /// Space/units: work in tests of a box or a ball by a whole packet, or of a register of boxes,
 /// triangles or balls by one ray; so its sum depends on how rays are packed.
 class WorkCounter {

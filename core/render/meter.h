@@ -17,8 +17,8 @@ struct RayCounts {
   bool operator==(const RayCounts&) const = default;
 };
 
-/// Told now and then, by any thread, how many rays and tests of them (WorkCounter) a render has taken so
-/// far; may throw, which ends the render.
+/// Told now and then, by any thread, how many rays and tests of them (WorkCounter) a render has
+/// taken so far; may throw, which ends the render.
 using Spent = std::function<void(std::int64_t rays, std::int64_t tests)>;
 
 /// RayMeter: sums what all threads trace.

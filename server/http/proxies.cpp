@@ -42,7 +42,7 @@ std::string_view address_in(std::string_view text) {
 // Takes the last entry off a list parted by commas.
 std::string take_last(std::string& list) {
   const auto comma = list.rfind(',');
-  const std::string last(trimmed(std::string_view(list).substr(comma + 1)));
+  std::string last(trimmed(std::string_view(list).substr(comma + 1)));
   list.resize(comma == list.npos ? 0 : comma);
   return last;
 }

@@ -78,9 +78,10 @@ class LoneMeshSearch {
 
   void below(std::uint32_t node, const BoxRay<float>& box) {
     traverse(
-        mesh_.bvh, node, LoneRay(box), triangles_.limit, work_,
-        [&](std::uint32_t first, std::uint32_t count, bool)
-            __attribute__((always_inline)) { leaf(first, count); });
+        mesh_.bvh, node, LoneRay(box), triangles_.limit,
+        work_, [&](std::uint32_t first, std::uint32_t count, bool) __attribute__((always_inline)) {
+          leaf(first, count);
+        });
   }
   [[gnu::always_inline]] void leaf(std::uint32_t first, std::uint32_t count) {
     constexpr auto step = static_cast<std::uint32_t>(lanes<FloatRegister>);

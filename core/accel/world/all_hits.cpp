@@ -95,9 +95,9 @@ class Collector {
     const Part& own = geometry_.part(part);
     work_.test(own.work);
     work_.add(crossings(own, Lines<double>(packet.root)[0],
-                          [&](double t, int element, const std::optional<Bracket>& bracket = {}) {
-                            add(t, part_of(own, part, element), element, packet, bracket);
-                          }));
+                        [&](double t, int element, const std::optional<Bracket>& bracket = {}) {
+                          add(t, part_of(own, part, element), element, packet, bracket);
+                        }));
   }
   void meet_mesh(int part, Packet<double>& packet) {
     const Part& own = geometry_.part(part);

@@ -77,8 +77,7 @@ class Search {
       const RayInterval interval(packet.box, active);
       if (interval.scattered() || count(active) <= few_lanes) alone(0, active);
       else
-        traverse(bvh, packet.box, interval, active, query_.limit(), work_, leaf, few_lanes,
-                 alone);
+        traverse(bvh, packet.box, interval, active, query_.limit(), work_, leaf, few_lanes, alone);
     }
   }
   // Calls work(ray, search) for each lane.

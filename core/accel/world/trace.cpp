@@ -64,7 +64,8 @@ Hit<Real> nearest(const World& world, const Ray<Real>& ray, Mask<Real> active, N
 }  // namespace
 
 template <class Real>
-Hit<Real> closest_hit(const World& world, const Ray<Real>& ray, Mask<Real> active, WorkCounter& work) {
+Hit<Real> closest_hit(const World& world, const Ray<Real>& ray, Mask<Real> active,
+                      WorkCounter& work) {
   return nearest<Real>(world, ray, active, {}, work);
 }
 
@@ -135,9 +136,9 @@ int blocking_part(const World& world, const Ray<float>& ray, float t_max, const 
 // ---- the three scalars ----------------------------------------------------------------------
 
 #define TIA_TRACE(Real)                                                                           \
-  template Hit<Real> closest_hit(const World&, const Ray<Real>&, Mask<Real>, WorkCounter&);            \
+  template Hit<Real> closest_hit(const World&, const Ray<Real>&, Mask<Real>, WorkCounter&);       \
   template Mask<Real> occluded(const World&, const Ray<Real>&, const Real&, const Lamp&,          \
-                               Mask<Real>, WorkCounter&);                                              \
+                               Mask<Real>, WorkCounter&);                                         \
   template Real transmitted(const World&, const Ray<Real>&, const Real&, const Lamp&, Mask<Real>, \
                             WorkCounter&);
 TIA_TRACE(Wide)

@@ -11,7 +11,8 @@ namespace tia {
 /// in the scene.
 /// Errors: what the work's report throws.
 template <class Real>
-Hit<Real> closest_hit(const World& world, const Ray<Real>& ray, Mask<Real> active, WorkCounter& work);
+Hit<Real> closest_hit(const World& world, const Ray<Real>& ray, Mask<Real> active,
+                      WorkCounter& work);
 
 /// The same in a world of few balls, of which the ray may meet none but those listed.
 template <class Real>

@@ -36,10 +36,9 @@ void TiaIndex::trace(const RaySet& rays, Answers& answers) const {
     const Mask<Wide> active = t_max >= Wide(0);
     if (!any(active)) continue;
     const Ray<Wide> ray{vector_at<Wide>(rays.origin, i), vector_at<Wide>(rays.direction, i)};
-    const Wide t = rays.any_hit()
-                       ? select(occluded<Wide>(*world_, ray, t_max, lamp, active, work), Wide(0),
-                                Wide(infinity))
-                       : closest_hit<Wide>(*world_, ray, active, work).t;
+    const Wide t = rays.any_hit() ? select(occluded<Wide>(*world_, ray, t_max, lamp, active, work),
+                                           Wide(0), Wide(infinity))
+                                  : closest_hit<Wide>(*world_, ray, active, work).t;
     store(t, &answers[i]);
   }
 }
