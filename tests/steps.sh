@@ -60,13 +60,21 @@ count() {
   fi
 }
 
-running=()
-# finish SHARE: waits for it, keeps its output in $scratch/log, leaves its exit status in $status.
-finish() {
-  status=0
-  wait "${running[$1]}" || status=$?
-  mv "$scratch/share$1" "$scratch/log"
-  show "$scratch/log"
+# in_shares SHARES KIND ARGUMENT...: runs KIND_share SHARE ARGUMENT... for all shares at once, then
+# KIND_count SHARE ARGUMENT... for each, with its output in $scratch/log and its exit status in $status.
+in_shares() {
+  local shares=$1 kind=$2 share running=()
+  for ((share = 0; share < shares; ++share)); do
+    "${kind}_share" "$share" "${@:3}" > "$scratch/share$share" 2>&1 &
+    running[share]=$!
+  done
+  for ((share = 0; share < shares; ++share)); do
+    status=0
+    wait "${running[share]}" || status=$?
+    mv "$scratch/share$share" "$scratch/log"
+    show "$scratch/log"
+    "${kind}_count" "$share" "${@:3}"
+  done
 }
 
 # The sanitizers of older compilers cannot live with much address space randomisation.
@@ -74,47 +82,43 @@ fixed_addresses=()
 if setarch -R true 2>/dev/null; then fixed_addresses=(setarch -R); fi
 
 # googletest PRESET PROGRAM: as many shares of the tests at once as there are processors.
-googletest() {
-  local shares share total good skipped
-  shares=$(nproc)
-  for ((share = 0; share < shares; ++share)); do
-    GTEST_TOTAL_SHARDS=$shares GTEST_SHARD_INDEX=$share timeout 900 \
-      "${fixed_addresses[@]}" "build/$1/tests/$2" > "$scratch/share$share" 2>&1 &
-    running[share]=$!
-  done
-  for ((share = 0; share < shares; ++share)); do
-    finish "$share"
-    total=$(last_match '^\[==========\] ([0-9]+) tests? from .* ran.*')
-    good=$(last_match '^\[  PASSED  \] ([0-9]+) tests?.*')
-    skipped=$(last_match '^\[  SKIPPED \] ([0-9]+) tests?.*')
-    [ -n "$total" ] || echo "Broke off in $(last_match '^\[ RUN      \] (.*)')"
-    count "$1 $2, share $((share + 1))" "$good" $((${total:-0} - ${good:-0} - ${skipped:-0}))
-  done
+googletest() { in_shares "$(nproc)" googletest "$@"; }
+googletest_share() {
+  GTEST_TOTAL_SHARDS=$shares GTEST_SHARD_INDEX=$1 timeout 900 \
+    "${fixed_addresses[@]}" "build/$2/tests/$3"
+}
+googletest_count() {
+  local total good skipped
+  total=$(last_match '^\[==========\] ([0-9]+) tests? from .* ran.*')
+  good=$(last_match '^\[  PASSED  \] ([0-9]+) tests?.*')
+  skipped=$(last_match '^\[  SKIPPED \] ([0-9]+) tests?.*')
+  [ -n "$total" ] || echo "Broke off in $(last_match '^\[ RUN      \] (.*)')"
+  count "$2 $3, share $(($1 + 1))" "$good" $((${total:-0} - ${good:-0} - ${skipped:-0}))
 }
 
 # node_tests FOLDER: the tests of a folder, which may have its own packages, as many shares of its
 # files at once as there are processors.
 node_tests() {
-  local name=$1 folder=tests/$1 all=(tests/"$1"/*.test.mjs) shares share files good bad cancelled
+  local folder=tests/$1
   if [ -e "$folder/package-lock.json" ] &&
     [ ! "$folder/node_modules/.package-lock.json" -nt "$folder/package-lock.json" ]; then
     npm ci --prefix "$folder" --no-audit --no-fund || true
   fi
-  shares=$(nproc)
-  if [ "$shares" -gt "${#all[@]}" ]; then shares=${#all[@]}; fi  # without a file node runs them all
-  for ((share = 0; share < shares; ++share)); do
-    mapfile -t files < <(printf '%s\n' "${all[@]}" | awk -v n="$shares" -v i="$share" 'NR % n == i')
-    TIA=$ROOT/build/release/tia timeout 600 node --test --test-reporter=tap "${files[@]}" \
-      > "$scratch/share$share" 2>&1 &
-    running[share]=$!
-  done
-  for ((share = 0; share < shares; ++share)); do
-    finish "$share"
-    good=$(last_match '^# pass ([0-9]+)')
-    bad=$(last_match '^# fail ([0-9]+)')
-    cancelled=$(last_match '^# cancelled ([0-9]+)')
-    count "$name, share $((share + 1))" "$good" $((${bad:-0} + ${cancelled:-0}))
-  done
+  in_shares "$(nproc)" node "$1" "$folder"/*.test.mjs
+}
+# A share's files run in one process: what they start, such as a browser, they start once.
+node_share() {
+  local files
+  mapfile -t files < <(printf "import './%s';\n" "${@:3}" | awk -v n="$shares" -v i="$1" 'NR % n == i')
+  TIA=$ROOT/build/release/tia timeout 600 \
+    node --test-reporter=tap --input-type=module --eval "${files[*]}"
+}
+node_count() {
+  local good bad cancelled
+  good=$(last_match '^# pass ([0-9]+)')
+  bad=$(last_match '^# fail ([0-9]+)')
+  cancelled=$(last_match '^# cancelled ([0-9]+)')
+  count "$2, share $(($1 + 1))" "$good" $((${bad:-0} + ${cancelled:-0}))
 }
 
 # ---- what a change needs --------------------------------------------------------------------------

@@ -3,12 +3,16 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import axe from 'axe-core';
-import { STATUS, told } from './page.mjs';
+import { STATUS, faults, startAgain, told } from './page.mjs';
 import { HANG_UP } from './proxy.mjs';
 import { stage } from './stage.mjs';
 
-const { look, proxied } = stage();
+const { look, proxied, shared: sharing } = stage();
+const shared = sharing(async (page) => {
+  await page.locator('#letters').selectOption('picture');
+  await startAgain(page);
+});
+
 // Puts the light far by a press on the picture: what was asked before it has been asked by then.
 async function settle(page) {
   await page.locator('#hand').focus();
@@ -19,7 +23,7 @@ async function settle(page) {
 const keysOf = (asked) => [...new Set(asked.map((path) => new URLSearchParams(path.split('?')[1]).get('key')))];
 
 test('letter keys and Escape do nothing while the picture is without focus', () =>
-  look(async (page, { asked }) => {
+  shared(async (page, { asked }) => {
     await page.getByRole('button', { name: 'Start again' }).focus();
     for (const key of ['d', 's', 'Escape']) await page.keyboard.press(key);
     await settle(page);
@@ -44,7 +48,7 @@ test('letters can work everywhere, or be switched off, and the wish is remembere
   }));
 
 test('letters typed into a field are text, where they work everywhere too', () =>
-  look(async (page, { asked }) => {
+  shared(async (page, { asked }) => {
     await page.getByLabel('Letters A D S W and Esc').selectOption('everywhere');
     await page.getByLabel('x', { exact: true }).fill('');
     await page.getByLabel('x', { exact: true }).pressSequentially('adsw');
@@ -54,7 +58,7 @@ test('letters typed into a field are text, where they work everywhere too', () =
   }));
 
 test('keys with Control, Alt or Meta belong to the browser; capitals act like letters', () =>
-  look(async (page, { asked }) => {
+  shared(async (page, { asked }) => {
     for (const key of ['Control+s', 'Alt+w', 'Meta+s']) await page.keyboard.press(key);
     await page.keyboard.press('D');
     await told(page, STATUS.d);
@@ -62,7 +66,7 @@ test('keys with Control, Alt or Meta belong to the browser; capitals act like le
   }));
 
 test('Tab alone reaches every control, the picture among the first', () =>
-  look(async (page) => {
+  shared(async (page) => {
     await page.locator('.skip').focus();
     const reached = [];
     for (let name = ''; !reached.includes(name) || !name; ) {
@@ -81,7 +85,7 @@ test('Tab alone reaches every control, the picture among the first', () =>
   }));
 
 test('what has focus shows it', () =>
-  look(async (page) => {
+  shared(async (page) => {
     for (const id of ['#hand', '[data-key=a]', '#letters', '[name=x]', '#tab-light']) {
       await page.locator(id).focus();
       await page.keyboard.press('Shift');
@@ -143,12 +147,6 @@ for (const width of [1280, 360]) {
     }, { viewport: { width, height: 740 } }));
 }
 
-async function faults(page) {
-  await page.evaluate(axe.source);
-  const { violations } = await page.evaluate(() => globalThis.axe.run(document));
-  return violations.map(({ id, nodes }) => `${id}: ${nodes.map(({ html }) => html).join(' ')}`);
-}
-
 for (const [colorScheme, locale] of [['light', 'en-GB'], ['dark', 'vi-VN']]) {
   test(`axe finds nothing in the ${colorScheme} theme, ${locale}: as it came, and in trouble`, () =>
     proxied(async (page, proxy) => {
@@ -163,7 +161,7 @@ for (const [colorScheme, locale] of [['light', 'en-GB'], ['dark', 'vi-VN']]) {
 }
 
 test('every sentence of the page is there in every language', () =>
-  look(async (page) => {
+  shared(async (page) => {
     const [english, vietnamese] = await page.evaluate(() => Promise.all(['en', 'vi'].map(async (language) => {
       const { default: words } = await import(`/words/${language}.js`);
       const gaps = (text) => [...text.matchAll(/\{\w+\}/g)].map(String).sort().join();

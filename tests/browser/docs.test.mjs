@@ -3,20 +3,19 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import axe from 'axe-core';
+import { faults } from './page.mjs';
 import { stage } from './stage.mjs';
 
 const on = stage();
 let openapi; // the document
 
 // Visits the documentation, and waits until it is drawn.
-const read = (body, options = {}) =>
+const read = (body, options) =>
   on.look(async (page) => {
     openapi ??= JSON.parse(await on.tia.get('/openapi.json'));
-    await page.goto(`${on.tia.base}/docs`);
     await page.locator('#json').waitFor();
     await body(page);
-  }, options);
+  }, { path: '/docs', ready: () => {}, ...options });
 
 const operations = () => Object.entries(openapi.paths).flatMap(([path, methods]) =>
   Object.entries(methods).map(([method, operation]) => ({ ...operation, path, method: method.toUpperCase() })));
@@ -183,9 +182,7 @@ for (const [media, width] of [['screen', 320], ['screen', 768], ['screen', 1280]
 for (const [colorScheme, width] of [['light', 1280], ['dark', 320]]) {
   test(`axe finds nothing in the ${colorScheme} theme at ${width} px`, () =>
     read(async (page) => {
-      await page.evaluate(axe.source);
-      const { violations } = await page.evaluate(() => globalThis.axe.run(document));
-      assert.deepEqual(violations.map(({ id, nodes }) => `${id}: ${nodes[0].html}`), []);
+      assert.deepEqual(await faults(page), []);
     }, { colorScheme, viewport: { width, height: 740 } }));
 }
 
@@ -202,12 +199,11 @@ test('the contents list every heading of the second level and lead to it', () =>
   }, { viewport: { width: 1280, height: 740 } }));
 
 test("a problem's type, opened as an address, leads to what it means", () =>
-  on.look(async (page) => {
-    await page.goto(`${on.tia.base}/problems/busy`);
+  read(async (page) => {
     const meaning = page.locator(':target');
     assert.match(await meaning.textContent(), /\/problems\/busy.*too much to do.*Retry-After/);
     assert.ok((await meaning.boundingBox()).y < 740);
-  }, { viewport: { width: 1280, height: 740 } }));
+  }, { path: '/problems/busy', viewport: { width: 1280, height: 740 } }));
 
 test('Tab comes to a link that skips the contents first', () =>
   read(async (page) => {

@@ -3,11 +3,15 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { addressOf, rests, shows, told } from './page.mjs';
+import { addressOf, rests, shows, startAgain, told } from './page.mjs';
 import { stage } from './stage.mjs';
 
 const on = stage();
 const { look } = on;
+const shared = on.shared(async (page) => {
+  await page.getByRole('radio', { name: 'Lamp' }).click();
+  await startAgain(page);
+});
 
 const numbers = (text) => text.split(',').map(Number);
 const length = (a) => Math.hypot(...a);
@@ -36,7 +40,7 @@ async function drag(page, from, to, { button = 'left', steps = 8 } = {}) {
 const changed = (page, before) => page.waitForFunction((old) => location.search !== old, before);
 
 test('dragging moves the lamp on a sphere around the ball, the way the hand goes', () =>
-  look(async (page) => {
+  shared(async (page) => {
     const before = addressOf(page);
     await drag(page, [0.5, 0.5], [0.7, 0.4]);
     await changed(page, before);
@@ -47,7 +51,7 @@ test('dragging moves the lamp on a sphere around the ball, the way the hand goes
   }));
 
 test('the lamp\u2019s mark follows the hand', () =>
-  look(async (page) => {
+  shared(async (page) => {
     const mark = async () => {
       const box = await page.locator('.lamp-mark').boundingBox();
       return [box.x + box.width / 2, box.y + box.height / 2];
@@ -62,7 +66,7 @@ test('the lamp\u2019s mark follows the hand', () =>
   }));
 
 test('the wheel takes the lamp nearer and farther, its direction stays', () =>
-  look(async (page) => {
+  shared(async (page) => {
     await page.locator('#hand').hover();
     const before = addressOf(page);
     await page.mouse.wheel(0, -400);
@@ -98,7 +102,7 @@ test('two fingers that part bring the lamp nearer; one finger moves it', () =>
   }, { hasTouch: true, viewport: { width: 390, height: 800 } }));
 
 test('arrow keys move the lamp, plus and minus its distance', () =>
-  look(async (page) => {
+  shared(async (page) => {
     let before = addressOf(page);
     await page.keyboard.press('ArrowRight');
     await changed(page, before);
@@ -113,7 +117,7 @@ test('arrow keys move the lamp, plus and minus its distance', () =>
   }));
 
 test('with the camera in hand dragging walks around the ball, Shift shifts, the wheel comes nearer', () =>
-  look(async (page) => {
+  shared(async (page) => {
     await page.getByRole('radio', { name: 'Camera' }).click();
     const camera = () => JSON.parse(query(page).get('camera'));
     let before = addressOf(page);
@@ -159,7 +163,7 @@ async function raysOf(query) {
 }
 
 test('the page\u2019s camera casts the server\u2019s rays, in every spelling, and sees points where they are', () =>
-  look(async (page) => {
+  shared(async (page) => {
     let cast = 0;
     for (const scene of ['cameras', 'cornell', 'shapes', 'whitted', 'stage']) {
       for (const key of ['', '&key=a', '&key=d', '&key=s']) {
@@ -174,7 +178,7 @@ test('the page\u2019s camera casts the server\u2019s rays, in every spelling, an
   }));
 
 test('the lamp\u2019s handle on the plan from above moves it along the floor', () =>
-  look(async (page) => {
+  shared(async (page) => {
     const handle = page.getByRole('button', { name: 'Lamp, From above' });
     await handle.scrollIntoViewIfNeeded();
     const box = await handle.locator('.mark').boundingBox();
@@ -220,7 +224,7 @@ test('a ball dragged on the plan from the right is moved in the scene, and what 
   }));
 
 test('the plans\u2019 handles go by the arrow keys, too: lamp, camera and what it looks at', () =>
-  look(async (page) => {
+  shared(async (page) => {
     const step = async (name, key) => {
       const before = addressOf(page);
       await page.getByRole('button', { name }).focus();
@@ -239,7 +243,7 @@ test('the plans\u2019 handles go by the arrow keys, too: lamp, camera and what i
   }));
 
 test('a scene of the gallery opens by its picture, by its name, and the browser goes back', () =>
-  look(async (page) => {
+  shared(async (page) => {
     await page.getByRole('button', { name: 'Every shape' }).click();
     await page.waitForFunction(() => location.search.includes('scene=shapes'));
     await isItsAddress(page);
@@ -255,7 +259,7 @@ test('a scene of the gallery opens by its picture, by its name, and the browser 
   }));
 
 test('what is seen is told in words: sides and shadows', () =>
-  look(async (page) => {
+  shared(async (page) => {
     const seen = page.locator('#seen');
     await seen.filter({ hasText: /ball: lit from above and the left, \d+ % in shadow/ }).waitFor();
     await page.keyboard.press('d');

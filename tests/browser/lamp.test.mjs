@@ -2,7 +2,7 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { STATUS, addressOf, pathOf, rests, shows, told } from './page.mjs';
+import { STATUS, addressOf, pathOf, rests, shows, startAgain, told } from './page.mjs';
 import { stage } from './stage.mjs';
 
 const BUTTONS = {
@@ -15,6 +15,7 @@ const BUTTONS = {
 
 const on = stage();
 const { look } = on;
+const shared = on.shared(startAgain);
 
 // Does `action`; then the page says `words`, asked for `path` and shows its very pixels.
 async function endsOn(page, asked, action, path, words) {
@@ -39,7 +40,7 @@ const fieldsAre = (page, wanted) => page.waitForFunction((all) =>
   JSON.stringify([...document.querySelectorAll('#light input')].map((it) => it.value)) === all, JSON.stringify(wanted));
 
 test('the page opens lit from the left, with the picture in focus', () =>
-  look(async (page, { asked }) => {
+  shared(async (page, { asked }) => {
     await told(page, STATUS.a);
     assert.equal(asked.at(-1), pathOf('a'));
     assert.ok(await shows(page, await on.tia.get(pathOf('a'))));
@@ -49,13 +50,13 @@ test('the page opens lit from the left, with the picture in focus', () =>
   }));
 
 test('each key ends on its picture', () =>
-  look(async (page, { asked }) => {
+  shared(async (page, { asked }) => {
     for (const key of ['d', 's', 'w', 'Escape', 'a'])
       await endsOn(page, asked, () => page.keyboard.press(key), pathOf(key), STATUS[key]);
   }));
 
 test('each button does what its key does', () =>
-  look(async (page, { asked }) => {
+  shared(async (page, { asked }) => {
     for (const key of ['d', 's', 'w', 'Escape', 'a']) {
       const button = page.getByRole('button', { name: BUTTONS[key], exact: true });
       await endsOn(page, asked, () => button.click(), pathOf(key), STATUS[key]);
@@ -67,7 +68,7 @@ test('each button does what its key does', () =>
   }));
 
 test('a key fills the position in; typed at the same place it is the same picture', () =>
-  look(async (page, { asked }) => {
+  shared(async (page, { asked }) => {
     await endsOn(page, asked, () => page.keyboard.press('d'), pathOf('d'), STATUS.d);
     await fieldsAre(page, ['20', '20', '-10']);
     const again = () => page.getByRole('button', { name: 'Move the lamp' }).click();
@@ -76,7 +77,7 @@ test('a key fills the position in; typed at the same place it is the same pictur
   }));
 
 test('a typed position is sent by Enter as by leaving the field', () =>
-  look(async (page, { asked }) => {
+  shared(async (page, { asked }) => {
     await type(page, '5', '2.5e1', '\u221210');
     await endsOn(page, asked, () => page.keyboard.press('Enter'), lightPath('5,25,-10'), 'Light at 5, 25, -10.');
     await page.getByLabel('x', { exact: true }).fill('6');
@@ -84,7 +85,7 @@ test('a typed position is sent by Enter as by leaving the field', () =>
   }));
 
 test('arrow keys step a coordinate by 1, with Shift by 10', () =>
-  look(async (page, { asked }) => {
+  shared(async (page, { asked }) => {
     await page.getByLabel('x', { exact: true }).focus();
     await endsOn(page, asked, () => page.keyboard.press('ArrowUp'), lightPath('-19,20,-10'), 'Light at -19, 20, -10.');
     const down = () => page.keyboard.press('Shift+ArrowDown');
@@ -112,7 +113,7 @@ test('where the browser offers no clipboard interface, as on plain http, copying
   }, { init: () => Object.defineProperty(navigator, 'clipboard', { value: undefined }) }));
 
 test('what is no number stays, is told at its field, and is not sent', () =>
-  look(async (page, { asked }) => {
+  shared(async (page, { asked }) => {
     await endsOn(page, asked, () => page.keyboard.press('Escape'), pathOf('Escape'), STATUS.Escape);
     const before = asked.length;
     await type(page, '5', 'x1', '-4');
@@ -127,7 +128,7 @@ test('what is no number stays, is told at its field, and is not sent', () =>
   }));
 
 test('Escape in a field brings back the position shown', () =>
-  look(async (page) => {
+  shared(async (page) => {
     await page.getByLabel('x', { exact: true }).fill('oops');
     await page.keyboard.press('Escape');
     assert.deepEqual(await fields(page), ['-20', '20', '-10']);
@@ -136,7 +137,7 @@ test('Escape in a field brings back the position shown', () =>
   }));
 
 test('start again takes the scene as it was opened', () =>
-  look(async (page, { asked }) => {
+  shared(async (page, { asked }) => {
     await page.keyboard.press('w');
     await told(page, STATUS.w);
     await page.getByRole('button', { name: 'Start again' }).click();

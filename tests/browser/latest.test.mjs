@@ -2,11 +2,12 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { STATUS, pathOf, rests, shows, told } from './page.mjs';
+import { STATUS, pathOf, rests, shows, startAgain, told } from './page.mjs';
 import { stage } from './stage.mjs';
 
 const on = stage();
 const slowly = on.proxied;
+const slowlyShared = on.sharedProxied(startAgain);
 
 async function press(page, keys) {
   for (const key of keys) await page.keyboard.press(key);
@@ -16,7 +17,7 @@ const isSmooth = (path) => path.includes('threshold=0.02');
 const keyOf = (path) => /key=(.)/.exec(path)?.[1] ?? '';
 
 test('under a slow server one picture is under way, the newest wish follows, those between are dropped', () =>
-  slowly(async (page, proxy) => {
+  slowlyShared(async (page, proxy) => {
     const before = proxy.asked.length;
     proxy.hold();
     await press(page, ['d']);
@@ -31,7 +32,7 @@ test('under a slow server one picture is under way, the newest wish follows, tho
   }));
 
 test('a finer picture of what is wanted no more is not waited for', () =>
-  slowly(async (page, proxy) => {
+  slowlyShared(async (page, proxy) => {
     proxy.holdIf = (path) => isSmooth(path) && keyOf(path) === 'd';
     await press(page, ['d']);
     await proxy.held();
@@ -42,7 +43,7 @@ test('a finer picture of what is wanted no more is not waited for', () =>
 
 // A finer picture that was given up may not have hung up yet when the next one is asked for.
 test('a quick hand over a fast server has no pictures pile up, and ends on its last key', () =>
-  slowly(async (page, proxy) => {
+  slowlyShared(async (page, proxy) => {
     await press(page, [...'adsadsadsadsadsadsadsadsadsadsw']);
     await told(page, STATUS.w);
     assert.ok(proxy.most <= 2, `${proxy.most} under way`);
@@ -51,7 +52,7 @@ test('a quick hand over a fast server has no pictures pile up, and ends on its l
   }));
 
 test('a key held down is one wish', () =>
-  slowly(async (page, proxy) => {
+  slowlyShared(async (page, proxy) => {
     const before = proxy.asked.length;
     for (let i = 0; i < 30; ++i) await page.keyboard.down('d');
     await page.keyboard.up('d');
@@ -61,7 +62,7 @@ test('a key held down is one wish', () =>
   }));
 
 test('the old picture stays while the new one is on its way, and the wait is told', () =>
-  slowly(async (page, proxy) => {
+  slowlyShared(async (page, proxy) => {
     const before = proxy.asked.length;
     proxy.hold();
     await press(page, ['d']);

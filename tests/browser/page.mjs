@@ -2,6 +2,7 @@
 
 import assert from 'node:assert/strict';
 import { existsSync } from 'node:fs';
+import axe from 'axe-core';
 import { chromium } from 'playwright-core';
 
 // The headless shell is Chromium without windows and what belongs to them: it starts a page in half
@@ -11,6 +12,7 @@ const EXECUTABLE = process.env.CHROMIUM ??
 const QUIET = ['--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run',
   '--disable-background-networking', '--disable-component-update', '--disable-sync'];
 const PATIENCE_MS = 15_000;
+const STILL = { reducedMotion: 'reduce' }; // buttons that fade cost a third of a picture's time
 
 /** Where each key puts the light, in the page's words. */
 export const STATUS = {
@@ -31,33 +33,80 @@ export function startChromium() {
 }
 
 /**
- * Opens the page at `path`, waits until its picture is as fine as it gets, runs `body(page,
- * visit)`, and then asserts what holds of every visit: no console error and no request to anyone
- * but the page's own server. `visit.asked` lists the paths of the pictures asked for; `failing`
- * lets failed loads be logged.
+ * Opens the page at `path` in a context of its own and waits until it is `ready`. Gives the page,
+ * what is `seen` of it - `asked` lists the paths of the pictures asked for -, `holds()`, which asserts
+ * what holds of every visit - no console error, no request to anyone but the page's own server -,
+ * and `close()`. `watch(page, seen)` sees it before it loads; `failing` lets failed loads be logged.
  */
-export async function visit(browser, base, body, { init, path = '/', failing = false, ...options } = {}) {
-  const context = await browser.newContext(options);
-  context.setDefaultTimeout(PATIENCE_MS);
+async function open(browser, base,
+  { init, path = '/', ready = rests, watch = () => {}, failing = false, patience = PATIENCE_MS, ...options } = {}) {
+  const context = await browser.newContext({ ...STILL, ...options });
+  context.setDefaultTimeout(patience);
   const seen = { context, asked: [], outside: [], errors: [] };
+  const close = () => context.close();
   try {
     if (init) await context.addInitScript(init);
     const page = await context.newPage();
     listen(page, base, seen);
-    await page.goto(base + path);
-    await rests(page);
-    await body(page, seen);
-    const errors = seen.errors.filter((text) => !(failing && text.startsWith('Failed to load')));
-    assert.deepEqual(errors, [], 'console errors');
-    assert.deepEqual(seen.outside, [], 'requests to others');
-  } finally {
-    await context.close();
+    await watch(page, seen);
+    await page.goto(new URL(path, base).href);
+    await ready(page);
+    const holds = () => {
+      const errors = seen.errors.filter((text) => !(failing && text.startsWith('Failed to load')));
+      assert.deepEqual(errors, [], 'console errors');
+      assert.deepEqual(seen.outside, [], 'requests to others');
+    };
+    return { page, seen, holds, close };
+  } catch (error) {
+    await close();
+    throw error;
   }
+}
+
+/** Opens the page, runs `body(page, seen)`, and asserts what holds of every visit. */
+export async function visit(browser, base, body, options) {
+  const { page, seen, holds, close } = await open(browser, base, options);
+  try {
+    await body(page, seen);
+    holds();
+  } finally {
+    await close();
+  }
+}
+
+let shared = null; // the page that stays open, one at a time, and whose it is
+
+/**
+ * visit(body) for tests that share a page: the first of them opens it, `again(page)` takes it back to
+ * where it began for each one that follows. A test that fails leaves it to nobody.
+ */
+export function sharing(opening, again) {
+  const whose = {};
+  return async (body) => {
+    if (shared?.whose === whose) {
+      shared.seen.asked.length = 0;
+      await again(shared.page);
+    } else {
+      await shared?.close();
+      shared = null;
+      const { browser, base, options } = await opening();
+      shared = { whose, ...await open(browser, base, options) };
+    }
+    const { page, seen, holds, close } = shared;
+    try {
+      await body(page, seen);
+      holds();
+    } catch (error) {
+      shared = null;
+      await close();
+      throw error;
+    }
+  };
 }
 
 function listen(page, base, { asked, outside, errors }) {
   page.on('console', (message) => message.type() === 'error' && errors.push(message.text()));
-  page.on('pageerror', (error) => errors.push(String(error)));
+  page.on('pageerror', (error) => errors.push(String(error.stack)));
   page.on('request', (request) => {
     const url = new URL(request.url());
     if (!['blob:', 'data:'].includes(url.protocol) && url.origin !== base) outside.push(url.href);
@@ -80,6 +129,23 @@ export async function rests(page) {
 export async function told(page, words) {
   await page.getByText(words, { exact: true }).and(page.locator('#status')).waitFor();
   await rests(page);
+}
+
+/** Takes a page back to the scene as it was opened, by its own button. */
+export async function startAgain(page) {
+  await page.locator('#tab-light').click();
+  await page.locator('#start-again').click();
+  await told(page, STATUS.a);
+  await page.locator('#hand').focus();
+}
+
+/** What axe finds in `part` of the page, as texts; of what it finds in order it tells nothing. */
+export async function faults(page, part) {
+  if (!await page.evaluate(() => 'axe' in globalThis)) await page.evaluate(axe.source);
+  const { violations } = await page.evaluate((where) =>
+    globalThis.axe.run(where ?? document, { resultTypes: ['violations'] }), part);
+  return violations.map(({ id, nodes }) =>
+    `${id}: ${nodes.map(({ html, any }) => [html, ...any.map(({ message }) => message)].join(' ')).join(' ')}`);
 }
 
 /** Whether the page shows exactly the pixels of `png`, a Buffer. */

@@ -49,10 +49,19 @@ export function pixelsIn({ type, data: header }, packed) {
 }
 
 function predicted(filter, a, b, c) {
-  const p = a + b - c;
-  const [pa, pb, pc] = [a, b, c].map((value) => Math.abs(p - value));
-  const paeth = pa <= pb && pa <= pc ? a : pb <= pc ? b : c;
-  return [0, a, b, (a + b) >> 1, paeth][filter];
+  switch (filter) {
+    case 0: return 0;
+    case 1: return a;
+    case 2: return b;
+    case 3: return (a + b) >> 1;
+    case 4: return paeth(a, b, c);
+    default: throw new Error(`no filter: ${filter}`);
+  }
+}
+
+function paeth(a, b, c) {
+  const [pa, pb, pc] = [Math.abs(b - c), Math.abs(a - c), Math.abs(a + b - 2 * c)];
+  return pa <= pb && pa <= pc ? a : pb <= pc ? b : c;
 }
 
 /** A chunk's checksum, bit by bit: annex D. */

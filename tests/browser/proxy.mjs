@@ -12,18 +12,22 @@ const POLICY = "default-src 'none'; img-src 'self' blob: data:; script-src 'self
 /** Instead of an answer the connection is closed. */
 export const HANG_UP = { hangUp: true };
 
-/** Runs `body(proxy)` with a proxy before `target`, an address. */
-export async function throughProxy(target, body) {
+/** Starts a proxy before `target`, an address. */
+export async function startProxy(target) {
   const proxy = new Between(target);
   proxy.server.listen(0, '127.0.0.1');
   await once(proxy.server, 'listening');
   proxy.base = `http://127.0.0.1:${proxy.server.address().port}`;
+  return proxy;
+}
+
+/** Runs `body(proxy)` with a proxy before `target`, an address. */
+export async function throughProxy(target, body) {
+  const proxy = await startProxy(target);
   try {
     return await body(proxy);
   } finally {
-    proxy.release();
-    proxy.server.closeAllConnections();
-    proxy.server.close();
+    proxy.stop();
   }
 }
 
@@ -46,6 +50,18 @@ class Between extends EventEmitter {
       else if (stead) response.writeHead(stead.status, stead.headers).end(stead.body);
       else forward(request, response, target);
     });
+  }
+
+  /** Forgets what it was told and what it has seen. */
+  reset() {
+    this.release();
+    Object.assign(this, { asked: [], most: 0, next: [], always: null, scene: null, holdIf: () => false });
+  }
+
+  stop() {
+    this.release();
+    this.server.closeAllConnections();
+    this.server.close();
   }
 
   /** Holds pictures back from now on. */

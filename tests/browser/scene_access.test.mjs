@@ -3,25 +3,21 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import axe from 'axe-core';
+import { faults } from './page.mjs';
 import { sceneStage, showsPicture, textOf, type } from './scene_stage.mjs';
 
 const { open } = sceneStage();
 
-async function faults(page) {
-  await page.evaluate(axe.source);
-  const { violations } = await page.evaluate(() => globalThis.axe.run('#panel-scene'));
-  return violations.map(({ id, nodes }) => `${id}: ${nodes.map(({ html, any }) => html + any.map((it) => it.message)).join(' ')}`);
-}
+const PANEL = '#panel-scene';
 
 for (const [colorScheme, locale, wrong] of [['light', 'en-US', 'Line 12'], ['dark', 'vi-VN', 'D\u00f2ng 12']]) {
   test(`axe finds nothing in the ${colorScheme} theme, ${locale}: as it came, changed and wrong`, () =>
     open(async (page) => {
       await page.locator('[data-field=radius]').waitFor();
-      assert.deepEqual(await faults(page), []);
+      assert.deepEqual(await faults(page, PANEL), []);
       await type(page, '"radius": 4', '"radius": -4');
       await page.getByRole('button', { name: wrong }).waitFor();
-      assert.deepEqual(await faults(page), []);
+      assert.deepEqual(await faults(page, PANEL), []);
     }, { colorScheme, locale }));
 }
 

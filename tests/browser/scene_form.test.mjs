@@ -4,13 +4,19 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { sceneStage, showsPicture, textOf, type } from './scene_stage.mjs';
 
-const { open } = sceneStage();
+const on = sceneStage();
+const { open } = on;
+const shared = on.shared(async (page) => {
+  if (await page.locator('#scene-discard').isEnabled()) await page.locator('#scene-discard').click();
+  await page.getByText('The scene as it came.', { exact: false }).waitFor();
+  await choose(page, '/objects/0');
+});
 const scene = async (page) => JSON.parse(await textOf(page));
 const choose = (page, pointer) => page.locator('#scene-part').selectOption(pointer);
 const field = (page, name) => page.locator(`[data-field=${name}]`);
 
 test('a slider changes its value in the text and the picture, and nothing else', () =>
-  open(async (page, tia) => {
+  shared(async (page, tia) => {
     const before = await textOf(page);
     const slider = page.getByRole('slider', { name: 'Radius' });
     assert.equal(await slider.inputValue(), '4');
@@ -24,7 +30,7 @@ test('a slider changes its value in the text and the picture, and nothing else',
   }));
 
 test('ranges, defaults and descriptions are the server\u2019s schema\u2019s', () =>
-  open(async (page, tia) => {
+  shared(async (page, tia) => {
     const { properties } = JSON.parse(await tia.get('/schema/scene.json')).$defs.material;
     for (const name of ['diffuse', 'reflection', 'transmission']) {
       const slider = field(page, name).locator('[type=range]');
@@ -38,7 +44,7 @@ test('ranges, defaults and descriptions are the server\u2019s schema\u2019s', ()
   }));
 
 test('a material that an object names is changed where it stands; a missing field is added there', () =>
-  open(async (page, tia) => {
+  shared(async (page, tia) => {
     await field(page, 'reflection').locator('.scene-number').fill('0.5');
     const now = await scene(page);
     assert.deepEqual(now.materials.white, { reflection: 0.5 });
@@ -52,7 +58,7 @@ test('a material that an object names is changed where it stands; a missing fiel
   }));
 
 test('choices, boxes and texts write what they say', () =>
-  open(async (page) => {
+  shared(async (page) => {
     await choose(page, '/options');
     await field(page, 'integrator').locator('select').selectOption('whitted');
     await field(page, 'transparent_shadows').locator('input').check();
@@ -63,7 +69,7 @@ test('choices, boxes and texts write what they say', () =>
   }));
 
 test('what is no number is marked and changes nothing', () =>
-  open(async (page) => {
+  shared(async (page) => {
     const before = await textOf(page);
     const radius = field(page, 'radius').locator('.scene-number');
     for (const text of ['', '-', '4,5', 'x', '1e999']) {
@@ -85,7 +91,7 @@ test('the form rests while the text is broken and lists objects in groups', () =
 const srgb = (value) => (value <= 0.0031308 ? 12.92 * value : 1.055 * value ** (1 / 2.4) - 0.055);
 
 test('a colour is picked as screens show it and stored in linear light; what is not touched stays', () =>
-  open(async (page) => {
+  shared(async (page) => {
     await choose(page, '/objects/1');
     const picker = field(page, 'color').locator('[type=color]');
     const code = Math.round(255 * srgb(0.2)).toString(16);
@@ -101,17 +107,17 @@ test('a colour is picked as screens show it and stored in linear light; what is 
   }));
 
 test('all 256 codes come back from linear light as themselves', () =>
-  open(async (page) => {
+  shared(async (page) => {
     const wrong = await page.evaluate(async () => {
       const { hexOf, linearOf } = await import('/picture/srgb.js');
       const codes = Array.from({ length: 256 }, (_, i) => `#${i.toString(16).padStart(2, '0').repeat(3)}`);
       return codes.filter((code) => hexOf(linearOf(code)) !== code);
     });
     assert.deepEqual(wrong, []);
-  }, { tab: false }));
+  }));
 
 test('every part of every kind of scene has its fields', () =>
-  open(async (page, tia) => {
+  shared(async (page, tia) => {
     for (const name of ['shapes', 'stage', 'textures']) {
       const source = JSON.parse(await tia.get(`/scenes/${name}`));
       const told = await page.evaluate(async (json) => {
@@ -123,4 +129,4 @@ test('every part of every kind of scene has its fields', () =>
       const first = Object.keys(source.objects[0]).includes('radius');
       assert.equal(told[0][1].includes('radius'), first);
     }
-  }, { tab: false }));
+  }));

@@ -3,9 +3,8 @@
 import assert from 'node:assert/strict';
 import { createHash } from 'node:crypto';
 import { readFileSync, readdirSync } from 'node:fs';
-import { after, before } from 'node:test';
-import { startChromium } from './page.mjs';
-import { startTia } from './tia.mjs';
+import { rests } from './page.mjs';
+import { stage } from './stage.mjs';
 
 const SCENES = new URL('../../web/scenes/', import.meta.url);
 
@@ -14,44 +13,27 @@ export const gallery = () => Object.fromEntries(readdirSync(SCENES).map((file) =
   [file.replace('.json', ''), readFileSync(new URL(file, SCENES), 'utf8')]));
 
 /**
- * A server and a browser; `on.open(body, { path, ...options })` opens the panel at a path, runs
- * `body(page, tia)` and then asserts: no console error but failed loads, no request to others.
+ * The stage, and `open(body, { path, tab, ...options })`, which opens the panel at a path and runs
+ * `body(page, tia)`; without `tab` the panel stays closed and nothing is waited for. `shared(again,
+ * options)` is the same for tests that share a page.
  */
 export function sceneStage() {
-  const on = {
-    async open(body, { path = '/', tab = true, ...options } = {}) {
-      const context = await on.browser.newContext(options);
-      context.setDefaultTimeout(20_000);
-      const [errors, outside] = [[], []];
-      try {
-        const page = await context.newPage();
-        page.on('console', (message) => message.type() === 'error' && errors.push(message.text()));
-        page.on('pageerror', (error) => errors.push(String(error.stack)));
-        page.on('request', (request) => {
-          const url = new URL(request.url());
-          if (!['blob:', 'data:'].includes(url.protocol) && url.origin !== on.tia.base) outside.push(url.href);
-        });
-        await page.goto(on.tia.base + path);
-        if (tab) await openScene(page);
-        await body(page, on.tia);
-        assert.deepEqual(errors.filter((text) => !text.startsWith('Failed to load')), [], 'console errors');
-        assert.deepEqual(outside, [], 'requests to others');
-      } finally {
-        await context.close();
-      }
+  const on = stage();
+  const { look, shared } = on;
+  const onScene = ({ tab = true, ...options } = {}) =>
+    ({ ready: tab ? openScene : () => {}, failing: true, patience: 20_000, ...options });
+  return Object.assign(on, {
+    open: (body, options) => look((page) => body(page, on.tia), onScene(options)),
+    shared: (again, options) => {
+      const use = shared(again, onScene(options));
+      return (body) => use((page) => body(page, on.tia));
     },
-  };
-  before(async () => ([on.tia, on.browser] = await Promise.all([startTia(), startChromium()])));
-  after(async () => {
-    await on.browser?.close();
-    await on.tia?.stop();
   });
-  return on;
 }
 
 /** Opens the panel and waits for its text. */
 export async function openScene(page) {
-  await page.locator('#frame[aria-busy=false]').waitFor();
+  await rests(page);
   await page.locator('#tab-scene').click();
   await page.waitForFunction(() => document.getElementById('scene-text').value !== '');
 }

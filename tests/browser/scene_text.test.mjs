@@ -3,7 +3,8 @@
 import { test } from 'node:test';
 import { gallery, sceneStage } from './scene_stage.mjs';
 
-const { open } = sceneStage();
+const on = sceneStage();
+const shared = on.shared(() => {}, { tab: false }); // what is called leaves no trace
 const texts = Object.values(gallery());
 const small = texts.filter((text) => text.length < 20_000);
 
@@ -14,10 +15,10 @@ const TOOLS = `
     ? Object.fromEntries(Object.entries(one).sort(([a], [b]) => (a < b ? -1 : 1))) : one);`;
 
 // Runs `work(modules, ...given)` with the page's own modules, in the browser that runs them.
-const inPage = (work, ...given) => open((page) => page.evaluate(`(async () => {${TOOLS}
+const inPage = (work, ...given) => shared((page) => page.evaluate(`(async () => {${TOOLS}
   const modules = await Promise.all(['/state/scene_text.js', '/state/scene_history.js'].map((it) => import(it)));
   return (${work})(Object.assign({}, ...modules), ...${JSON.stringify(given)});
-})()`), { tab: false });
+})()`));
 
 test('every scene of the gallery reads as JSON.parse reads it, each value at its place', () =>
   inPage(({ parseScene, valueAt }, all) => {

@@ -8,7 +8,7 @@ import { startTia } from './tia.mjs';
 const FILE = fileURLToPath(new URL('../golden/page.png', import.meta.url));
 const VIEW = { viewport: { width: 1280, height: 1120 }, locale: 'en-GB', colorScheme: 'light' };
 
-const [tia, browser] = await Promise.all([startTia(0, [], 'ignore'), startChromium()]);
+const [tia, browser] = await Promise.all([startTia(), startChromium()]);
 try {
   await visit(browser, tia.base, async (page) => {
     await page.locator('#why-steps [role=treeitem], #panel-why li').nth(1).waitFor();

@@ -10,10 +10,12 @@ const READY = /^Tia \S+ listening on (http:\/\/\S+:(\d+))$/;
 
 /**
  * Starts a server and gives { base, port, get(path), stop() } once it says that it listens;
- * `stop(signal)` gives [exit status, signal]. `log`: where its standard error goes.
+ * `stop(signal)` gives [exit status, signal]. What it says on standard error is passed on, but for
+ * its log of requests.
  */
-export async function startTia(port = 0, options = [], log = 'inherit') {
-  const child = spawn(BINARY, ['serve', '--port', String(port), ...options], { stdio: ['ignore', 'pipe', log] });
+export async function startTia(port = 0, options = []) {
+  const child = spawn(BINARY, ['serve', '--port', String(port), ...options], { stdio: ['ignore', 'pipe', 'pipe'] });
+  createInterface(child.stderr).on('line', (line) => line.startsWith('{"time":') || console.error(line));
   const ended = once(child, 'exit');
   const line = await Promise.race([
     once(createInterface(child.stdout), 'line').then(([first]) => first),

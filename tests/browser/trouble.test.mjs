@@ -2,14 +2,14 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { STATUS, pathOf, shows, told, visit } from './page.mjs';
+import { STATUS, pathOf, shows, startAgain, told, visit } from './page.mjs';
 import { stage } from './stage.mjs';
 import { startTia } from './tia.mjs';
 
 const PROBLEM = { 'Content-Type': 'application/problem+json' };
 
 const on = stage();
-const look = (body) => on.proxied(body, { failing: true });
+const look = on.sharedProxied(startAgain, { failing: true });
 const problem = (page) => page.locator('#problem');
 const retry = (page) => page.getByRole('button', { name: 'Try again' });
 

@@ -3,7 +3,7 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import axe from 'axe-core';
+import { faults } from './page.mjs';
 import { because, clickPixel, explained, pixelShown, whyStage } from './why_stage.mjs';
 
 const on = whyStage();
@@ -142,11 +142,9 @@ for (const [colorScheme, locale] of [['light', 'en-US'], ['dark', 'vi-VN']]) {
     on.ask('?scene=whitted&pixel=300,240', async (page) => {
       await page.locator('.because').waitFor();
       await page.locator('.hits summary').click();
-      await page.evaluate(axe.source);
       for (const ray of [0, 1, 2]) {
         await buttons(page).nth(ray).click();
-        const { violations } = await page.evaluate(() => globalThis.axe.run('#panel-why'));
-        assert.deepEqual(violations.map(({ id, nodes }) => `${id}: ${nodes.map(({ html }) => html).join(' ')}`), []);
+        assert.deepEqual(await faults(page, '#panel-why'), []);
       }
       assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth));
       const small = await page.locator('#panel-why button').evaluateAll((all) =>

@@ -1,46 +1,29 @@
 // The page with a pixel asked about, as a person meets it.
 
-import assert from 'node:assert/strict';
-import { after, before } from 'node:test';
-import { startChromium } from './page.mjs';
-import { startTia } from './tia.mjs';
+import { stage } from './stage.mjs';
 
 const EMPTY = '<svg xmlns="http://www.w3.org/2000/svg" width="160" height="120"/>';
 
-/** A server and a browser; `ask(path, body, options)` opens the page there and runs body(page). */
+/**
+ * The stage, `ask(path, body, options)`, which opens the page there and runs body(page), and
+ * `shared(again, path)` for tests that share a page.
+ */
 export function whyStage() {
-  const on = {
-    async ask(path, body, { failing = false, ...options } = {}) {
-      const context = await on.browser.newContext({ locale: 'en-US', viewport: { width: 1280, height: 900 }, ...options });
-      context.setDefaultTimeout(30_000);
-      // The gallery's 32 thumbnails are no part of this, and drawing them takes the server's time.
-      await context.route(/render\?.*width=160/, (route) => (route.request().resourceType() === 'image'
-        ? route.fulfill({ contentType: 'image/svg+xml', body: EMPTY }) : route.continue()));
-      const [errors, outside] = [[], []];
-      try {
-        const page = await context.newPage();
-        page.on('console', (message) => message.type() === 'error' && errors.push(message.text()));
-        page.on('pageerror', (error) => errors.push(String(error)));
-        page.on('request', (request) => {
-          const { protocol, origin } = new URL(request.url());
-          if (!['blob:', 'data:'].includes(protocol) && origin !== on.tia.base) outside.push(request.url());
-        });
-        await page.goto(`${on.tia.base}/${path}`);
-        await body(page);
-        assert.deepEqual(errors.filter((text) => !(failing && text.startsWith('Failed to load'))), []);
-        assert.deepEqual(outside, [], 'requests to others');
-      } finally {
-        await context.close();
-      }
-    },
+  const on = stage();
+  const { look, shared } = on;
+  const asking = (path, options) => ({ path: `/${path}`, ready: () => {}, watch: withoutThumbnails,
+    patience: 30_000, locale: 'en-US', viewport: { width: 1280, height: 900 }, ...options });
+  return Object.assign(on, {
+    ask: (path, body, options) => look(body, asking(path, options)),
+    shared: (again, path) => shared(again, asking(path)),
     json: async (path) => JSON.parse(await on.tia.get(path)),
-  };
-  before(async () => ([on.tia, on.browser] = await Promise.all([startTia(), startChromium()])));
-  after(async () => {
-    await on.browser?.close();
-    await on.tia?.stop();
   });
-  return on;
+}
+
+// The gallery's 32 thumbnails are no part of this, and drawing them takes the server's time.
+function withoutThumbnails(page) {
+  return page.route(/render\?.*width=160/, (route) => (route.request().resourceType() === 'image'
+    ? route.fulfill({ contentType: 'image/svg+xml', body: EMPTY }) : route.continue()));
 }
 
 /** Waits until the pixel is explained and the picture at rest. */

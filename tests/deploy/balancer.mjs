@@ -26,7 +26,7 @@ export async function eventually(look, what, patience = 20_000) {
 /** A replica on an address of its own, where it can be started again: nobody else takes its port. */
 export async function startReplica(number, options = []) {
   const host = `127.0.1.${number}`;
-  const start = (port) => startTia(port, ['--host', host, ...options], 'ignore');
+  const start = (port) => startTia(port, ['--host', host, ...options]);
   const replica = { name: `tia${number}`, host, tia: await start(0) };
   replica.address = `${host}:${replica.tia.port}`;
   replica.restart = async () => (replica.tia = await start(replica.tia.port));

@@ -82,7 +82,7 @@ test('ports are those of the image, and each is named where it is used', async (
 });
 
 test('what probes and scrapers ask for is there', async () => {
-  const tia = await startTia(0, [], 'ignore');
+  const tia = await startTia();
   const paths = ['startupProbe', 'livenessProbe', 'readinessProbe'].map((probe) => container[probe].httpGet.path);
   try {
     for (const path of [...paths, pod.metadata.annotations['prometheus.io/path']]) await tia.get(path);
