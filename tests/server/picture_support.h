@@ -1,4 +1,4 @@
-// Pictures as the tests read them: PNG by stb_image and by the standard's words, which must agree,
+// Pictures as the tests read them: PNG by stb_image and by libpng, which must agree,
 // PFM by the format's own. No decoder is the server's.
 #pragma once
 

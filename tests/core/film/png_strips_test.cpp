@@ -1,27 +1,20 @@
 // Large pictures: what is compressed in strips is one stream, whoever compresses which.
 #include <gtest/gtest.h>
-#include <libdeflate.h>
-
-#include <memory>
 
 #include "core/film/png.h"
 #include "core/input/stopped.h"
 #include "tests/core/film/png_chunks.h"
+#include "tests/core/png/inflate.h"
 
 namespace tia::test {
 namespace {
 
 // What the chunks' stream unpacks to; checks its Adler-32, which stb_image does not look at.
 std::string unpacked(const std::string& png, std::size_t bytes) {
-  std::string stream, text(bytes, '\0');
+  std::string stream;
   for (const Chunk& chunk : chunks_of(png))
     if (chunk.type == "IDAT") stream += chunk.data;
-  const std::unique_ptr<libdeflate_decompressor, void (*)(libdeflate_decompressor*)> decompressor(
-      libdeflate_alloc_decompressor(), libdeflate_free_decompressor);
-  EXPECT_EQ(libdeflate_zlib_decompress(decompressor.get(), stream.data(), stream.size(),
-                                       text.data(), text.size(), nullptr),
-            LIBDEFLATE_SUCCESS);
-  return text;
+  return inflated(stream, bytes);
 }
 
 TEST(PngInStrips, SameRowsComeOut) {

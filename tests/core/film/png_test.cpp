@@ -1,5 +1,5 @@
 // PNG files read back by stb_image, which shares nothing with the encoder's compressor; the
-// container's chunks and checksums by a reader of our own.
+// container's chunks and checksums by libpng.
 #include "core/film/png.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-// PNG files read by the words of their standard alone, as strictly as it allows: nothing here is
-// shared with what encodes them, neither code nor a library.
+// PNG files read by libpng and zlib, as strictly as their standard allows: nothing here is shared
+// with what encodes them, neither code nor a library.
 #pragma once
 
 #include <string>

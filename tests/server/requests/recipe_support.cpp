@@ -4,6 +4,7 @@
 
 #include "tests/core/film/files.h"
 #include "tests/core/film/png_chunks.h"
+#include "tests/core/png/inflate.h"
 
 namespace tia::test {
 namespace {
@@ -26,15 +27,7 @@ std::string recipe_text(const std::string& png) {
   for (const Chunk& chunk : chunks_of(png)) {
     if (!is_recipe(chunk)) continue;
     EXPECT_EQ(chunk.data.substr(0, chunk_start.size()), chunk_start);
-    const std::unique_ptr<libdeflate_decompressor, void (*)(libdeflate_decompressor*)> with(
-        libdeflate_alloc_decompressor(), libdeflate_free_decompressor);
-    std::string text(1 << 22, '\0');
-    std::size_t size = 0;
-    const std::string stream = chunk.data.substr(chunk_start.size());
-    EXPECT_EQ(libdeflate_zlib_decompress(with.get(), stream.data(), stream.size(), text.data(),
-                                         text.size(), &size),
-              LIBDEFLATE_SUCCESS);
-    return text.substr(0, size);
+    return inflated(chunk.data.substr(chunk_start.size()), 1 << 22);
   }
   ADD_FAILURE() << "a picture without a recipe";
   return "";
