@@ -14,6 +14,7 @@ namespace tia {
 /// DirectionalLight. Space/units: world space; of any length.
 struct DirectionalLight {
   static constexpr std::string_view type = "directional";
+  static constexpr bool endless = true;
   std::optional<Vec3d> direction;
 
   template <class Visitor>
@@ -34,6 +35,7 @@ struct DirectionalLight {
 };
 
 struct DirectionalForm {
+  static constexpr bool as_point = false;
   Constant way;  ///< towards the light, unit
 };
 inline DirectionalForm prepare(const DirectionalLight& light) {

@@ -1,11 +1,13 @@
 // THE LIST of lights. A new kind is one file beside this one and one entry here: its description,
-// and a form that tells what comes in from it (incoming.h).
+// and a form that tells what comes in from it (incoming.h). What else it must or may bring:
+// kinds.h.
 #pragma once
 
 #include <variant>
 
 #include "core/input/errors.h"
 #include "core/lights/directional.h"
+#include "core/lights/kinds.h"
 #include "core/lights/point.h"
 #include "core/lights/quad_light.h"
 #include "core/lights/sky.h"
@@ -14,17 +16,16 @@
 
 namespace tia {
 
-/// A kind that stands somewhere, and that a key can put elsewhere: it has `place_field`, `waits()`
-/// (whether that field is not known yet), `place()` and `move_to(place, target)`.
-template <class Kind>
-concept MovableLight = requires(Kind kind, const Vec3d& p) {
-  kind.move_to(p, p);
-};
+/// LightList: checks every kind once, where it is listed.
+template <IsLight... Kinds>
+using LightList = std::variant<Kinds...>;
 
 /// Light: a kind and what all kinds share. It sends color * intensity.
 struct Light {
   static constexpr std::string_view schema_name = "light";
-  std::variant<PointLight, DirectionalLight, SpotLight, SphereLight, QuadLight, SkyLight> kind;
+  using Kinds =
+      LightList<PointLight, DirectionalLight, SpotLight, SphereLight, QuadLight, SkyLight>;
+  Kinds kind;
   Color color{1, 1, 1};
   double intensity = 1;
   std::optional<double> fade_distance{};  ///< none: the light does not fade
@@ -51,6 +52,10 @@ struct Light {
   void check(const Place& at, Faults& faults) const;
   bool operator==(const Light&) const = default;
 
+  /// The name of its kind.
+  std::string_view type() const;
+  /// Whether rays meet it.
+  bool seen() const;
   bool movable() const;
   /// The field that it needs to shine and does not have yet, else null.
   const char* awaited() const;
@@ -61,7 +66,10 @@ struct Light {
   void move_to(const Vec3d& to, const Vec3d& target);
 };
 
+// A key puts a light of the first kind where a scene has none that moves.
+static_assert(MovableLight<std::variant_alternative_t<0, Light::Kinds>>);
+
 /// LightForm: any light made ready.
-using LightForm = std::variant<PointForm, DirectionalForm, SpotForm, SphereForm, QuadForm>;
+using LightForm = FormsOf<Light::Kinds>;
 
 }  // namespace tia

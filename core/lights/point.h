@@ -12,6 +12,7 @@ namespace tia {
 /// PointLight. Space/units: world space, scene units. A key light may wait for its position.
 struct PointLight {
   static constexpr std::string_view type = "point";
+  static constexpr bool endless = false;
   std::optional<Vec3d> position;
 
   template <class Visitor>
@@ -28,6 +29,7 @@ struct PointLight {
 };
 
 struct PointForm {
+  static constexpr bool as_point = true;
   Constant position;
 };
 inline PointForm prepare(const PointLight& light) { return {*light.position}; }

@@ -8,6 +8,7 @@
 #include "core/input/errors.h"
 #include "core/input/fields.h"
 #include "core/lights/sphere_light.h"
+#include "core/shapes/mesh.h"
 
 namespace tia {
 
@@ -15,6 +16,7 @@ namespace tia {
 /// v.
 struct QuadLight {
   static constexpr std::string_view type = "quad";
+  static constexpr bool endless = false;
   std::optional<Vec3d> corner;
   Vec3d u{}, v{};
   int samples = 1;
@@ -43,8 +45,11 @@ struct QuadLight {
 };
 
 struct QuadForm {
+  static constexpr bool as_point = true;
   Constant corner, u, v, middle;
 };
+/// What is seen of it: two triangles.
+Mesh surface(const QuadLight& light);
 inline QuadForm prepare(const QuadLight& light) {
   return {*light.corner, light.u, light.v, *light.place()};
 }

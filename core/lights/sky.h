@@ -12,6 +12,7 @@ namespace tia {
 /// SkyLight: takes the background's place. In whitted it is seen and mirrored, and lights nothing.
 struct SkyLight {
   static constexpr std::string_view type = "sky";
+  static constexpr bool endless = true, background = true;
 
   template <class Visitor>
   static void fields(Visitor&&) {}

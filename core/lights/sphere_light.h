@@ -8,6 +8,7 @@
 #include "core/lights/incoming.h"
 #include "core/math/onb.h"
 #include "core/math/warp.h"
+#include "core/shapes/sphere.h"
 
 namespace tia {
 
@@ -21,6 +22,7 @@ inline constexpr Spec light_samples{
 /// SphereLight. Space/units: world space, scene units. The thesis lights with its centre alone.
 struct SphereLight {
   static constexpr std::string_view type = "sphere";
+  static constexpr bool endless = false;
   std::optional<Vec3d> position;
   double radius = 0;
   int samples = 1;
@@ -41,9 +43,12 @@ struct SphereLight {
 };
 
 struct SphereForm {
+  static constexpr bool as_point = true;
   Constant center;
   double radius;
 };
+/// What is seen of it.
+inline Sphere surface(const SphereLight& light) { return {*light.position, light.radius}; }
 inline SphereForm prepare(const SphereLight& light) { return {*light.position, light.radius}; }
 template <class Real>
 Incoming<Real> incoming(const SphereForm& light, const Vec3<Real>& p) {

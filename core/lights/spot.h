@@ -15,6 +15,7 @@ namespace tia {
 /// SpotLight. Space/units: world space, scene units; half angles in degrees from the cone's axis.
 struct SpotLight {
   static constexpr std::string_view type = "spot";
+  static constexpr bool endless = false;
   std::optional<Vec3d> position;
   Vec3d point_at{};
   double radius_degrees = 30, falloff_degrees = 45, tightness = 0;
@@ -43,6 +44,7 @@ struct SpotLight {
 };
 
 struct SpotForm {
+  static constexpr bool as_point = false;
   Constant position, axis;         ///< the axis away from the light, unit
   double cos_radius, cos_falloff;  ///< cos_falloff <= cos_radius
   double tightness;

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "core/input/fields.h"
+#include "core/materials/matter.h"
 #include "core/materials/texture.h"
 
 namespace tia {
@@ -50,5 +51,11 @@ struct Finish {
   }
   bool operator==(const Finish&) const = default;
 };
+
+/// What it is to shading, its texture left out, in light from everywhere of that linear RGB.
+Matter matter_of(const Finish& finish, const Vec3d& ambient_light);
+inline const Texture* texture_of(const Finish& finish) {
+  return finish.texture ? &*finish.texture : nullptr;
+}
 
 }  // namespace tia

@@ -160,4 +160,8 @@ Vec3d color_at(const ImageForm& form, const Vec3d&, const Vec2d& uv, double) {
   return light_at(form, static_cast<int>(x), static_cast<int>(y));
 }
 
+std::size_t heap_bytes(const ImageForm& form) {
+  return form.pixels ? 2 * heap_block + sizeof(Image8) + heap_bytes(form.pixels->rgb) : 0;
+}
+
 }  // namespace tia

@@ -73,6 +73,8 @@ struct ImageForm {
 
 /// Domain: an image that was read without a fault.
 ImageForm prepare(const ImageTexture& image);
+/// Its picture, in full, though copies share it.
+std::size_t heap_bytes(const ImageForm& form);
 /// Returns: linear RGB; of `bilinear` the mean of the four pixels' light around, by area.
 Vec3d color_at(const ImageForm& form, const Vec3d& p, const Vec2d& uv, double blur);
 

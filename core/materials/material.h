@@ -1,16 +1,31 @@
 // THE LIST of materials. A new kind is one file beside this one and one entry here.
 #pragma once
 
+#include <concepts>
 #include <string_view>
 #include <variant>
 
+#include "core/input/kinds.h"
 #include "core/materials/finish.h"
 
 namespace tia {
 
+/// What a kind must bring:
+///   matter_of   what shading needs of it, in light from everywhere of that linear RGB
+///   texture_of  what gives its points their colours, null where nothing does
+template <class Kind>
+concept IsMaterial = IsKind<Kind> && requires(const Kind& kind, const Vec3d& ambient_light) {
+  { matter_of(kind, ambient_light) } -> std::same_as<Matter>;
+  { texture_of(kind) } -> std::same_as<const Texture*>;
+};
+
+/// MaterialList: checks every kind once, where it is listed.
+template <IsMaterial... Kinds>
+using MaterialList = std::variant<Kinds...>;
+
 struct Material {
   static constexpr std::string_view schema_name = "material";
-  std::variant<Finish> kind;
+  MaterialList<Finish> kind;
 
   template <class Visitor>
   static void fields(Visitor&& visit) {
@@ -18,5 +33,13 @@ struct Material {
   }
   bool operator==(const Material&) const = default;
 };
+
+inline Matter matter_of(const Material& material, const Vec3d& ambient_light) {
+  return std::visit([&](const auto& kind) { return matter_of(kind, ambient_light); },
+                    material.kind);
+}
+inline const Texture* texture_of(const Material& material) {
+  return std::visit([](const auto& kind) { return texture_of(kind); }, material.kind);
+}
 
 }  // namespace tia

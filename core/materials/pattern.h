@@ -1,10 +1,12 @@
 // What the patterns of space share: where a pattern stands, and a list of colours to run through.
 #pragma once
 
+#include <concepts>
 #include <vector>
 
 #include "core/input/codec.h"
 #include "core/input/placement.h"
+#include "core/math/heap.h"
 #include "core/shapes/crossing.h"
 
 namespace tia {
@@ -77,5 +79,15 @@ struct Ramp {
   /// Domain: any; below 0 as 0, above 1 as 1, NaN as 0.
   Vec3d at(double share) const;
 };
+
+/// A form whose colours run through a ramp owns its stops.
+template <class Form>
+concept HasRamp = requires(const Form& form) {
+  { form.ramp } -> std::same_as<const Ramp&>;
+};
+template <HasRamp Form>
+std::size_t heap_bytes(const Form& form) {
+  return heap_bytes(form.ramp.stops);
+}
 
 }  // namespace tia

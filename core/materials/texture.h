@@ -5,6 +5,7 @@
 #include <string_view>
 #include <variant>
 
+#include "core/input/kinds.h"
 #include "core/materials/checker.h"
 #include "core/materials/gradient.h"
 #include "core/materials/image_texture.h"
@@ -15,10 +16,28 @@
 
 namespace tia {
 
+/// A form of a texture: color_at() tells its linear RGB, each >= 0, at the point p of a surface
+/// whose coordinates there are uv; heap_bytes() what it owns on the heap, in bytes.
+template <class F>
+concept IsTextureForm = TellsHeap<F> &&
+    requires(const F& form, const Vec3d& p, const Vec2d& uv, double blur) {
+  { color_at(form, p, uv, blur) } -> std::same_as<Vec3d>;
+};
+/// What a kind must bring: prepare() makes a form of it.
+template <class Kind>
+concept IsTexture = IsKind<Kind> && requires(const Kind& kind) {
+  { prepare(kind) } -> IsTextureForm;
+};
+
+/// TextureList: checks every kind once, where it is listed.
+template <IsTexture... Kinds>
+using TextureList = std::variant<Kinds...>;
+
 /// Texture: a surface's linear RGB from place to place.
 struct Texture {
   static constexpr std::string_view schema_name = "texture";
-  std::variant<Checker, Stripes, Gradient, Noise, Marble, Wood, ImageTexture> kind;
+  using Kinds = TextureList<Checker, Stripes, Gradient, Noise, Marble, Wood, ImageTexture>;
+  Kinds kind;
 
   template <class Visitor>
   static void fields(Visitor&& visit) {
@@ -29,8 +48,7 @@ struct Texture {
 
 /// TextureForm: a texture with its numbers made ready.
 struct TextureForm {
-  std::variant<CheckerForm, StripesForm, GradientForm, NoiseForm, MarbleForm, WoodForm, ImageForm>
-      kind;
+  FormsOf<Texture::Kinds> kind;
 };
 
 /// Domain: a texture that was read without a fault.

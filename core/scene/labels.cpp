@@ -12,8 +12,8 @@ void visit_objects(const std::vector<Object>& list, const Place& at, const Visit
   for (std::size_t i = 0; i < list.size(); ++i) {
     const Object& object = list[i];
     const Place here = at.at(i);
-    if (const auto* group = std::get_if<Group>(&object.shape)) {
-      visit_objects(group->children, here.at("children"), visit);
+    if (is_many(object)) {
+      visit_objects(*children_of(object), here.at("children"), visit);
       continue;
     }
     const auto type = [](const auto& shape) { return std::string_view(shape.type); };
@@ -21,11 +21,9 @@ void visit_objects(const std::vector<Object>& list, const Place& at, const Visit
   }
 }
 
-// Luminous ones are things that a ray can meet.
+// Those that are seen are things that a ray can meet.
 void visit_light(const Light& light, const Place& at, const Visit& visit) {
-  if (light.awaited() != nullptr) return;
-  if (std::holds_alternative<SphereLight>(light.kind)) visit("", SphereLight::type, at);
-  if (std::holds_alternative<QuadLight>(light.kind)) visit("", QuadLight::type, at);
+  if (light.awaited() == nullptr && light.seen()) visit("", light.type(), at);
 }
 
 // Of all of them, in the order of their numbers.

@@ -25,12 +25,6 @@ bool Csg::operator==(const Csg& other) const {
 
 namespace {
 
-/// A kind whose parts wear several materials, told apart by numbers.
-template <class Kind>
-concept IsNumbered = requires(const Kind& kind, const Place& at, Faults& faults) {
-  kind.check_materials(std::size_t{}, at, faults);
-};
-
 // Calls f with each kind of the list.
 template <class F>
 void for_each_kind(F f) {
@@ -61,16 +55,38 @@ void Object::check(const Place& at, Faults& faults) const {
 }
 
 const std::vector<Object>* children_of(const Object& object) {
-  if (const auto* group = std::get_if<Group>(&object.shape)) return &group->children;
-  if (const auto* csg = std::get_if<Csg>(&object.shape)) return &csg->children;
-  return nullptr;
+  return std::visit(
+      []<class Kind>(const Kind& kind) -> const std::vector<Object>* {
+        if constexpr (IsComposite<Kind>) return &kind.children;
+        else return nullptr;
+      },
+      object.shape);
+}
+
+bool is_many(const Object& object) {
+  return std::visit(
+      []<class Kind>(const Kind&) {
+        if constexpr (IsComposite<Kind>) return !Kind::one_object;
+        else return false;
+      },
+      object.shape);
 }
 
 bool is_solid(const Shape& shape) {
   return std::visit(
       []<class Kind>(const Kind&) {
-        if constexpr (IsSurface<Kind>) return decltype(prepare(std::declval<const Kind&>()))::solid;
-        else return std::same_as<Kind, Csg>;
+        if constexpr (IsSurface<Kind>) return FormOf<Kind>::solid;
+        else if constexpr (IsComposite<Kind>) return Kind::one_object;
+        else return false;
+      },
+      shape);
+}
+
+bool lights_from_center(const Shape& shape) {
+  return std::visit(
+      []<class Kind>(const Kind&) {
+        if constexpr (IsSurface<Kind>) return LightsFromCenter<FormOf<Kind>>;
+        else return false;
       },
       shape);
 }
@@ -106,9 +122,9 @@ Aabb ObjectBounds::of(const Object& object) {
   end_if_asked(stop_);
   const Aabb box = std::visit(
       [&]<class Kind>(const Kind& kind) {
-        if constexpr (requires { bounds(kind); }) return bounds(kind);  // with less than a form
+        if constexpr (TellsBounds<Kind>) return bounds(kind);  // with less than a form
         else if constexpr (IsSurface<Kind>) return bounds(prepare(kind));
-        else if constexpr (requires { of(kind); }) return of(kind);
+        else if constexpr (IsComposite<Kind>) return of(kind);
         else return bounds_of(kind);
       },
       object.shape);

@@ -49,11 +49,15 @@ extern template struct FieldsCodec<Object>;
 
 /// The children of a group or a solid, or null.
 const std::vector<Object>* children_of(const Object& object);
+/// Whether its children are objects of their own, as a group's are and a solid's are not.
+bool is_many(const Object& object);
 
 /// Whether a shape has an inside of its own, so that it can be an operand of CSG. (A group is none;
 /// its children may be.)
 bool is_solid(const Shape& shape);
-/// The kinds that have, as words: "sphere, plane, ".
+/// Whether a luminous one is a light.
+bool lights_from_center(const Shape& shape);
+/// The kinds that have an inside, as words: "sphere, plane, ".
 std::string solid_names();
 
 /// A box around an object in its parent's space; infinite where the object is, empty where there

@@ -46,7 +46,7 @@ class TreeCheck {
       if (found == scene_.materials.end()) return false;
       own = &found->second;
     }
-    return !(std::get<Finish>(own->kind).emission == Color{});
+    return tia::emits(matter_of(*own, {}).emission.exact);
   }
 
   void check(const Object& object, const Inherited& own, const Place& at) {
@@ -54,7 +54,7 @@ class TreeCheck {
       faults_.add({FaultKind::out_of_range, at.at("transform").pointer(),
                    excerpt(write_value(object.transform)),
                    "with the transforms around it a scale of 1e-9 to 1e9 on every axis"});
-    if (own.luminous && own.copies > 1 && std::holds_alternative<Sphere>(object.shape))
+    if (own.luminous && own.copies > 1 && lights_from_center(object.shape))
       count_lights(own.copies, at);
     if (own.operand) check_operand(object, at);
     count_materials(object, at);

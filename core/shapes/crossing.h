@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "core/math/aabb.h"
+#include "core/math/heap.h"
 #include "core/math/ray.h"
 
 namespace tia {
@@ -36,10 +37,14 @@ struct Bracket {
   int degree = 0;        ///< of the polynomial along the line; 0 where there is none
 };
 
+/// What crossings are emitted to may take their brackets as well.
+template <class Emit>
+concept TakesBracket = std::invocable<Emit&, double, int, const Bracket&>;
+
 /// Calls emit(t, element, bracket) where emit takes a bracket, else emit(t, element).
 template <class Emit>
 void emit_root(Emit& emit, double t, int element, const Bracket& bracket) {
-  if constexpr (std::invocable<Emit&, double, int, const Bracket&>) emit(t, element, bracket);
+  if constexpr (TakesBracket<Emit>) emit(t, element, bracket);
   else emit(t, element);
 }
 
@@ -62,16 +67,9 @@ concept IsWork = std::same_as<Returned, void> || std::same_as<Returned, std::int
 ///              crossing. Of a root that was searched for it may call emit_root
 ///   normal     unit, outward; at a point of that element
 ///   uv         surface coordinates, in [0,1] where the shape is bounded
-///   work_of    optional: how many times a sphere's test trying a line on it costs, roughly
-///   material_number  optional, where an object has numbered materials: which of them an element
-///              wears, 0 the object's own
-///   spans      optional: as crossings, of a solid whose surface is open where bounds cut it
-///   first_crossing  optional, where it is found with less than all: first_crossing(form, line,
-///              after, before), the first crossing with after < t < before. Its t and element are
-///              the same to the bit whatever `before` is, and those that crossings emits, whose t
-///              a search from `after` on may round otherwise; a line that has NaN has none
-///   normals    optional: normal of eight points of element 0 at once, the same to the bit
-///   first_crossings  optional: first_crossing of eight lines at once, the same to the bit
+///   heap_bytes what it owns on the heap; there is one for all forms that own nothing
+/// What it may have besides is below and in eight_lines.h, a concept each: a form's own file
+/// asserts those that it has, lest one of the wrong signature be passed over.
 /// What a line costs is hardly known before where it is searched step by step: so crossings and
 /// spans may return the work beyond work_of that they did, as first_crossing does.
 template <class F>
@@ -83,6 +81,43 @@ concept IsForm = requires(const F& form, const Line& line, const Vec3d& p, int e
   { crossings(form, line, emit) } -> IsWork;
   { normal(form, p, element) } -> std::same_as<Vec3d>;
   { uv(form, p, element) } -> std::same_as<Vec2d>;
+  { heap_bytes(form) } -> std::same_as<std::size_t>;
+};
+
+/// Optional, work_of: how many times a sphere's test trying a line on it costs, roughly.
+template <class F>
+concept TellsWork = requires(const F& form) {
+  { work_of(form) } -> std::same_as<int>;
+};
+/// Optional, material_number, where an object has numbered materials: which of them an element
+/// wears, 0 the object's own.
+template <class F>
+concept NumbersMaterials = requires(const F& form, int element) {
+  { material_number(form, element) } -> std::same_as<int>;
+};
+/// Optional, spans: as crossings, of a solid whose surface is open where bounds cut it.
+template <class F>
+concept HasSpans = requires(const F& form, const Line& line, void (*emit)(double, int)) {
+  { spans(form, line, emit) } -> IsWork;
+};
+/// Optional, first_crossing(form, line, after, before), where the first crossing with
+/// after < t < before is found with less than all. Its t and element are the same to the bit
+/// whatever `before` is, and those that crossings emits, whose t a search from `after` on may round
+/// otherwise; a line that has NaN has none.
+template <class F>
+concept FindsFirstCrossing = requires(const F& form, const Line& line, double t) {
+  { first_crossing(form, line, t, t) } -> std::same_as<FirstCrossing>;
+};
+/// Optional, light_center: a luminous one lights others from that point of its own space. Without
+/// it, it is seen and lights nothing.
+template <class F>
+concept LightsFromCenter = requires(const F& form) {
+  { light_center(form) } -> std::same_as<Vec3d>;
+};
+/// Optional, of a description: bounds(), where they are told with less than its form.
+template <class S>
+concept TellsBounds = requires(const S& shape) {
+  { bounds(shape) } -> std::same_as<Aabb>;
 };
 
 }  // namespace tia

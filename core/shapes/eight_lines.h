@@ -39,4 +39,15 @@ struct EightCrossings {
   FirstCrossing one() const { return {{t[0], element[0]}, work}; }
 };
 
+/// Optional, first_crossings: a form's first_crossing of eight lines at once, the same to the bit.
+template <class F>
+concept FindsEightFirstCrossings = requires(const F& form, const EightLines& lines) {
+  { first_crossings(form, lines) } -> std::same_as<EightCrossings>;
+};
+/// Optional, normals: a form's normal at eight points of element 0 at once, the same to the bit.
+template <class F>
+concept HasEightNormals = requires(const F& form, const Vec3<Octet>& points) {
+  { normals(form, points) } -> std::same_as<Vec3<Octet>>;
+};
+
 }  // namespace tia

@@ -2,9 +2,10 @@
 #pragma once
 
 #include <concepts>
-#include <type_traits>
 #include <variant>
+#include <vector>
 
+#include "core/input/kinds.h"
 #include "core/shapes/algebraic/algebraic.h"
 #include "core/shapes/algebraic/blend.h"
 #include "core/shapes/algebraic/classics.h"
@@ -33,18 +34,30 @@ template <class S>
 concept IsSurface = requires(const S& s) {
   { prepare(s) } -> IsForm;
 };
-/// A kind that holds other objects.
+/// A kind whose elements wear several materials, told apart by numbers: it says which numbers an
+/// object's materials leave without one.
+template <class S>
+concept IsNumbered = requires(const S& s, const Place& at, Faults& faults) {
+  { s.check_materials(std::size_t{}, at, faults) } -> std::same_as<void>;
+};
+/// Numbers are checked where they are read if, and only if, the form tells them.
+template <class S>
+concept ChecksItsNumbers = !IsSurface<S> || requires {
+  requires IsNumbered<S>
+  == NumbersMaterials<FormOf<S>>;
+};
+/// A kind that holds other objects: `children`, and whether they are `one_object`, parts of one
+/// solid, or objects of their own.
 template <class S>
 concept IsComposite = requires(const S& s) {
-  s.children;
+  { s.children } -> std::same_as<const std::vector<Object>&>;
+  { S::one_object } -> std::convertible_to<bool>;
 };
 /// What a kind must bring: its name and fields, and what it is made of. (A mesh is triangles, for
 /// which the tracer has an index.)
 template <class S>
-concept IsShape = Described<S> &&
-    (IsSurface<S> || IsComposite<S> || std::same_as<S, Mesh>)&&requires {
-  { S::type } -> std::convertible_to<std::string_view>;
-};
+concept IsShape = IsKind<S> && ChecksItsNumbers<S> &&
+    (IsSurface<S> || IsComposite<S> || std::same_as<S, Mesh>);
 
 /// ShapeList: checks every kind once, where it is listed.
 template <IsShape... Kinds>
@@ -54,34 +67,7 @@ using Shape = ShapeList<Sphere, Plane, Disc, Box, Cylinder, Cone, Capsule, Trian
                         Quadric, Algebraic, Steiner, BarthSextic, Chmutov, Heart, Clebsch, Cayley,
                         Implicit, Explicit, Parametric, Blend, Voxels, Csg, Group>;
 
-namespace detail {
-
-template <class... Forms>
-struct FormsOf {
-  using Variant = std::variant<Forms...>;
-};
-// Appends what each kind prepares to, once.
-template <class Done, class... Kinds>
-struct Collected : Done {};
-template <class... Forms, class Kind, class... Kinds>
-struct Collected<FormsOf<Forms...>, Kind, Kinds...> : Collected<FormsOf<Forms...>, Kinds...> {};
-template <class... Forms, IsSurface Kind, class... Kinds>
-struct Collected<FormsOf<Forms...>, Kind, Kinds...>
-    : std::conditional_t<
-          (std::same_as<decltype(prepare(std::declval<const Kind&>())), Forms> || ...),
-          Collected<FormsOf<Forms...>, Kinds...>,
-          Collected<FormsOf<Forms..., decltype(prepare(std::declval<const Kind&>()))>, Kinds...>> {
-};
-template <class List>
-struct FormList;
-template <class... Kinds>
-struct FormList<std::variant<Kinds...>> {
-  using Variant = typename Collected<FormsOf<>, Kinds...>::Variant;
-};
-
-}  // namespace detail
-
 /// Form: what the kinds of the list prepare to, several of them perhaps to the same.
-using Form = detail::FormList<Shape>::Variant;
+using Form = FormsOf<Shape>;
 
 }  // namespace tia

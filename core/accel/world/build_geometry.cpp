@@ -5,23 +5,6 @@
 namespace tia {
 namespace {
 
-Matter matter_of(const Finish& finish, const Vec3d& ambient_light) {
-  const Vec3d color = finish.texture ? Vec3d{1, 1, 1} : rgb_of(finish.color);
-  Matter matter;
-  matter.albedo = color * finish.diffuse;
-  matter.ambient = color * ambient_light * finish.ambient;
-  matter.emission = rgb_of(finish.emission);
-  matter.absorption = rgb_of(finish.absorption);
-  matter.brilliance = finish.brilliance;
-  matter.specular = finish.specular;
-  matter.exponent = 1 / finish.roughness;
-  matter.reflection = finish.reflection;
-  matter.transmission = finish.transmission;
-  matter.ior = finish.ior;
-  matter.fresnel = finish.fresnel;
-  return matter;
-}
-
 class Compiler {
  public:
   Compiler(const Scene& scene, const Workers& workers, const MeshSource& mesh)
@@ -41,9 +24,9 @@ class Compiler {
 
  private:
   Matter matter_of(const Material& material) {
-    const auto& finish = std::get<Finish>(material.kind);
-    Matter matter = tia::matter_of(finish, rgb_of(scene_.ambient_light));
-    if (finish.texture) matter.texture = pushed(geometry_.textures, prepare(*finish.texture));
+    Matter matter = tia::matter_of(material, rgb_of(scene_.ambient_light));
+    if (const Texture* texture = texture_of(material))
+      matter.texture = pushed(geometry_.textures, prepare(*texture));
     return matter;
   }
   int matter_index(const MaterialRef& material) {
@@ -77,17 +60,16 @@ class Compiler {
 
   // ---- surfaces -------------------------------------------------------------------------------
 
-  template <class F>
+  // A luminous one that lights from its centre is a light.
+  template <IsForm F>
   void add_surface(const F& form, const Setting& own) {
-    builder_.add(form, own);
+    const int part = builder_.add(form, own);
+    if constexpr (LightsFromCenter<F>) {
+      const Constant emission = geometry_.matter_of(part).emission;
+      if (emits(emission.exact)) add_lamps(own.place.point(light_center(form)), emission, part);
+    }
   }
-  // A luminous one is a light.
-  void add_surface(const Sphere& sphere, const Setting& own) {
-    const int part = builder_.add(sphere, own);
-    const Constant emission = geometry_.matter_of(part).emission;
-    if (emits(emission.exact)) add_lamps(own.place.point(sphere.center), emission, part);
-  }
-  // One lamp for each copy of a luminous ball.
+  // One lamp for each copy of it.
   void add_lamps(const Vec3d& center, const Constant& color, int part) {
     std::int64_t copies = 1;
     for (int space = geometry_.part(part).space; geometry_.space(space).copies >= 0;) {

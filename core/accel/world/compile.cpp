@@ -1,6 +1,7 @@
 // Geometry + lights -> World.
 #include <algorithm>
 #include <map>
+#include <optional>
 
 #include "core/accel/world/geometry_builder.h"
 #include "core/accel/world/world.h"
@@ -17,8 +18,7 @@ constexpr std::size_t few_lights = 64;
 
 // A point as seen from anywhere, whose light does not fade.
 bool is_plain_point(const Lamp& lamp) {
-  const bool point =
-      std::holds_alternative<PointForm>(lamp.form) || std::holds_alternative<SphereForm>(lamp.form);
+  const bool point = std::visit([]<class Form>(const Form&) { return Form::as_point; }, lamp.form);
   return point && lamp.fade_distance == 0 && lamp.places == nullptr;
 }
 
@@ -70,39 +70,30 @@ class Lighting {
 
  private:
   void add_lights() {
-    Vec3d skies{};
-    bool sky = false;
-    const auto add = [&](const Light& light, const std::string& name) {
-      if (light.awaited() != nullptr) return;  // a key light that no key has lit yet
-      const Vec3d color = rgb_of(light.color) * light.intensity;
-      if (std::holds_alternative<SkyLight>(light.kind)) {
-        skies = skies + color;
-        sky = true;
-      }
-      std::visit([&](const auto& kind) { add_light(kind, light, color, name); }, light.kind);
-    };
     for (std::size_t i = 0; i < scene_.lights.size(); ++i)
       add(scene_.lights[i], "/lights/" + std::to_string(i));
     if (scene_.key_light) add(*scene_.key_light, "/key_light");
-    if (sky) world_.background = skies;
+    if (skies_) world_.background = *skies_;
   }
-  template <class Kind>
-  void add_light(const Kind& kind, const Light& light, const Vec3d& color,
-                 const std::string& name) {
-    if constexpr (MovableLight<Kind>) {
-      Lamp lamp{prepare(kind), light.place().value_or(Vec3d{}), color};
-      if (light.fade_distance) lamp.fade_distance = *light.fade_distance;
-      lamp.fade_power = light.fade_power;
-      lamp.name = name;
-      if constexpr (requires { kind.samples; }) {
-        lamp.places = places(kind.samples);
-        lamp.part = lights_.first_part + static_cast<int>(lights_.parts.size());
-        Matter glow;
-        glow.emission = color;
-        add_luminous(kind, {Affine{}, pushed(lights_.matters, glow), 0, false});
-      }
-      if (emits(color)) world_.lamps.push_back(lamp);
-    }
+  void add(const Light& light, const std::string& name) {
+    if (light.awaited() != nullptr) return;  // a key light that no key has lit yet
+    const Vec3d color = rgb_of(light.color) * light.intensity;
+    std::visit(
+        [&]<class Kind>(const Kind& kind) {
+          if constexpr (BackgroundLight<Kind>) skies_ = skies_.value_or(Vec3d{}) + color;
+          else add_lamp(kind, light, color, name);
+        },
+        light.kind);
+  }
+  template <ShiningLight Kind>
+  void add_lamp(const Kind& kind, const Light& light, const Vec3d& color, const std::string& name) {
+    Lamp lamp{prepare(kind), light.place().value_or(Vec3d{}), color};
+    if (light.fade_distance) lamp.fade_distance = *light.fade_distance;
+    lamp.fade_power = light.fade_power;
+    lamp.name = name;
+    if constexpr (AreaLight<Kind>) lamp.places = places(kind.samples);
+    if constexpr (SeenLight<Kind>) lamp.part = add_seen(surface(kind), color);
+    if (emits(color)) world_.lamps.push_back(lamp);
   }
   std::shared_ptr<const Strata> places(int samples) {
     if (samples == 1) return nullptr;
@@ -110,17 +101,14 @@ class Lighting {
     if (!shared) shared = std::make_shared<const Strata>(samples);
     return shared;
   }
-  void add_luminous(const SphereLight& light, const Setting& own) {
-    builder_.add(Sphere{*light.position, light.radius}, own);
-  }
-  void add_luminous(const QuadLight& light, const Setting& own) {
-    Mesh mesh;
-    const Vec3d corners[] = {*light.corner, *light.corner + light.u,
-                             *light.corner + light.u + light.v, *light.corner + light.v};
-    for (const Vec3d& p : corners)
-      mesh.positions.values.insert(mesh.positions.values.end(), {p.x, p.y, p.z});
-    mesh.indices.values = {0, 1, 2, 0, 2, 3};
-    builder_.add(indexed(mesh, workers_), own);
+  // Returns: its part.
+  template <IsSeenSurface S>
+  int add_seen(const S& shape, const Vec3d& color) {
+    Matter glow;
+    glow.emission = color;
+    const Setting own{Affine{}, pushed(lights_.matters, glow), 0, false};
+    if constexpr (IsSurface<S>) return builder_.add(prepare(shape), own);
+    else return builder_.add(indexed(shape, workers_), own);
   }
 
   const Scene& scene_;
@@ -129,6 +117,7 @@ class Lighting {
   Geometry& lights_ = world_.of_lights;
   GeometryBuilder builder_{lights_, workers_};
   std::map<int, std::shared_ptr<const Strata>> strata_;
+  std::optional<Vec3d> skies_;  // the light of all backgrounds; none: the scene's own is seen
 };
 
 }  // namespace

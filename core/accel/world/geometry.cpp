@@ -1,6 +1,6 @@
 #include "core/accel/world/geometry.h"
 
-#include <type_traits>
+#include "core/math/heap.h"
 
 namespace tia {
 
@@ -32,82 +32,50 @@ SharedMesh indexed(const Mesh& mesh, const Workers& workers) {
 
 namespace {
 
-constexpr std::size_t block = 16;  // what the allocator adds to each piece
+using tia::heap_bytes;
 
 template <class T>
-concept Plain = std::is_trivially_copyable_v<T>;
-template <class T>
-concept Ramped = requires(const T& form) {
-  form.ramp;
-};
-
-template <class T>
-std::size_t heap_of(const std::vector<T>& list) {
-  return list.capacity() > 0 ? block + list.capacity() * sizeof(T) : 0;
-}
-template <class T>
-std::size_t heap_of(const std::vector<T, HugePages<T>>& list) {
-  return list.capacity() > 0 ? block + HugePages<T>::bytes_for(list.capacity()) : 0;
-}
-std::size_t heap_of(const ImageForm& form) {
-  return form.pixels ? 2 * block + sizeof(Image8) + heap_of(form.pixels->rgb) : 0;
-}
-std::size_t heap_of(const FieldForm& form) {
-  return heap_of(form.field.instructions) + heap_of(form.field.results) + 2 * block +
-         sizeof(FieldCells) + heap_of(form.cells->tree.nodes) + heap_of(form.cells->cells);
-}
-std::size_t heap_of(const AlgebraicForm& form) { return form.polynomial.heap(); }
-std::size_t heap_of(const ParametricForm& form) {
-  return heap_of(form.surface.instructions) + heap_of(form.surface.results) + 2 * block +
-         sizeof(SurfacePatches) + heap_of(form.patches->tree.nodes) +
-         heap_of(form.patches->patches);
-}
-std::size_t heap_of(const VoxelsForm& form) {
-  return form.grid ? 2 * block + sizeof(VoxelGrid) + heap_of(form.grid->cells) : 0;
-}
-template <Ramped T>
-std::size_t heap_of(const T& form) {
-  return heap_of(form.ramp.stops);
-}
-template <Plain T>
-std::size_t heap_of(const T&) {
-  return 0;
+std::size_t heap_bytes(const std::vector<T, HugePages<T>>& list) {
+  return list.capacity() > 0 ? heap_block + HugePages<T>::bytes_for(list.capacity()) : 0;
 }
 template <class... T>
-std::size_t heap_of(const std::variant<T...>& value) {
-  return std::visit([](const auto& is) { return heap_of(is); }, value);
+std::size_t heap_bytes(const std::variant<T...>& value) {
+  return std::visit([](const auto& is) { return heap_bytes(is); }, value);
 }
-std::size_t heap_of(const Bvh& bvh) { return heap_of(bvh.nodes) + heap_of(bvh.order); }
+std::size_t heap_bytes(const Bvh& bvh) { return heap_bytes(bvh.nodes) + heap_bytes(bvh.order); }
 // Those of one object share their form.
-std::size_t heap_of(const Part& part) { return part.numbers < 0 ? 0 : heap_of(part.form); }
-std::size_t heap_of(const TextureForm& texture) { return heap_of(texture.kind); }
-std::size_t heap_of(const Solid& solid) { return heap_of(solid.steps); }
-std::size_t heap_of(const Space& space) {
+std::size_t heap_bytes(const Part& part) { return part.numbers < 0 ? 0 : heap_bytes(part.form); }
+std::size_t heap_bytes(const TextureForm& texture) { return heap_bytes(texture.kind); }
+std::size_t heap_bytes(const Solid& solid) { return heap_bytes(solid.steps); }
+std::size_t heap_bytes(const Space& space) {
   const BallIndex& balls = space.balls;
-  return heap_of(space.items) + heap_of(space.boxes) + heap_of(space.bvh) + heap_of(space.rest) +
-         heap_of(balls.balls) + heap_of(balls.bvh) + balls.packed.bytes();
+  return heap_bytes(space.items) + heap_bytes(space.boxes) + heap_bytes(space.bvh) +
+         heap_bytes(space.rest) + heap_bytes(balls.balls) + heap_bytes(balls.bvh) +
+         balls.packed.bytes();
 }
 // Of a list with what its elements own.
 template <class T>
 std::size_t deep_heap_of(const std::vector<T>& list) {
-  std::size_t bytes = heap_of(list);
-  for (const T& each : list) bytes += heap_of(each);
+  std::size_t bytes = heap_bytes(list);
+  for (const T& each : list) bytes += heap_bytes(each);
   return bytes;
 }
 
 }  // namespace
 
 std::size_t bytes_of(const Geometry& g) {
-  return sizeof(Geometry) + deep_heap_of(g.spaces) + deep_heap_of(g.parts) + heap_of(g.balls) +
-         heap_of(g.flats) + heap_of(g.meshes) + deep_heap_of(g.solids) + heap_of(g.copies) +
-         heap_of(g.matters) + deep_heap_of(g.textures) + heap_of(g.lamps);
+  return sizeof(Geometry) + deep_heap_of(g.spaces) + deep_heap_of(g.parts) + heap_bytes(g.balls) +
+         heap_bytes(g.flats) + heap_bytes(g.meshes) + deep_heap_of(g.solids) +
+         heap_bytes(g.copies) + heap_bytes(g.matters) + deep_heap_of(g.textures) +
+         heap_bytes(g.lamps);
 }
 
-std::size_t heap_of_form(const Form& form) { return heap_of(form); }
+std::size_t heap_of_form(const Form& form) { return heap_bytes(form); }
 
 std::size_t bytes_of(const MeshIndex& mesh) {
-  return sizeof(MeshIndex) + heap_of(mesh.positions) + heap_of(mesh.normals) + heap_of(mesh.uvs) +
-         heap_of(mesh.triangles) + heap_of(mesh.bvh) + mesh.packed.bytes();
+  return sizeof(MeshIndex) + heap_bytes(mesh.positions) + heap_bytes(mesh.normals) +
+         heap_bytes(mesh.uvs) + heap_bytes(mesh.triangles) + heap_bytes(mesh.bvh) +
+         mesh.packed.bytes();
 }
 
 }  // namespace tia

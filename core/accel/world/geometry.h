@@ -15,27 +15,11 @@
 #include "core/accel/world/solid.h"
 #include "core/boxes/bvh.h"
 #include "core/lights/light.h"
+#include "core/materials/matter.h"
 #include "core/math/strata.h"
 #include "core/scene/scene.h"
 
 namespace tia {
-
-inline bool emits(const Vec3d& light) { return light.x > 0 || light.y > 0 || light.z > 0; }
-
-/// Matter: what shading needs of a material. Linear RGB.
-struct Matter {
-  Constant albedo;    ///< diffuse * color, the colour of a texture left out
-  Constant ambient;   ///< what it sends back of the light from everywhere, that colour left out
-  Constant emission;  ///< light of its own
-  Constant absorption;
-  double brilliance = 1;
-  double specular = 0, exponent = 20;
-  double reflection = 0, transmission = 0, ior = 1;
-  bool fresnel = false;
-  int texture = -1;  ///< which of the geometry's gives its points their colours; -1: none
-
-  bool operator==(const Matter&) const = default;
-};
 
 /// Lamp: a light that shines on points.
 struct Lamp {
@@ -85,6 +69,12 @@ struct Item {
   int index = 0;  ///< into the geometry's list of that kind; of a mesh: its part
 };
 
+/// Space: a part of the geometry that has an index of its own: the world, or the inside of a
+/// repeated group, which is there once for all copies. What stands in it is in its own coordinates;
+/// a ray enters a group's with the copy that it has reached (copies.h), and is turned into them.
+/// Balls have an index to themselves, for they are most of what scenes have many of and are tried
+/// four at a time; every other thing is an item, and those without bounds stand beside the tree.
+/// Space/units: of the world world space, of a group its own.
 struct Space {
   BallIndex balls;
   std::vector<Item> items;

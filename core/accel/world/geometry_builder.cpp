@@ -23,8 +23,8 @@ Aabb bounds_of(const Form& form) {
 }
 
 int work_of_form(const Form& form) {
-  const auto work = [](const auto& own) {
-    if constexpr (requires { work_of(own); }) return work_of(own);
+  const auto work = []<class F>(const F& own) {
+    if constexpr (TellsWork<F>) return work_of(own);
     else return Part{}.work;
   };
   return std::visit(work, form);

@@ -67,8 +67,7 @@ struct OnGivenLine {
 
   double of(double s) const { return (s + shift) / length; }
   void operator()(double s, int element) const { emit(of(s), element); }
-  void operator()(double s, int element, const Bracket& b)
-      const requires std::invocable<Emit&, double, int, const Bracket&> {
+  void operator()(double s, int element, const Bracket& b) const requires TakesBracket<Emit> {
     emit(of(s), element, Bracket{of(b.from), of(b.to), b.how, b.degree});
   }
 };
@@ -93,9 +92,9 @@ std::int64_t crossings(const Part& part, const Line& line, Emit emit) {
 template <class Emit>
 std::int64_t spans(const Part& part, const Line& line, Emit emit) {
   return detail::with_own_line(
-      part, line, [&](const auto& form, const Line& own, double shift, double n) {
+      part, line, [&]<class F>(const F& form, const Line& own, double shift, double n) {
         const detail::OnGivenLine<Emit> out{emit, shift, n};
-        if constexpr (requires { spans(form, own, out); })
+        if constexpr (HasSpans<F>)
           return detail::work_of_call([&] { return spans(form, own, out); });
         else return detail::work_of_call([&] { return crossings(form, own, out); });
       });
@@ -105,9 +104,8 @@ std::int64_t spans(const Part& part, const Line& line, Emit emit) {
 inline int part_of(const Part& part, int number, int element) {
   if (part.numbers == 0) return number;
   return number + std::visit(
-                      [&](const auto& form) {
-                        if constexpr (requires { material_number(form, element); })
-                          return material_number(form, element);
+                      [&]<class F>(const F& form) {
+                        if constexpr (NumbersMaterials<F>) return material_number(form, element);
                         else return 0;
                       },
                       part.form);
@@ -116,35 +114,33 @@ inline int part_of(const Part& part, int number, int element) {
 /// The part's first crossing with t > 0. One beyond t_max need not be found.
 inline FirstCrossing nearest_crossing(const Part& part, const Line& line, double t_max) {
   FirstCrossing nearest;
-  detail::with_own_line(part, line, [&](const auto& form, const Line& own, double shift, double n) {
-    if constexpr (requires { first_crossing(form, own, shift, n); }) {
-      nearest = first_crossing(form, own, -shift, detail::search_limit(t_max, shift, n));
-      nearest.at.t = (nearest.at.t + shift) / n;
-    } else {
-      nearest.work = detail::work_of_call([&] {
-        return crossings(form, own, [&](double s, int element) {
-          const double t = (s + shift) / n;
-          if (t > 0 && t < nearest.at.t) nearest.at = {t, element};
-        });
+  detail::with_own_line(
+      part, line, [&]<class F>(const F& form, const Line& own, double shift, double n) {
+        if constexpr (FindsFirstCrossing<F>) {
+          nearest = first_crossing(form, own, -shift, detail::search_limit(t_max, shift, n));
+          nearest.at.t = (nearest.at.t + shift) / n;
+        } else {
+          nearest.work = detail::work_of_call([&] {
+            return crossings(form, own, [&](double s, int element) {
+              const double t = (s + shift) / n;
+              if (t > 0 && t < nearest.at.t) nearest.at = {t, element};
+            });
+          });
+        }
       });
-    }
-  });
   return nearest;
 }
 
 /// Whether a part's normals at its element 0 are found for eight points at once.
 inline bool normals_go_in_eights(const Part& part) {
-  return part.mesh < 0 && std::visit(
-                              [](const auto& form) {
-                                return requires(const Vec3<Octet>& p) { normals(form, p); };
-                              },
-                              part.form);
+  const auto go = []<class F>(const F&) { return HasEightNormals<F>; };
+  return part.mesh < 0 && std::visit(go, part.form);
 }
 /// In the part's own space. Domain: a part whose normals go in eights.
 inline Vec3<Octet> normals_of_eight(const Part& part, const Vec3<Octet>& p) {
   return std::visit(
-      [&](const auto& form) {
-        if constexpr (requires { normals(form, p); }) return normals(form, p);
+      [&]<class F>(const F& form) {
+        if constexpr (HasEightNormals<F>) return normals(form, p);
         else return p;
       },
       part.form);
@@ -152,11 +148,7 @@ inline Vec3<Octet> normals_of_eight(const Part& part, const Vec3<Octet>& p) {
 
 /// Whether a part's first crossings are found for eight lines at once.
 inline bool goes_in_eights(const Part& part) {
-  return std::visit(
-      [](const auto& form) {
-        return requires(const EightLines& eight) { first_crossings(form, eight); };
-      },
-      part.form);
+  return std::visit([]<class F>(const F&) { return FindsEightFirstCrossings<F>; }, part.form);
 }
 /// nearest_crossing of eight lines, the same to the bit. Domain: a part that goes in eights.
 inline EightCrossings nearest_crossings(const Part& part, const EightLines& given) {
@@ -171,9 +163,9 @@ inline EightCrossings nearest_crossings(const Part& part, const EightLines& give
                        detail::search_limit(given.before, shift, length),
                        given.wanted};
   return std::visit(
-      [&](const auto& form) {
+      [&]<class F>(const F& form) {
         EightCrossings found;
-        if constexpr (requires { first_crossings(form, own); }) {
+        if constexpr (FindsEightFirstCrossings<F>) {
           found = first_crossings(form, own);
           const Octet t = (Octet::load_unaligned(found.t.data()) + shift) / length;
           t.store_unaligned(found.t.data());

@@ -50,6 +50,7 @@ struct AlgebraicForm {
 };
 
 AlgebraicForm prepare(const Algebraic& algebraic);
+inline std::size_t heap_bytes(const AlgebraicForm& a) { return a.polynomial.heap(); }
 /// The terms are summed up once a line; isolating the roots goes with the square of the degree.
 inline int work_of(const AlgebraicForm& a) {
   return 16 + static_cast<int>(a.polynomial.size()) + a.polynomial.degree() * a.polynomial.degree();
@@ -114,5 +115,10 @@ Vec3<Octet> normals(const AlgebraicForm& algebraic, const Vec3<Octet>& p);
 Vec2d uv(const AlgebraicForm& algebraic, const Vec3d& p, int element);
 
 static_assert(IsForm<AlgebraicForm>);
+static_assert(TellsWork<AlgebraicForm>);
+static_assert(HasSpans<AlgebraicForm>);
+static_assert(FindsFirstCrossing<AlgebraicForm>);
+static_assert(FindsEightFirstCrossings<AlgebraicForm>);
+static_assert(HasEightNormals<AlgebraicForm>);
 
 }  // namespace tia

@@ -91,8 +91,8 @@ Symbol distance(const Blend& blend, const SymbolPoint& p) {
 }
 
 Aabb bounds_of(const Blended& child) {
-  const auto own = [](const auto& kind) {
-    if constexpr (requires { bounds(kind); }) return bounds(kind);
+  const auto own = []<class Kind>(const Kind& kind) {
+    if constexpr (TellsBounds<Kind>) return bounds(kind);
     else return bounds(prepare(kind));
   };
   return bounds_of(child.transform.affine(), std::visit(own, child.shape));

@@ -90,5 +90,6 @@ Vec3d normal(const QuadricForm& quadric, const Vec3d& p, int element);
 Vec2d uv(const QuadricForm& quadric, const Vec3d& p, int element);
 
 static_assert(IsForm<QuadricForm>);
+static_assert(HasSpans<QuadricForm>);
 
 }  // namespace tia

@@ -23,6 +23,7 @@ struct Names<Operation> {
 /// Csg: a solid made of solids, which may be Csg themselves.
 struct Csg {
   static constexpr std::string_view type = "csg";
+  static constexpr bool one_object = true;
   Operation operation = Operation::union_;
   std::vector<Object> children;
 

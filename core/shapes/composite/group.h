@@ -45,6 +45,7 @@ struct Repeat {
 
 struct Group {
   static constexpr std::string_view type = "group";
+  static constexpr bool one_object = false;
   std::vector<Object> children;
   std::optional<Repeat> repeat;
 

@@ -136,4 +136,9 @@ Vec2d uv(const FieldForm& form, const Vec3d& p, int element) {
   return longitude_latitude(p - bounds(form.region).center());
 }
 
+std::size_t heap_bytes(const FieldForm& form) {
+  return heap_bytes(form.field.instructions) + heap_bytes(form.field.results) + 2 * heap_block +
+         sizeof(FieldCells) + heap_bytes(form.cells->tree.nodes) + heap_bytes(form.cells->cells);
+}
+
 }  // namespace tia

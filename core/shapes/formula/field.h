@@ -79,5 +79,10 @@ Vec3<Octet> normals(const FieldForm& form, const Vec3<Octet>& p);
 Vec2d uv(const FieldForm& form, const Vec3d& p, int element);
 
 static_assert(IsForm<FieldForm>);
+static_assert(TellsWork<FieldForm>);
+static_assert(HasSpans<FieldForm>);
+static_assert(FindsFirstCrossing<FieldForm>);
+static_assert(FindsEightFirstCrossings<FieldForm>);
+static_assert(HasEightNormals<FieldForm>);
 
 }  // namespace tia

@@ -16,6 +16,8 @@ struct FieldForm {
   std::shared_ptr<const FieldCells> cells;
 };
 
+std::size_t heap_bytes(const FieldForm& form);
+
 /// FieldEvent: something happens to the field along a line. A jump, where f passes 0 without being
 /// it, and an edge of where it is defined bound the solid, but are no surface.
 struct FieldEvent {

@@ -109,4 +109,10 @@ Vec2d uv(const ParametricForm& form, const Vec3d& p, int element) {
   return {share(at.u, d.u, d.half_u), share(at.v, d.v, d.half_v)};
 }
 
+std::size_t heap_bytes(const ParametricForm& form) {
+  return heap_bytes(form.surface.instructions) + heap_bytes(form.surface.results) + 2 * heap_block +
+         sizeof(SurfacePatches) + heap_bytes(form.patches->tree.nodes) +
+         heap_bytes(form.patches->patches);
+}
+
 }  // namespace tia

@@ -70,5 +70,7 @@ Vec3d normal(const ParametricForm& form, const Vec3d& p, int element);
 Vec2d uv(const ParametricForm& form, const Vec3d& p, int element);
 
 static_assert(IsForm<ParametricForm>);
+static_assert(TellsWork<ParametricForm>);
+static_assert(FindsFirstCrossing<ParametricForm>);
 
 }  // namespace tia

@@ -16,6 +16,8 @@ struct ParametricForm {
   std::shared_ptr<const SurfacePatches> patches;
 };
 
+std::size_t heap_bytes(const ParametricForm& form);
+
 /// SurfaceHit: where a line meets a surface, and the rectangle in which that is the only place.
 struct SurfaceHit {
   Crossing at;

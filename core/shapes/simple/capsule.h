@@ -63,5 +63,6 @@ Vec3d normal(const CapsuleForm& capsule, const Vec3d& p, int element);
 Vec2d uv(const CapsuleForm& capsule, const Vec3d& p, int element);
 
 static_assert(IsForm<CapsuleForm>);
+static_assert(TellsWork<CapsuleForm>);
 
 }  // namespace tia

@@ -110,6 +110,10 @@ inline Vec2d uv(const Sphere& sphere, const Vec3d& p, int) {
   return longitude_latitude(p - sphere.center);
 }
 
+/// A luminous one lights others from its centre.
+inline Vec3d light_center(const Sphere& sphere) { return sphere.center; }
+
 static_assert(IsForm<Sphere>);
+static_assert(LightsFromCenter<Sphere>);
 
 }  // namespace tia

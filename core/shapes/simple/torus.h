@@ -69,5 +69,6 @@ Vec3d normal(const TorusForm& torus, const Vec3d& p, int element);
 Vec2d uv(const TorusForm& torus, const Vec3d& p, int element);
 
 static_assert(IsForm<TorusForm>);
+static_assert(TellsWork<TorusForm>);
 
 }  // namespace tia

@@ -196,4 +196,8 @@ VoxelsForm prepare(const Voxels& v) {
 Aabb bounds(const Voxels& v) { return box_of(filled_range(v), v.origin, edges(v)); }
 Aabb bounds(const VoxelsForm& v) { return box_of(v.filled, v.origin, v.cell); }
 
+std::size_t heap_bytes(const VoxelsForm& form) {
+  return form.grid ? 2 * heap_block + sizeof(VoxelGrid) + heap_bytes(form.grid->cells) : 0;
+}
+
 }  // namespace tia

@@ -75,7 +75,9 @@ struct VoxelsForm {
 VoxelsForm prepare(const Voxels& voxels);
 /// A box around what is filled. Cost: O(elements of `occupied`).
 Aabb bounds(const Voxels& voxels);
+static_assert(TellsBounds<Voxels>);
 
+std::size_t heap_bytes(const VoxelsForm& voxels);
 inline int elements(const VoxelsForm& v) { return 6 * (v.materials + 1); }
 inline int material_number(const VoxelsForm&, int element) { return element / 6; }
 Aabb bounds(const VoxelsForm& voxels);
@@ -141,5 +143,8 @@ Vec3d normal(const VoxelsForm& voxels, const Vec3d& p, int element);
 Vec2d uv(const VoxelsForm& voxels, const Vec3d& p, int element);
 
 static_assert(IsForm<VoxelsForm>);
+static_assert(TellsWork<VoxelsForm>);
+static_assert(NumbersMaterials<VoxelsForm>);
+static_assert(FindsFirstCrossing<VoxelsForm>);
 
 }  // namespace tia
