@@ -14,13 +14,14 @@ import { mountScene } from './panels/scene.js';
 import { mountTabs } from './panels/tabs.js';
 import { mountTake } from './panels/take.js';
 import { mountWhy } from './panels/why.js';
+import { learnIntegrators } from './state/integrators.js';
 import { Studio } from './state/studio.js';
 import { chooseLanguage, dress, languageNow, speak } from './words/words.js';
 
 const PANELS = [mountPicture, mountHand, mountLight, mountMaps, mountWhy, mountScene, mountCompare,
   mountPath, mountNumbers, mountTake, mountGallery, mountTabs, mountAddress];
 
-await chooseLanguage();
+await Promise.all([chooseLanguage(), learnIntegrators()]);
 dress();
 const chooser = document.getElementById('language');
 chooser.value = languageNow();

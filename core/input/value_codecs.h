@@ -53,13 +53,18 @@ Value schema_called(std::string_view name, Definitions& named, const Make& make)
   return Value::Object{{"$ref", "#/$defs/" + key}};
 }
 
+/// A codec whose parts may have names: schema() takes the definitions as well.
+template <class T>
+concept SchemaOfNamedParts = requires(const Spec& spec, Definitions& named) {
+  { Codec<T>::schema(spec, named) } -> std::same_as<Value>;
+};
+
 /// The schema of a T, or the reference to it. Whatever it refers to is in `named` afterwards.
-/// A codec whose parts may have names takes `named` as well.
 template <class T>
 Value schema_of(const Spec& spec, Definitions& named) {
   if constexpr (NamedSchema<T>) {
     return schema_called(T::schema_name, named, [&] { return Codec<T>::schema(Spec{}, named); });
-  } else if constexpr (requires { Codec<T>::schema(spec, named); }) {
+  } else if constexpr (SchemaOfNamedParts<T>) {
     return Codec<T>::schema(spec, named);
   } else {
     return Codec<T>::schema(spec);
@@ -169,8 +174,9 @@ struct Codec<std::string> {
   static std::string allowed(const Spec& spec) { return detail::text_words(spec); }
 };
 
+/// NamesCodec: the codec of words, one a value.
 template <Named E>
-struct Codec<E> {
+struct NamesCodec {
   static std::vector<std::string_view> names() {
     return {Names<E>::names.begin(), Names<E>::names.end()};
   }
@@ -188,5 +194,7 @@ struct Codec<E> {
   }
   static std::string allowed(const Spec&) { return "one of " + listed(names()); }
 };
+template <Named E>
+struct Codec<E> : NamesCodec<E> {};
 
 }  // namespace tia

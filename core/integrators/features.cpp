@@ -1,30 +1,43 @@
-#include "core/integrators/features.h"
-
+// Feature images: what the camera rays find, as numbers instead of light.
 #include <array>
 
 #include "core/integrators/direct.h"
+#include "core/integrators/integrator.h"
 
 namespace tia {
+
+// The shading normal, towards the viewer; 0 where nothing is hit.
+template <>
 template <class Real>
-Vec3<Real> normal_feature(WorldScope& scope, const Ray<Real>& ray, Mask<Real> active) {
+Vec3<Real> Integrator<IntegratorName::normal>::radiance(WorldScope& scope, const Ray<Real>& ray,
+                                                        Mask<Real> active, const Draws<Real>&) {
   const auto seen = surfaces(scope, ray, first_hit(scope, ray, active), active);
   return select(seen.here, seen.at.n, {Real(0), Real(0), Real(0)});
 }
 
+// Distance along the unit ray; infinite where nothing is hit.
+template <>
 template <class Real>
-Vec3<Real> depth_feature(WorldScope& scope, const Ray<Real>& ray, Mask<Real> active) {
+Vec3<Real> Integrator<IntegratorName::depth>::radiance(WorldScope& scope, const Ray<Real>& ray,
+                                                       Mask<Real> active, const Draws<Real>&) {
   const Real t = first_hit(scope, ray, active).t;
   return {t, t, t};
 }
 
+// The surface's colour times what it scatters; 0 where nothing is hit.
+template <>
 template <class Real>
-Vec3<Real> albedo_feature(WorldScope& scope, const Ray<Real>& ray, Mask<Real> active) {
+Vec3<Real> Integrator<IntegratorName::albedo>::radiance(WorldScope& scope, const Ray<Real>& ray,
+                                                        Mask<Real> active, const Draws<Real>&) {
   const auto seen = surfaces(scope, ray, first_hit(scope, ray, active), active);
   return select(seen.here, seen.albedo, {Real(0), Real(0), Real(0)});
 }
 
+// The object's number in the scene, from 1; 0 where nothing is hit.
+template <>
 template <class Real>
-Vec3<Real> object_feature(WorldScope& scope, const Ray<Real>& ray, Mask<Real> active) {
+Vec3<Real> Integrator<IntegratorName::object>::radiance(WorldScope& scope, const Ray<Real>& ray,
+                                                        Mask<Real> active, const Draws<Real>&) {
   Real number(0);
   for_each_winner(first_hit(scope, ray, active), active, [&](int part, Mask<Real> here) {
     const int object = scope.world.part(part).object;
@@ -33,8 +46,11 @@ Vec3<Real> object_feature(WorldScope& scope, const Ray<Real>& ray, Mask<Real> ac
   return {number, number, number};
 }
 
+// The share of the lamps that the point sees; 1 where nothing is hit or nothing shines.
+template <>
 template <class Real>
-Vec3<Real> shadow_feature(WorldScope& scope, const Ray<Real>& ray, Mask<Real> active) {
+Vec3<Real> Integrator<IntegratorName::shadow>::radiance(WorldScope& scope, const Ray<Real>& ray,
+                                                        Mask<Real> active, const Draws<Real>&) {
   const auto seen = surfaces(scope, ray, first_hit(scope, ray, active), active);
   const std::vector<Lamp>& lamps = scope.world.lamps;
   if (lamps.empty() || !any(seen.here)) return {Real(1), Real(1), Real(1)};
@@ -47,8 +63,11 @@ Vec3<Real> shadow_feature(WorldScope& scope, const Ray<Real>& ray, Mask<Real> ac
   return {share, share, share};
 }
 
+// Tests of boxes and surfaces that the ray costs when it goes alone.
+template <>
 template <class Real>
-Vec3<Real> cost_feature(WorldScope& scope, const Ray<Real>& ray, Mask<Real> active) {
+Vec3<Real> Integrator<IntegratorName::cost>::radiance(WorldScope& scope, const Ray<Real>& ray,
+                                                      Mask<Real> active, const Draws<Real>&) {
   std::array<LaneOf<Real>, static_cast<std::size_t>(lanes<Real>)> cost{};
   scope.rays.primary += count(active);
   for (unsigned left = bits(active); left != 0; left &= left - 1) {
@@ -65,16 +84,11 @@ Vec3<Real> cost_feature(WorldScope& scope, const Ray<Real>& ray, Mask<Real> acti
   return {all, all, all};
 }
 
-#define TIA_FEATURES(Real)                                                       \
-  template Vec3<Real> normal_feature(WorldScope&, const Ray<Real>&, Mask<Real>); \
-  template Vec3<Real> depth_feature(WorldScope&, const Ray<Real>&, Mask<Real>);  \
-  template Vec3<Real> albedo_feature(WorldScope&, const Ray<Real>&, Mask<Real>); \
-  template Vec3<Real> object_feature(WorldScope&, const Ray<Real>&, Mask<Real>); \
-  template Vec3<Real> shadow_feature(WorldScope&, const Ray<Real>&, Mask<Real>); \
-  template Vec3<Real> cost_feature(WorldScope&, const Ray<Real>&, Mask<Real>);
-TIA_FEATURES(Wide)
-TIA_FEATURES(float)
-TIA_FEATURES(double)
-#undef TIA_FEATURES
+TIA_INTEGRATOR(normal)
+TIA_INTEGRATOR(depth)
+TIA_INTEGRATOR(albedo)
+TIA_INTEGRATOR(object)
+TIA_INTEGRATOR(shadow)
+TIA_INTEGRATOR(cost)
 
 }  // namespace tia

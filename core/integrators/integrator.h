@@ -1,38 +1,48 @@
-// THE LIST of integrators: a new one is one file beside this one, a name in scene.h's list and a
-// line in radiance().
+// What every integrator computes: the numbers along a camera ray. THE LIST of them is
+// core/scene/integrators.h; each one's radiance() is defined in a file beside this one.
 #pragma once
 
-#include "core/integrators/features.h"
-#include "core/integrators/whitted.h"
+#include <utility>
+
+#include "core/integrators/scope.h"
 
 namespace tia {
 
-/// Whether it gathers light, else numbers of the surfaces.
-inline bool gathers_light(IntegratorName name) {
-  return name == IntegratorName::thesis || name == IntegratorName::whitted;
-}
+/// Integrator: one of the list's. Its file defines radiance() for it,
+///   template <>
+///   template <class Real>
+///   Vec3<Real> Integrator<IntegratorName::depth>::radiance(...) {...}
+///   TIA_INTEGRATOR(depth)
+/// and one of another signature does not compile; without any, nothing that draws links.
+template <IntegratorName name>
+struct Integrator {
+  /// Returns: linear RGB, unclamped, or a feature. Lanes that are not active come out meaningless
+  /// and do not count as rays. The draws tell pixels and sample.
+  template <class Real>
+  static Vec3<Real> radiance(WorldScope& scope, const Ray<Real>& ray, Mask<Real> active,
+                             const Draws<Real>& draws);
+};
 
-/// The thesis is a preset of whitted.
-inline Rules rules_of(IntegratorName name, int max_depth) {
-  return name == IntegratorName::thesis ? Rules{0, false, false} : Rules{max_depth};
-}
+/// Makes an integrator's radiance() for the three scalars.
+#define TIA_INTEGRATOR_OF(name, Real)                                                           \
+  template Vec3<Real> Integrator<IntegratorName::name>::radiance(WorldScope&, const Ray<Real>&, \
+                                                                 Mask<Real>, const Draws<Real>&);
+#define TIA_INTEGRATOR(name)     \
+  TIA_INTEGRATOR_OF(name, Wide)  \
+  TIA_INTEGRATOR_OF(name, float) \
+  TIA_INTEGRATOR_OF(name, double)
 
-/// Returns: linear RGB along a camera ray, unclamped, or a feature. Lanes that are not active come
-/// out meaningless and do not count as rays.
+/// The radiance() of an integrator by its name.
 template <class Real>
 Vec3<Real> radiance(IntegratorName name, WorldScope& scope, const Ray<Real>& ray, Mask<Real> active,
                     const Draws<Real>& draws) {
-  switch (name) {
-    case IntegratorName::normal: return normal_feature(scope, ray, active);
-    case IntegratorName::depth: return depth_feature(scope, ray, active);
-    case IntegratorName::albedo: return albedo_feature(scope, ray, active);
-    case IntegratorName::object: return object_feature(scope, ray, active);
-    case IntegratorName::shadow: return shadow_feature(scope, ray, active);
-    case IntegratorName::cost: return cost_feature(scope, ray, active);
-    case IntegratorName::thesis:
-    case IntegratorName::whitted: break;
+  using Radiance = Vec3<Real> (*)(WorldScope&, const Ray<Real>&, Mask<Real>, const Draws<Real>&);
+  static constexpr auto all = []<std::size_t... i>(std::index_sequence<i...>) {
+    return std::array<Radiance, sizeof...(i)>{
+        &Integrator<integrators[i].name>::template radiance<Real>...};
   }
-  return whitted(scope, ray, active, draws);
+  (std::make_index_sequence<integrators.size()>());
+  return all[static_cast<std::size_t>(name)](scope, ray, active, draws);
 }
 
 }  // namespace tia

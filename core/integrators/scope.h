@@ -20,13 +20,6 @@ struct RayTally {
   }
 };
 
-/// Rules: how far light is followed.
-struct Rules {
-  int max_depth = 0;  ///< how often it may be mirrored or refracted
-  bool areas = true;  ///< whether lamps shine from all of their places, else from their middle
-  bool transparent_shadows = true;  ///< whether they are, where the world has them
-};
-
 /// Scope: the world as one block of the picture sees it, and what the block's rays count to. Of two
 /// kinds, which ask the same in their own way; an integrator is a template over them. In a plain
 /// one surfaces scatter light and do nothing else.

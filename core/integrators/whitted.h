@@ -139,11 +139,7 @@ class Whitted {
   Taker& taker_;
 };
 
-/// The light along camera rays. The draws tell pixels and sample.
-template <class Real>
-Vec3<Real> whitted(WorldScope& scope, const Ray<Real>& ray, Mask<Real> active,
-                   const Draws<Real>& draws);
-/// The same in a world of few balls.
+/// The light along camera rays in a world of few balls; in any other it is an Integrator's.
 template <class Real>
 Vec3<Real> whitted(BallScope& scope, const Ray<Real>& ray, Mask<Real> active,
                    const Draws<Real>& draws) {

@@ -1,7 +1,7 @@
 #include "core/render/explain.h"
 
 #include "core/input/codec.h"
-#include "core/integrators/integrator.h"
+#include "core/integrators/whitted.h"
 #include "core/render/meter.h"
 #include "core/render/sampler.h"
 

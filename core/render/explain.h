@@ -35,10 +35,9 @@ struct Explanation {
   std::size_t most_bytes = 0;             ///< what its JSON takes at most
 };
 
-/// A ray that belongs to no picture. Domain: the scene's world; a unit direction; an integrator of
-/// light.
-/// Errors: InputError (limit) where it crosses too much or its JSON would be longer than
-/// longest_explanation, which is counted before it takes memory; Stopped.
+/// A ray that belongs to no picture. Domain: the scene's world; a unit direction; an integrator
+/// that is whitted. Errors: InputError (limit) where it crosses too much or its JSON would be
+/// longer than longest_explanation, which is counted before it takes memory; Stopped.
 Explanation explain(const Scene& scene, World world, const Ray<double>& ray,
                     const RenderOptions& options, const std::stop_token& stop = {});
 /// The ray of the sample of pixel (x, y); its tree's colour is that sample's, bit for bit.

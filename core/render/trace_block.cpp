@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "core/integrators/integrator.h"
+#include "core/integrators/whitted.h"
 #include "core/render/patch.h"
 
 namespace tia {
@@ -245,7 +246,7 @@ void trace(const Shot& shot, int x0, int y0, Block& block) {
 // The thesis' pictures have few plain balls and want to be fast.
 template <class Real>
 void trace(const Shot& shot, int x0, int y0, Block& block) {
-  if (shot.world.few_balls && gathers_light(shot.integrator))
+  if (shot.world.few_balls && row_of(shot.integrator).is_whitted)
     trace<Real, BallScope>(shot, x0, y0, block);
   else trace<Real, WorldScope>(shot, x0, y0, block);
 }

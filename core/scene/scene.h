@@ -16,20 +16,13 @@
 #include "core/input/shared_value.h"
 #include "core/lights/light.h"
 #include "core/scene/camera.h"
+#include "core/scene/integrators.h"
 #include "core/scene/object.h"
 
 namespace tia {
 
 /// KeyBinding: where a key puts the key light, or else a JSON merge patch of the scene (RFC 7396).
 using KeyBinding = std::variant<Vec3d, SharedValue>;
-
-/// How light is gathered along a ray.
-enum class IntegratorName { thesis, whitted, normal, depth, albedo, object, shadow, cost };
-template <>
-struct Names<IntegratorName> {
-  static constexpr std::array<std::string_view, 8> names{"thesis", "whitted", "normal", "depth",
-                                                         "albedo", "object",  "shadow", "cost"};
-};
 
 struct SceneOptions {
   static constexpr std::string_view schema_name = "options";

@@ -1,6 +1,5 @@
 // /explain: one pixel or one ray in, what the ray meets out, as JSON.
 #include "core/input/json.h"
-#include "core/integrators/integrator.h"
 #include "core/render/explain.h"
 #include "core/render/sampler.h"
 #include "server/contract/parameters.h"
@@ -36,9 +35,9 @@ namespace {
 
 RenderOptions options_of(const ExplainRequest& asked, const Scene& scene, const Service& service) {
   const RenderOptions options = options_of(TraceRequest(asked), scene, service.studio);
-  if (!gathers_light(options.integrator))
+  if (!row_of(options.integrator).is_whitted)
     throw InputError({FaultKind::out_of_range, "/integrator", Value(name_of(options.integrator)),
-                      "thesis or whitted, which gather light"});
+                      explained_names() + ", which gather light"});
   const int rays = least_samples(options.samples, options.threshold);
   const int most = options.threshold > 0 ? 16 * rays : rays;
   if (asked.sample >= most)

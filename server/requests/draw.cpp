@@ -7,7 +7,6 @@
 #include "core/film/pfm.h"
 #include "core/film/png.h"
 #include "core/film/png_text.h"
-#include "core/integrators/shown.h"
 #include "server/operation/memory_costs.h"
 #include "server/operation/timing.h"
 #include "server/requests/recipe.h"

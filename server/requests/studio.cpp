@@ -1,7 +1,6 @@
 #include "server/requests/studio.h"
 
 #include "core/input/written.h"
-#include "core/integrators/shown.h"
 
 namespace tia::server {
 namespace {

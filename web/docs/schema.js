@@ -15,7 +15,10 @@ export function schemaWords(schema) {
     return [link(anchorOf(name), name)];
   }
   if ('const' in schema) return [code(plain(schema.const))];
-  if (schema.enum) return ['one of ', ...joined(schema.enum.map((value) => [code(plain(value))]), ', ')];
+  if (schema.enum) {
+    const about = new Map(schema.oneOf?.map((word) => [word.const, ` (${word.description})`]));
+    return ['one of ', ...joined(schema.enum.map((value) => [code(plain(value)), about.get(value) ?? '']), ', ')];
+  }
   const either = schema.oneOf ?? schema.anyOf;
   if (either) return joined(either.map(schemaWords), ' or ');
   if (schema.contentSchema) return ['as JSON ', ...schemaWords(schema.contentSchema)];

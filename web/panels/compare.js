@@ -4,7 +4,7 @@ import { plain } from '../picture/passes.js';
 import { fetchPicture } from '../picture/server.js';
 import { finalPicture } from '../state/studio.js';
 import { windowOf } from '../state/window.js';
-import { t } from '../words/words.js';
+import { t, wordsOr } from '../words/words.js';
 import { lampWords } from '../words/scene_words.js';
 import { compareForm } from './compare_form.js';
 import { differenceView, slidingView } from './compare_views.js';
@@ -98,8 +98,8 @@ export function mountCompare(studio) {
     if (feature !== mine) return image && URL.revokeObjectURL(image.src);
     mine.image = image;
     if (!image) return;
-    image.alt = t(`compare.${integrator}`);
-    showSlider(image, t(`compare.${integrator}`));
+    image.alt = wordsOr(`compare.${integrator}`, integrator);
+    showSlider(image, image.alt);
   }
 
   function dropFeature() {

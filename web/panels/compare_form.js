@@ -1,10 +1,10 @@
 // The controls of comparing: what with, how, and where the line is.
 
+import { aboutOf, featureNames, isFeature } from '../state/integrators.js';
 import { windowOf } from '../state/window.js';
-import { t } from '../words/words.js';
+import { t, wordsOr } from '../words/words.js';
 import { element } from './element.js';
 
-const FEATURES = ['normal', 'depth', 'albedo', 'object', 'shadow', 'cost'];
 const FACTORS = [1, 4, 16];
 
 /**
@@ -19,7 +19,8 @@ export function compareForm({ keep, clear, goBack, change, slide }) {
   const range = element('input', { type: 'range', min: 0, max: 1, step: 'any',
     oninput: () => slideTo(range.valueAsNumber) });
   const card = element('div', { class: 'kept', hidden: true });
-  const partners = choices('partner', ['none', 'kept', ...FEATURES], (name) => t(`compare.${name}`));
+  const partners = choices('partner', ['none', 'kept', ...featureNames()],
+    (name) => wordsOr(`compare.${name}`, name));
   const modes = choices('mode', ['slider', 'difference'], (name) => t(`compare.${name}`));
   const factors = choices('factor', FACTORS, (factor) => t('compare.times', { factor }));
   const line = element('label', { class: 'wide' }, t('compare.line'), range);
@@ -49,7 +50,7 @@ export function compareForm({ keep, clear, goBack, change, slide }) {
     line.hidden = partner === 'none' || differs;
     range.value = share;
     range.setAttribute('aria-valuetext', t('compare.share', { share: Math.round(share * 100) }));
-    about.textContent = FEATURES.includes(partner) ? t(`compare.about_${partner}`) : '';
+    about.textContent = isFeature(partner) ? wordsOr(`compare.about_${partner}`, aboutOf(partner)) : '';
   }
 
   function slideTo(share) {

@@ -1,11 +1,11 @@
 // How the picture is drawn: its size, its edges, and how many rays it takes.
 
+import { aboutOf, lightNames } from '../state/integrators.js';
 import { SIZE, resized, sizeOf } from '../state/window.js';
-import { t } from '../words/words.js';
+import { t, wordsOr } from '../words/words.js';
 import { element } from './element.js';
 
 const SIZES = [[320, 240], [640, 480], [800, 600], [1024, 768], [1280, 960], [1600, 1200], [1920, 1440]];
-const METHODS = ['', 'thesis', 'whitted'];
 // Least, most, and what holds where neither request nor scene says anything.
 const NUMBERS = { samples: [1, 65536, 1], max_depth: [0, 64, 5], seed: [0, Number.MAX_SAFE_INTEGER, 0] };
 
@@ -31,8 +31,8 @@ export function takeForm(studio) {
     const [width, height] = sizeOf(request);
     choices(size, SIZES.map((one) => one.join('x')), `${width}x${height}`,
       (value) => value.replace('x', ' \u00d7 '));
-    choices(method, METHODS, request.integrator ?? '',
-      (value) => t(value ? `take.method_${value}` : 'take.asScene'));
+    choices(method, ['', ...lightNames()], request.integrator ?? '',
+      (value) => (value ? wordsOr(`take.method_${value}`, aboutOf(value)) : t('take.asScene')));
     smooth.checked = studio.smooth;
     for (const { name, field } of numbers) {
       if (field === document.activeElement) continue;

@@ -2,6 +2,7 @@
 // was asked for, then the same with smooth edges. One request at a time; of wishes that come
 // meanwhile only the newest counts, and it does not wait for a finer picture of an older one.
 
+import { isFeature } from '../state/integrators.js';
 import { pixelsOf, scaled } from '../state/window.js';
 
 const FRAME_MS = 36; // for 30 pictures a second: while one is decoded the next is under way
@@ -27,7 +28,7 @@ function single(request, options) {
 
 /** The request with the finest picture that the page draws of it: what it says itself holds. */
 export function finest(request, options, smooth) {
-  const feature = !['thesis', 'whitted', undefined].includes(said('integrator', request, options));
+  const feature = isFeature(said('integrator', request, options));
   const silent = request.samples == null && request.threshold == null;
   return smooth && silent && !feature && single(request, options) ? { ...request, threshold: SMOOTH } : request;
 }

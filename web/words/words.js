@@ -42,6 +42,9 @@ export function has(name) {
   return dictionary[section]?.[key] !== undefined;
 }
 
+/** The words of this name, else `other`, the server's own. */
+export const wordsOr = (name, other) => (has(name) ? t(name) : other);
+
 /** Gives every element below `root` its words: `data-t` as text, `data-t-label` as accessible name. */
 export function dress(root = document) {
   for (const element of root.querySelectorAll('[data-t]')) element.textContent = t(element.dataset.t);

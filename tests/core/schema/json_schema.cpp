@@ -62,7 +62,8 @@ bool JsonSchema::valid(const Value& value, const Value& schema) const {
 bool JsonSchema::obeys(const std::string& word, const Value& is, const Value& value,
                        const Value::Object& schema) const {
   for (const char* annotation : {"description", "default", "title", "examples", "$schema", "$defs",
-                                 "contentEncoding", "contentMediaType", "contentSchema"})
+                                 "contentEncoding", "contentMediaType", "contentSchema",
+                                 "x-gathers"})
     if (word == annotation) return true;
   if (word == "type") return has_type(value, as_text(is));
   if (word == "const") return value == is;

@@ -1,0 +1,23 @@
+#include "core/scene/integrators.h"
+
+namespace tia {
+
+Value Codec<IntegratorName>::schema(const Spec& spec) {
+  Value::Object schema = *NamesCodec<IntegratorName>::schema(spec).as<Value::Object>();
+  Value::Array each;
+  for (const IntegratorRow& row : integrators)
+    each.push_back(Value::Object{{"const", row.text},
+                                 {"description", row.about},
+                                 {"x-gathers", row.gathers_light() ? "light" : "features"}});
+  schema.emplace_back("oneOf", std::move(each));
+  return schema;
+}
+
+std::string explained_names() {
+  std::string names;
+  for (const IntegratorRow& row : integrators)
+    if (row.is_whitted) names.append(names.empty() ? "" : " or ").append(row.text);
+  return names;
+}
+
+}  // namespace tia

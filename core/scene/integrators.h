@@ -1,0 +1,131 @@
+// THE LIST of integrators. A new one is one entry here, its name and its row, and one file in
+// core/integrators, which defines what comes along a ray (integrator.h).
+#pragma once
+
+#include <array>
+#include <limits>
+#include <string>
+#include <string_view>
+
+#include "core/film/display.h"
+#include "core/input/value_codecs.h"
+
+namespace tia {
+
+/// How light is gathered along a ray.
+enum class IntegratorName { thesis, whitted, normal, depth, albedo, object, shadow, cost };
+
+/// Rules: how far light is followed.
+struct Rules {
+  int max_depth = std::numeric_limits<int>::max();  ///< how often it may be mirrored or refracted
+  bool areas = true;  ///< whether lamps shine from all of their places, else from their middle
+  bool transparent_shadows = true;  ///< whether they are, where the world has them
+};
+
+/// What an integrator's numbers are: light that comes along the ray, or what it finds of surfaces.
+enum class Gathers { light, features };
+
+/// IntegratorRow: all there is to say of an integrator but what it computes.
+struct IntegratorRow {
+  IntegratorName name;
+  std::string_view text;  ///< its name in JSON
+  const char* about;      ///< a sentence, for people
+  Gathers gathers = Gathers::light;
+  Shown shown = Shown::light;  ///< what its numbers mean to the eye
+  bool averages = true;        ///< whether a pixel may have the mean of several rays' numbers
+  /// Whether it is whitted, within `most`: then /explain tells its tree of rays, and a few plain
+  /// balls are traced in registers.
+  bool is_whitted = false;
+  Rules most = {};
+
+  constexpr bool gathers_light() const { return gathers == Gathers::light; }
+};
+
+inline constexpr std::array integrators = std::to_array<IntegratorRow>({
+    {.name = IntegratorName::thesis,
+     .text = "thesis",
+     .about =
+         "the light of the lamps' middles at the nearest surface, and shadows: whitted without "
+         "mirrors, glass and soft shadows",
+     .is_whitted = true,
+     .most = {0, false, false}},
+    {.name = IntegratorName::whitted,
+     .text = "whitted",
+     .about = "the lamps' light at the nearest surface, and what its mirror and its glass show, "
+              "traced the same way",
+     .is_whitted = true},
+    {.name = IntegratorName::normal,
+     .text = "normal",
+     .about = "which way the surface faces: the shading normal, towards the viewer",
+     .gathers = Gathers::features,
+     .shown = Shown::normal},
+    {.name = IntegratorName::depth,
+     .text = "depth",
+     .about = "how far away the surface is along the ray",
+     .gathers = Gathers::features,
+     .shown = Shown::depth},
+    {.name = IntegratorName::albedo,
+     .text = "albedo",
+     .about = "the surface's colour times what it scatters, without light or shadow",
+     .gathers = Gathers::features},
+    {.name = IntegratorName::object,
+     .text = "object",
+     .about = "the number of the object in the scene, from 1",
+     .gathers = Gathers::features,
+     .shown = Shown::number,
+     .averages = false},
+    {.name = IntegratorName::shadow,
+     .text = "shadow",
+     .about = "the share of the lamps that the surface sees",
+     .gathers = Gathers::features,
+     .shown = Shown::share},
+    {.name = IntegratorName::cost,
+     .text = "cost",
+     .about = "how many tests of boxes and surfaces the ray takes",
+     .gathers = Gathers::features,
+     .shown = Shown::cost},
+});
+
+constexpr const IntegratorRow& row_of(IntegratorName name) {
+  return integrators[static_cast<std::size_t>(name)];
+}
+static_assert(
+    [] {
+      for (std::size_t i = 0; i < integrators.size(); ++i)
+        if (static_cast<std::size_t>(integrators[i].name) != i) return false;
+      return true;
+    }(),
+    "the rows stand in the order of the names, one a name");
+
+template <>
+struct Names<IntegratorName> {
+  static constexpr auto names = [] {
+    std::array<std::string_view, integrators.size()> all;
+    for (std::size_t i = 0; i < all.size(); ++i) all[i] = integrators[i].text;
+    return all;
+  }();
+};
+
+/// Its schema says of each name what it is, and by the annotation `x-gathers` whether it gathers
+/// "light" or "features".
+template <>
+struct Codec<IntegratorName> : NamesCodec<IntegratorName> {
+  static Value schema(const Spec&);
+};
+
+/// How an integrator's numbers are shown, and whether a pixel's may be averaged.
+constexpr Shown shown(IntegratorName name) { return row_of(name).shown; }
+constexpr bool averages(IntegratorName name) { return row_of(name).averages; }
+/// Whether it gathers light, else numbers of the surfaces.
+constexpr bool gathers_light(IntegratorName name) { return row_of(name).gathers_light(); }
+/// How far one follows light of which max_depth is asked.
+constexpr Rules rules_of(IntegratorName name, int max_depth) {
+  Rules rules = row_of(name).most;
+  rules.max_depth = rules.max_depth < max_depth ? rules.max_depth : max_depth;
+  return rules;
+}
+
+/// The names of those that /explain tells of: "thesis or whitted".
+std::string explained_names();
+
+}  // namespace tia
