@@ -30,6 +30,10 @@ struct Bvh {
   std::vector<std::uint32_t> order;  ///< the things' numbers, as the leaves list them
 };
 
+inline std::size_t heap_bytes(const Bvh& bvh) {
+  return heap_bytes(bvh.nodes) + heap_bytes(bvh.order);
+}
+
 namespace detail {
 
 /// Children still to be visited, the nearest on top.

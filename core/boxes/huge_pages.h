@@ -4,6 +4,9 @@
 #include <cstddef>
 #include <cstdlib>
 #include <new>
+#include <vector>
+
+#include "core/math/heap.h"
 
 #if defined(__linux__)
 #include <sys/mman.h>
@@ -49,5 +52,10 @@ struct HugePages {
     return alignof(T) > 32 ? alignof(T) : 32;
   }
 };
+
+template <class T>
+std::size_t heap_bytes(const std::vector<T, HugePages<T>>& list) {
+  return list.capacity() > 0 ? heap_block + HugePages<T>::bytes_for(list.capacity()) : 0;
+}
 
 }  // namespace tia

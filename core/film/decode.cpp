@@ -77,6 +77,21 @@ int scans_of(File jpeg) {
   return scans;
 }
 
+// Whether a JPEG's first frame is a progressive one, as stb_image looks for it: through the
+// segments, and past what stands between them. Source: ITU-T T.81, B.1.1.4 and B.2.2.
+bool is_progressive(File jpeg) {
+  for (std::size_t at = 2; at + 3 < jpeg.size();) {
+    if (jpeg[at] != 0xFF || jpeg[at + 1] == 0xFF) {
+      ++at;
+      continue;
+    }
+    const int marker = jpeg[at + 1];
+    if (marker >= 0xC0 && marker <= 0xC2) return marker == 0xC2;
+    at += 2 + (std::size_t{jpeg[at + 2]} << 8U | jpeg[at + 3]);
+  }
+  return false;
+}
+
 // Whether one of the Huffman tables of a segment, of which `at` is the length, has more codes than
 // there are bytes: stb_image writes them all. A segment is its length and its tables, a table its
 // class and number, how many codes there are of each of 16 lengths, and their values.
@@ -160,10 +175,14 @@ std::variant<PictureSize, PictureFault> measure_picture(File file) {
     return PictureFault{
         true, std::to_string(size.width) + " x " + std::to_string(size.height) + " pixels",
         "a picture of at most " + std::to_string(most_picture_pixels) + " pixels"};
-  if (is_jpeg(file)) size.scans = std::max(1, scans_of(file));
-  if (size.scans > most_picture_scans)
+  if (!is_jpeg(file)) return size;
+  size.scans = std::max(1, scans_of(file));
+  size.progressive = is_progressive(file);
+  const int most = size.progressive ? most_picture_scans : most_sequential_scans;
+  if (size.scans > most)
     return PictureFault{true, std::to_string(size.scans) + " scans",
-                        "a picture of at most " + std::to_string(most_picture_scans) + " scans"};
+                        std::string(size.progressive ? "a progressive" : "a sequential") +
+                            " JPEG of at most " + std::to_string(most) + " scans"};
   return size;
 }
 

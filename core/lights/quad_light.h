@@ -8,7 +8,7 @@
 #include "core/input/errors.h"
 #include "core/input/fields.h"
 #include "core/lights/sphere_light.h"
-#include "core/shapes/mesh.h"
+#include "core/shapes/mesh/mesh.h"
 
 namespace tia {
 

@@ -8,7 +8,7 @@
 #include "core/lights/incoming.h"
 #include "core/math/onb.h"
 #include "core/math/warp.h"
-#include "core/shapes/sphere.h"
+#include "core/shapes/simple/sphere.h"
 
 namespace tia {
 

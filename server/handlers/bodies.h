@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 
 #include "server/handlers/service.h"
 #include "server/http/message.h"
@@ -17,10 +18,22 @@ Asker asker_of(const Request& request);
 /// What to read the request's body needs, as JSON text.
 LongWork::Need body_need(const Request& request, const Service& service);
 
+/// Whether a query holds an object or a list, and what to read it needs.
+bool holds_json(std::string_view query);
+LongWork::Need query_need(const Request& request, const Service& service);
+
 /// Reads the body. Returns: what read() does. Errors: as LongWork.
 template <class Read>
 auto read_body(const Request& request, Service& service, const Read& read) {
   return service.long_work(body_need(request, service), asker_of(request), read);
+}
+
+/// Reads the query: as long work where it holds JSON, such as a whole scene, which may be as much
+/// of it as in a body. Returns: what read() does. Errors: as LongWork, and whatever it throws.
+template <class Read>
+auto read_query(const Request& request, Service& service, const Read& read) {
+  if (!holds_json(request.query())) return read();
+  return service.long_work(query_need(request, service), asker_of(request), read);
 }
 
 /// Reads the recipe of the picture that the body is. Returns: what read(recipe) does.

@@ -92,8 +92,10 @@ Response explained(const ExplainRequest& asked, const Request& request, Service&
 }  // namespace
 
 Response get_explain(const Request& request, const std::string&, Service& service) {
-  return explained(read_described<ExplainRequest>(query_object<ExplainRequest>(request.query())),
-                   request, service);
+  const auto read = [&] {
+    return read_described<ExplainRequest>(query_object<ExplainRequest>(request.query()));
+  };
+  return explained(read_query(request, service, read), request, service);
 }
 
 Response post_explain(const Request& request, const std::string&, Service& service) {

@@ -234,8 +234,10 @@ std::optional<Response> known_picture(const Request& request, Service& service) 
 
 Response get_render(const Request& request, const std::string&, Service& service) {
   const Stopwatch watch;
-  return rendered(asked_in(query_object<PictureRequest>(request.query()), request), watch, request,
-                  service);
+  const auto read = [&] {
+    return asked_in(query_object<PictureRequest>(request.query()), request);
+  };
+  return rendered(read_query(request, service, read), watch, request, service);
 }
 
 Response post_render(const Request& request, const std::string&, Service& service) {

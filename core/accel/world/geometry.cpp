@@ -34,15 +34,10 @@ namespace {
 
 using tia::heap_bytes;
 
-template <class T>
-std::size_t heap_bytes(const std::vector<T, HugePages<T>>& list) {
-  return list.capacity() > 0 ? heap_block + HugePages<T>::bytes_for(list.capacity()) : 0;
-}
 template <class... T>
 std::size_t heap_bytes(const std::variant<T...>& value) {
   return std::visit([](const auto& is) { return heap_bytes(is); }, value);
 }
-std::size_t heap_bytes(const Bvh& bvh) { return heap_bytes(bvh.nodes) + heap_bytes(bvh.order); }
 // Those of one object share their form.
 std::size_t heap_bytes(const Part& part) { return part.numbers < 0 ? 0 : heap_bytes(part.form); }
 std::size_t heap_bytes(const TextureForm& texture) { return heap_bytes(texture.kind); }

@@ -167,10 +167,21 @@ TEST(Decode, ThePixelsOfTheLargestPictureAreRead) {
 }
 
 TEST(Decode, AJpegOfTooManyScansIsRefused) {
-  Bytes file = test::flat_jpeg({100});
   const Bytes scan{0xFF, 0xDA};
-  for (int i = 0; i < most_picture_scans; ++i) file.insert(file.end(), scan.begin(), scan.end());
-  expect_beyond(file, "65 scans", "at most 64 scans");
+  const auto with_scans = [&](Bytes file, int more) {
+    for (int i = 0; i < more; ++i) file.insert(file.end(), scan.begin(), scan.end());
+    return file;
+  };
+  const Bytes progressive = test::flat_jpeg({100}, test::JpegKind::progressive);  // of two
+  expect_beyond(with_scans(progressive, most_picture_scans - 1), "65 scans",
+                "a progressive JPEG of at most 64 scans");
+  expect_beyond(with_scans(test::flat_jpeg({100}), most_sequential_scans), "9 scans",
+                "a sequential JPEG of at most 8 scans");
+  // What only looks like a progressive frame, in a comment, makes it none.
+  Bytes commented{0xFF, 0xD8, 0xFF, 0xFE, 0, 6, 0xFF, 0xC2, 0, 0};
+  const Bytes rest = with_scans(test::flat_jpeg({100}), most_sequential_scans);
+  commented.insert(commented.end(), rest.begin() + 2, rest.end());
+  expect_beyond(commented, "9 scans", "a sequential JPEG of at most 8 scans");
 }
 
 // The table of one code of length 1 says that it has 16 x 255.
@@ -247,9 +258,17 @@ TEST(Decode, EveryScanOfAJpegGoesOverItsPixels) {
   const auto scanned = [&] {
     return std::get<PictureSize>(measure_picture(file)).scanned_pixels();
   };
-  EXPECT_EQ(scanned(), 64);
-  for (int i = 0; i < 9; ++i) file.insert(file.end(), {0xFF, 0xDA});
-  EXPECT_EQ(scanned(), 640);
+  EXPECT_EQ(scanned(), 4 * 32 * 32);
+  for (int i = 0; i < 7; ++i) file.insert(file.end(), {0xFF, 0xDA});
+  EXPECT_EQ(scanned(), 8 * 4 * 32 * 32);
+  file = test::flat_jpeg({100}, test::JpegKind::progressive);
+  EXPECT_EQ(scanned(), 2 * 32 * 32);
+}
+
+// Sampled four by four, a column of pixels is read in blocks of 32 columns.
+TEST(Decode, AColumnOfAJpegCostsWhatItsBlocksDo) {
+  EXPECT_EQ((PictureSize{1, 65500, 8, false}).scanned_pixels(), 8 * 4 * 32 * 65504);
+  EXPECT_EQ((PictureSize{1, 65500}).scanned_pixels(), 65500);
 }
 
 }  // namespace

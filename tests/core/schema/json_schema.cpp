@@ -61,9 +61,9 @@ bool JsonSchema::valid(const Value& value, const Value& schema) const {
 // A word says nothing about values of another type than its own.
 bool JsonSchema::obeys(const std::string& word, const Value& is, const Value& value,
                        const Value::Object& schema) const {
-  for (const char* annotation : {"description", "default", "title", "examples", "$schema", "$defs",
-                                 "contentEncoding", "contentMediaType", "contentSchema",
-                                 "x-gathers"})
+  for (const char* annotation :
+       {"description", "default", "title", "examples", "$schema", "$defs", "contentEncoding",
+        "contentMediaType", "contentSchema", "x-gathers"})
     if (word == annotation) return true;
   if (word == "type") return has_type(value, as_text(is));
   if (word == "const") return value == is;
