@@ -29,6 +29,7 @@ MeshIndex::MeshIndex(const Mesh& mesh, const Workers& workers) {
   triangles.reserve(numbers.size() / 3);
   for (std::size_t i = 0; i < numbers.size(); i += 3)
     triangles.push_back({numbers[i], numbers[i + 1], numbers[i + 2]});
+  if (!normals.empty()) wind_to_normals();
   workers.end_if_asked();
 
   const std::vector<std::uint32_t> sound = sound_triangles(workers);
@@ -40,6 +41,16 @@ MeshIndex::MeshIndex(const Mesh& mesh, const Workers& workers) {
   bvh = build_bvh(boxes, workers);
   for (std::uint32_t& each : bvh.order) each = sound[each];
   pack(workers);
+}
+
+// So that both windings are one mesh, to the bit: sums depend on the order of the corners. Where
+// the normals are for neither side, the numbers of the corners decide.
+void MeshIndex::wind_to_normals() {
+  for (auto& [i, j, k] : triangles) {
+    const Vec3d across = area_vector(positions[i], positions[j], positions[k]);
+    const double side = dot(across, normals[i] + (normals[j] + normals[k]));
+    if (side < 0 || (!(side > 0) && k < j)) std::swap(j, k);
+  }
 }
 
 // Whether it has an area, and so can be hit.

@@ -16,10 +16,11 @@ namespace tia {
 
 struct MeshIndex {
   std::vector<Vec3d> positions;
-  std::vector<Vec3d> normals;                           ///< one a position, unit; empty: flat
-  std::vector<Vec2d> uvs;                               ///< one a position; empty: none
-  std::vector<std::array<std::uint32_t, 3>> triangles;  ///< all of the mesh's, the degenerate too
-  Bvh bvh;                                              ///< over those that are not degenerate
+  std::vector<Vec3d> normals;  ///< one a position, unit; empty: flat
+  std::vector<Vec2d> uvs;      ///< one a position; empty: none
+  /// All of the mesh's, the degenerate too. Where there are normals, wound to their side.
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  Bvh bvh;  ///< over those that are not degenerate
   std::size_t degenerate = 0;
 
   /// The mesh's own measure, in which its triangles are packed: from -1 to 1 around its middle. So
@@ -44,6 +45,7 @@ struct MeshIndex {
   void pack(const Workers& workers = {});
 
  private:
+  void wind_to_normals();
   std::vector<std::uint32_t> sound_triangles(const Workers& workers);
   bool is_sound(std::size_t triangle) const;
   void measure(const std::vector<std::uint32_t>& sound);

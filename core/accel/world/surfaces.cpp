@@ -24,8 +24,10 @@ Normals normals_at(const World& world, const Vec3d& p, int part, int element, st
   // Normals are carried out by the inverse transpose.
   const auto outwards = [&](const Vec3d& n) { return normalize(map.row(own.inverted ? -n : n)); };
   if (own.mesh >= 0) {
+    // The mesh's normals tell its outer side, where it has any. Source: pbrt-v4, Triangle.
     const MeshPoint at = mesh_point(geometry, own, local, element);
-    return {outwards(at.n), outwards(at.ng)};
+    const Vec3d n = outwards(at.n), ng = outwards(at.ng);
+    return {n, dot(n, ng) < 0 ? -ng : ng};
   }
   const Vec3d n = outwards(
       std::visit([&](const auto& form) { return normal(form, local, element); }, own.form));

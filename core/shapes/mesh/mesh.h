@@ -6,8 +6,9 @@
 namespace tia {
 
 /// Mesh. Surface: the triangles whose corners are three indices each into the positions; open or
-/// closed. Normals, one a vertex, smooth the shading; uvs, two numbers a vertex, place textures.
-/// Space/units: scene units, object space.
+/// closed. Normals, one a vertex, smooth the shading and tell the outer side, however the triangles
+/// are wound; without them it is the side that sees the corners counter-clockwise. Uvs, two numbers
+/// a vertex, place textures. Space/units: scene units, object space.
 struct Mesh {
   static constexpr std::string_view type = "mesh";
   static constexpr std::size_t most_triangles = 1 << 24;  ///< a hit tells which one in a float
@@ -28,10 +29,12 @@ struct Mesh {
           Spec{.about = "the three vertices of each triangle, of at most 16777216",
                .required = true,
                .min_items = 3});
-    visit("normals", &Mesh::normals,
-          Spec{.about = "x, y and z of each vertex' normal, of any length but 0",
-               .min = -far,
-               .max = far});
+    visit(
+        "normals", &Mesh::normals,
+        Spec{.about = "x, y and z of each vertex' normal, of any length but 0; they tell the outer "
+                      "side, however the triangles are wound",
+             .min = -far,
+             .max = far});
     visit("uvs", &Mesh::uvs, Spec{.about = "u and v of each vertex", .min = -far, .max = far});
   }
   std::size_t vertices() const { return positions.values.size() / 3; }
