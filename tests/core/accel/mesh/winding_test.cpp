@@ -2,7 +2,7 @@
 // winding says.
 #include <gtest/gtest.h>
 
-#include "core/accel/all_hits.h"
+#include "core/accel/world/all_hits.h"
 #include "tests/core/accel/meshes.h"
 
 namespace tia {
