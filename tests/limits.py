@@ -42,7 +42,8 @@ CONSTANTS = [
     # What a scene may be.
     ("core/film/decode.h", "most_picture_bytes = «1 << 20»", CORE, "LimitNumbers.APictureHas1048576*"),
     ("core/film/decode.h", "most_picture_pixels = «1 << 22»", CORE, "LimitNumbers.APictureHas4194304*"),
-    ("core/film/decode.h", "most_picture_scans = «64»", CORE, "LimitNumbers.AJpegHas64Scans"),
+    ("core/film/decode.h", "most_picture_scans = «64»", CORE, "LimitNumbers.AJpegHas64*"),
+    ("core/film/decode.h", "most_sequential_scans = «8»", CORE, "LimitNumbers.AJpegHas64*"),
     ("core/shapes/voxels/occupied.h", "most_cell_material = «255»", CORE, "LimitNumbers.OfLargeScenes"),
     ("core/shapes/voxels/occupied.h", "most_cells = «1 << 24»", CORE, "LimitNumbers.OfLargeScenes"),
     ("core/shapes/mesh/mesh.h", "most_triangles = «1 << 24»", CORE, "LimitNumbers.OfLargeScenes"),

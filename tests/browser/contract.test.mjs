@@ -12,6 +12,7 @@ before(async () => {
   tia = await startTia();
   openapi = JSON.parse(await tia.get('/openapi.json'));
   ajv = new Ajv2020({ strict: true, strictTypes: false, strictRequired: false });
+  ajv.addKeyword('x-gathers');
   ajv.addKeyword('components'); // all that refers to a schema goes through it
   ajv.addSchema({ $id: 'openapi', components: { schemas: openapi.components.schemas } });
 });

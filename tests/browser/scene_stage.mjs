@@ -9,7 +9,7 @@ import { stage } from './stage.mjs';
 const SCENES = new URL('../../web/scenes/', import.meta.url);
 
 /** The gallery's files as { name: text }. */
-export const gallery = () => Object.fromEntries(readdirSync(SCENES).map((file) =>
+export const gallery = () => Object.fromEntries(readdirSync(SCENES).filter((file) => file.endsWith('.json')).map((file) =>
   [file.replace('.json', ''), readFileSync(new URL(file, SCENES), 'utf8')]));
 
 /**

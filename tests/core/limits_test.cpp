@@ -118,12 +118,17 @@ TEST(LimitNumbers, APictureHas4194304Pixels) {
   EXPECT_FALSE(is_taken(test::png({4'194'305, 1, 8, test::grey}, "x")));
 }
 
-TEST(LimitNumbers, AJpegHas64Scans) {
-  test::Bytes file = test::flat_jpeg({100});  // one scan
-  for (int i = 0; i < 63; ++i) file.insert(file.end(), {0xFF, 0xDA});
-  EXPECT_TRUE(is_taken(file));
-  file.insert(file.end(), {0xFF, 0xDA});
-  EXPECT_FALSE(is_taken(file));
+TEST(LimitNumbers, AJpegHas64ScansASequentialOne8) {
+  const auto takes = [](test::Bytes file, int scans, int has) {
+    for (; has < scans; ++has) file.insert(file.end(), {0xFF, 0xDA});
+    return is_taken(file);
+  };
+  const test::Bytes sequential = test::flat_jpeg({100});
+  const test::Bytes progressive = test::flat_jpeg({100}, test::JpegKind::progressive);
+  EXPECT_TRUE(takes(progressive, 64, 2));
+  EXPECT_FALSE(takes(progressive, 65, 2));
+  EXPECT_TRUE(takes(sequential, 8, 1));
+  EXPECT_FALSE(takes(sequential, 9, 1));
 }
 
 // ---- formulas -------------------------------------------------------------------------------

@@ -1,10 +1,10 @@
-// The integrators that the server has: their names, and what its schema says of each.
+// The server's integrators, from its schema.
 
 import { fetchJson } from '../picture/server.js';
 
 let known = [];
 
-/** Learns them, before anything is drawn. Without an answer the page draws as the scene says. */
+/** Before anything is drawn. Without an answer the page draws as the scene says. */
 export async function learnIntegrators() {
   try {
     const { $defs } = await fetchJson('schema/scene.json');
@@ -17,13 +17,10 @@ export async function learnIntegrators() {
 
 const names = (feature) => known.filter((one) => one.feature === feature).map(({ name }) => name);
 
-/** Those that gather light. */
+/** Those that gather light, and those that tell numbers of surfaces instead. */
 export const lightNames = () => names(false);
-
-/** Those that tell numbers of surfaces instead. */
 export const featureNames = () => names(true);
-
 export const isFeature = (name) => featureNames().includes(name);
 
-/** What one is, in the server's words. */
+/** In the server's words. */
 export const aboutOf = (name) => known.find((one) => one.name === name)?.about ?? name;
