@@ -65,9 +65,9 @@ export async function shownPixels(page, selector) {
     const context = new OffscreenCanvas(width, height).getContext('2d', { willReadFrequently: true });
     context.drawImage(it, 0, 0);
     const { data } = context.getImageData(0, 0, width, height);
-    let text = '';
-    for (let i = 0; i < data.length; i += 4) text += String.fromCharCode(data[i], data[i + 1], data[i + 2]);
-    return { width, height, text: btoa(text) };
+    const lines = Array.from({ length: height }, (_, y) =>
+      String.fromCharCode(...data.subarray(4 * width * y, 4 * width * (y + 1)).filter((_, i) => i % 4 < 3)));
+    return { width, height, text: btoa(lines.join('')) };
   });
   return { width, height, data: Buffer.from(text, 'base64') };
 }

@@ -2,6 +2,7 @@
 
 import assert from 'node:assert/strict';
 import { existsSync } from 'node:fs';
+import { setTimeout } from 'node:timers/promises';
 import axe from 'axe-core';
 import { chromium } from 'playwright-core';
 
@@ -129,6 +130,18 @@ export async function rests(page) {
 export async function told(page, words) {
   await page.getByText(words, { exact: true }).and(page.locator('#status')).waitFor();
   await rests(page);
+}
+
+/**
+ * Waits until `holds()` comes to be true. The browser's own waiting takes a promise for true, so
+ * what has to be waited for within is asked for here.
+ */
+export async function until(holds, what) {
+  const end = Date.now() + PATIENCE_MS;
+  while (!await holds()) {
+    assert.ok(Date.now() < end, `${what}: not within ${PATIENCE_MS} ms`);
+    await setTimeout(50);
+  }
 }
 
 /** Takes a page back to the scene as it was opened, by its own button. */

@@ -6,25 +6,26 @@ import { test } from 'node:test';
 import { faults } from './page.mjs';
 import { sceneStage, showsPicture, textOf, type } from './scene_stage.mjs';
 
-const { open } = sceneStage();
+const on = sceneStage();
+const { open } = on;
 
 const PANEL = '#panel-scene';
 
 for (const [colorScheme, locale, wrong] of [['light', 'en-US', 'Line 12'], ['dark', 'vi-VN', 'D\u00f2ng 12']]) {
+  const shared = on.shared((page) => page.locator('#scene-discard').click(), { colorScheme, locale });
+
   test(`axe finds nothing in the ${colorScheme} theme, ${locale}: as it came, changed and wrong`, () =>
-    open(async (page) => {
+    shared(async (page) => {
       await page.locator('[data-field=radius]').waitFor();
       assert.deepEqual(await faults(page, PANEL), []);
       await type(page, '"radius": 4', '"radius": -4');
       await page.getByRole('button', { name: wrong }).waitFor();
       assert.deepEqual(await faults(page, PANEL), []);
-    }, { colorScheme, locale }));
-}
+    }));
 
-// The coloured layer is behind the text, where axe cannot judge it.
-for (const colorScheme of ['light', 'dark']) {
+  // The coloured layer is behind the text, where axe cannot judge it.
   test(`the colours of the text have a contrast of 4.5 in the ${colorScheme} theme, on faults too`, () =>
-    open(async (page) => {
+    shared(async (page) => {
       const low = await page.evaluate(() => {
         const context = new OffscreenCanvas(1, 1).getContext('2d', { willReadFrequently: true });
         const luminance = (color) => {
@@ -45,7 +46,7 @@ for (const colorScheme of ['light', 'dark']) {
         });
       });
       assert.deepEqual(low, []);
-    }, { colorScheme }));
+    }));
 }
 
 for (const [width, deviceScaleFactor] of [[320, 1], [320, 3], [768, 1.1], [1280, 1]]) {
@@ -104,5 +105,5 @@ test('a text of half a megabyte is plain, and a letter typed into it is soon the
     assert.ok(ms < 1500, `${ms} ms`);
     const scene = JSON.parse(await textOf(page));
     assert.equal(scene.camera.fov_degrees, 35);
-    await showsPicture(page, tia, { scene, width: 160, height: 120, threshold: 0.02 });
+    await showsPicture(page, tia, { scene, width: 160, height: 120 }); // it says itself how it is sampled
   }, { path: '/?scene=trefoil&width=160&height=120' }));

@@ -3,15 +3,17 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { openScene, sceneStage, showsPicture, tellsFaults, textOf, type } from './scene_stage.mjs';
+import { asItCame, openScene, pictureOf, sceneStage, showsPicture, tellsFaults, textOf, type } from './scene_stage.mjs';
 
-const { open } = sceneStage();
+const on = sceneStage();
+const { open } = on;
+const shared = on.shared(asItCame);
 const SMOOTH = { threshold: 0.02 };
 const scene = async (page) => JSON.parse(await textOf(page));
 const modified = (page) => page.getByText('Your own version of the scene.', { exact: false }).waitFor();
 
 test('a typed radius gives the picture that the server draws of that scene, byte for byte', () =>
-  open(async (page, tia) => {
+  shared(async (page, tia) => {
     const before = await scene(page);
     await type(page, '"radius": 4', '"radius": 2.5');
     await modified(page);
@@ -32,7 +34,7 @@ test('light and camera stay where the hand has put them until the text moves the
   }, { path: `/?scene=thesis&light=5,9,-8&camera=${encodeURIComponent('{"fov_degrees":40}')}` }));
 
 test('typing back what was there gives the gallery its scene and the address its name back', () =>
-  open(async (page) => {
+  shared(async (page) => {
     await type(page, '"radius": 4', '"radius": 3');
     await page.waitForURL(/radius/);
     await type(page, '"radius": 3', '"radius": 4');
@@ -41,13 +43,13 @@ test('typing back what was there gives the gallery its scene and the address its
   }));
 
 test('a wrong value is told on its line while the last good picture stays, also for the lamp', () =>
-  open(async (page, tia) => {
+  shared(async (page, tia) => {
     await showsPicture(page, tia, { scene: 'thesis', key: 'a', ...SMOOTH });
-    const shown = await page.locator('#picture').getAttribute('src');
+    const shown = await pictureOf(page);
     await type(page, '"radius": 4', '"radius": -4');
     await tellsFaults(page, [[12, 17]]);
     await page.getByText('got -4; allowed: a number above 0', { exact: false }).waitFor();
-    assert.equal(await page.locator('#picture').getAttribute('src'), shown);
+    assert.equal(await pictureOf(page), shown);
     assert.equal(await page.locator('#scene-text').getAttribute('aria-invalid'), 'true');
     assert.equal(await page.locator('.code-wrong').innerText(), '12');
     assert.equal(await page.locator('.tok-bad').innerText(), '-4');
@@ -63,7 +65,7 @@ test('a wrong value is told on its line while the last good picture stays, also 
   }));
 
 test('unknown names and values are mended by their buttons; what is missing is told at what lacks it', () =>
-  open(async (page, tia) => {
+  shared(async (page, tia) => {
     const before = await scene(page);
     await type(page, '"material": "white"', '"material": "whit"');
     await type(page, '"radius": 10000', '"radus": 10000');
@@ -78,7 +80,7 @@ test('unknown names and values are mended by their buttons; what is missing is t
   }));
 
 test('broken JSON is told without asking the server, at line and column', () =>
-  open(async (page) => {
+  shared(async (page) => {
     const asked = [];
     page.on('request', (request) => request.resourceType() !== 'image' // the gallery's thumbnails
       && /objects|ball/.test(request.url() + request.postData()) && asked.push(request.url()));
@@ -153,7 +155,7 @@ test('a link to another scene is not overruled by what was written for this one'
   }));
 
 test('Tab leaves the text, Enter keeps the indentation', () =>
-  open(async (page) => {
+  shared(async (page) => {
     await type(page, '"radius": 4,', '"radius": 4,\n"name": "ball",');
     assert.ok((await textOf(page)).includes('\n      "radius": 4,\n      "name": "ball",'));
     await page.keyboard.press('Tab');

@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
-import { sceneStage, showsPicture, tellsFaults, textOf } from './scene_stage.mjs';
+import { pictureOf, sceneStage, showsPicture, tellsFaults, textOf } from './scene_stage.mjs';
 
 const { open } = sceneStage();
 const SMOOTH = { threshold: 0.02 };
@@ -60,10 +60,10 @@ test('a picture drawn by Tia becomes the request that drew it', () =>
 
 test('a broken scene comes into the text with its fault; the picture stays', () =>
   open(async (page) => {
-    const shown = await page.locator('#picture').getAttribute('src');
+    const shown = await pictureOf(page);
     await drop(page, 'broken.json', SCENE.replace('"Mine",', '"Mine"'));
     await tellsFaults(page, [[1, 18]]);
-    assert.equal(await page.locator('#picture').getAttribute('src'), shown);
+    assert.equal(await pictureOf(page), shown);
   }));
 
 const refused = {

@@ -2,13 +2,12 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { sceneStage, showsPicture, textOf, type } from './scene_stage.mjs';
+import { asItCame, sceneStage, showsPicture, textOf, type } from './scene_stage.mjs';
 
 const on = sceneStage();
 const { open } = on;
 const shared = on.shared(async (page) => {
-  if (await page.locator('#scene-discard').isEnabled()) await page.locator('#scene-discard').click();
-  await page.getByText('The scene as it came.', { exact: false }).waitFor();
+  await asItCame(page);
   await choose(page, '/objects/0');
 });
 const scene = async (page) => JSON.parse(await textOf(page));

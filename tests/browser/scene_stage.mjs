@@ -1,9 +1,8 @@
 // The studio with its scene's panel open, as the tests of that panel need it.
 
 import assert from 'node:assert/strict';
-import { createHash } from 'node:crypto';
 import { readFileSync, readdirSync } from 'node:fs';
-import { rests } from './page.mjs';
+import { STATUS, rests, shows, told, until } from './page.mjs';
 import { stage } from './stage.mjs';
 
 const SCENES = new URL('../../web/scenes/', import.meta.url);
@@ -38,6 +37,14 @@ export async function openScene(page) {
   await page.waitForFunction(() => document.getElementById('scene-text').value !== '');
 }
 
+/** Takes a page back to the thesis' scene as it came, by its own buttons. */
+export async function asItCame(page) {
+  if (await page.locator('#scene-discard').isEnabled()) await page.locator('#scene-discard').click();
+  await page.getByText('The scene as it came.', { exact: false }).waitFor();
+  await page.locator('#start-again').click();
+  await told(page, STATUS.a);
+}
+
 export const textOf = (page) => page.locator('#scene-text').inputValue();
 
 /** Replaces the first `from` in the text by `to` as typing does: selected, then written over. */
@@ -52,18 +59,16 @@ export async function type(page, from, to) {
   else await page.keyboard.press('Delete');
 }
 
-/** Waits until the page shows, byte for byte, what the server draws of `request`. */
+/** Waits until the page shows, pixel for pixel, what the server draws of `request`. */
 export async function showsPicture(page, { base }, request) {
   const answer = await fetch(`${base}/render`, { method: 'POST', body: JSON.stringify(request) });
   assert.equal(answer.status, 200, await answer.clone().text());
-  const wanted = createHash('sha256').update(Buffer.from(await answer.arrayBuffer())).digest('hex');
-  await page.waitForFunction(async (digest) => {
-    const { src } = document.getElementById('picture');
-    const bytes = await fetch(src).then((it) => it.arrayBuffer()).catch(() => new ArrayBuffer(0));
-    const hash = new Uint8Array(await crypto.subtle.digest('SHA-256', bytes));
-    return [...hash].map((byte) => byte.toString(16).padStart(2, '0')).join('') === digest;
-  }, wanted, { polling: 100 });
+  const wanted = Buffer.from(await answer.arrayBuffer());
+  await until(() => shows(page, wanted), `the picture of ${JSON.stringify(request).slice(0, 200)}`);
 }
+
+/** The picture shown, as a text. */
+export const pictureOf = (page) => page.locator('#picture').evaluate((it) => it.toDataURL());
 
 /** Waits until the panel tells the faults at [[line, column], ...], in their order. */
 export async function tellsFaults(page, places) {

@@ -10,6 +10,7 @@ import { promisify } from 'node:util';
 import { deflateRawSync } from 'node:zlib';
 import { queryOf } from '../../web/state/request.js';
 import { lab, light, rest, saved, shownPixels } from './lab.mjs';
+import { until } from './page.mjs';
 import { pixelsOf } from './png.mjs';
 
 const on = lab();
@@ -65,6 +66,9 @@ async function runInShell(line) {
   }
 }
 
+const copied = (page, text) =>
+  until(async () => await page.evaluate(() => navigator.clipboard.readText()) === text, `a copy of ${text}`);
+
 test('what is copied is what is shown, and the file comes from the server as it is', () =>
   on.open(async (page, { context, pictures }) => {
     await context.grantPermissions(['clipboard-read', 'clipboard-write']);
@@ -72,7 +76,7 @@ test('what is copied is what is shown, and the file comes from the server as it 
       await page.locator(`.take-${name} button`).click();
       await page.getByText('Copied: http').or(page.getByText('Copied: curl')).waitFor({ state: 'attached' });
       const text = await textOf(page, name);
-      await page.waitForFunction(async (text) => await navigator.clipboard.readText() === text, text);
+      await copied(page, text);
     }
     const asked = pictures.length;
     const { bytes } = await saved(page, 'Save the picture');
@@ -95,7 +99,7 @@ test('the scene saved and copied draws the same pixels by itself', () =>
     const drawn = pixelsOf(Buffer.from(await answer.arrayBuffer()));
     assert.deepEqual(drawn, pixelsOf((await saved(page, 'Save the picture')).bytes));
     await page.getByRole('button', { name: 'Copy the scene' }).click();
-    await page.waitForFunction(async (text) => await navigator.clipboard.readText() === text, String(bytes));
+    await copied(page, String(bytes));
   }, { panel: 'take' }));
 
 test('a size is drawn, and the point that is asked about stays where it is', () =>

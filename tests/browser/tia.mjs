@@ -34,7 +34,8 @@ export async function startTia(port = 0, options = []) {
 }
 
 async function bytesOf(url) {
-  const response = await fetch(url);
+  // Kept, a connection may have been closed by the time that a process which computes asks again.
+  const response = await fetch(url, { headers: { connection: 'close' } });
   if (!response.ok) throw new Error(`${url} answered ${response.status}: ${await response.text()}`);
   return Buffer.from(await response.arrayBuffer());
 }

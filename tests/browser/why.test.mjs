@@ -5,6 +5,9 @@ import { test } from 'node:test';
 import { because, clickPixel, explained, pixelShown, random, whyStage } from './why_stage.mjs';
 
 const on = whyStage();
+const upward = (page) => page.evaluate(() => scrollTo(0, 0)); // to the picture; each test asks anew
+const onBalls = on.shared(upward, '?key=a');
+const onWhitted = on.shared(upward, '?scene=whitted&pixel=300,240'); // coarse, while one asks
 const SIZE = [320, 240]; // quick to draw
 const SIZED = 'width=320&height=240';
 const pixels = (seed, count) => {
@@ -100,9 +103,8 @@ function ballNormal([x, y]) {
 }
 
 test('a lit point: how much, and at which angle', () =>
-  on.ask('?key=a', async (page) => {
+  onBalls(async (page) => {
     const pixel = [250, 150];
-    await page.locator('#frame[aria-busy=false]').waitFor();
     await clickPixel(page, pixel);
     const { point, normal } = ballNormal(pixel);
     const cosine = dot(normal, unit([-20, 20, -10].map((value, i) => value - point[i])));
@@ -111,44 +113,60 @@ test('a lit point: how much, and at which angle', () =>
     assert.ok((await page.locator('#said').innerText()).startsWith('Pixel 250, 150: This point of the ball is lit'));
   }));
 
-for (const [path, pixel, reason] of [
-  ['?key=a', [480, 450], 'This point of the floor is dark because the ball stands between it and the lamp.'],
-  ['?key=a', [460, 300], 'This point of the ball faces away from the lamp: no light of it can fall here.'],
-  ['?key=a', [10, 10], 'Nothing is there: the ray flies out of the scene and brings back the colour of the background.'],
-  ['?scene=thesis', [320, 240], 'No lamp shines, so this point of the ball is dark.'],
-  ['?scene=whitted', [200, 260], /^The mirror ball is a mirror here: what you see is the (floor|background)\./],
-  ['?scene=stage', [300, 380],
-    /^This point of the floor is lit by lamp 2 at 88 %.* 2 of 4 lamps light it\. .*: lamps 94 %, even light 6 %\.$/],
-  ['?scene=whitted', [400, 150], /^The glass ball lets light through: what you see through it is the background\./],
-]) {
-  test(`the reason at ${pixel} of ${path}`, () =>
-    on.ask(`${path}&pixel=${pixel}`, async (page) => {
-      await explained(page, pixel);
-      const told = await because(page);
-      if (typeof reason === 'string') assert.equal(told, reason);
-      else assert.match(told, reason);
-    }));
+function assertReason(told, reason) {
+  if (typeof reason === 'string') assert.equal(told, reason);
+  else assert.match(told, reason);
 }
 
-test('a scene of many samples says that one ray is explained, and another does not', async () => {
-  const said = /one, through the pixel’s centre/;
-  await on.ask('?scene=whitted&pixel=300,240', async (page) => {
-    await explained(page, [300, 240]);
-    assert.match(await page.locator('#panel-why').innerText(), said);
-  });
-  await on.ask('?key=a&pixel=300,240', async (page) => {
-    await explained(page, [300, 240]);
-    assert.doesNotMatch(await page.locator('#panel-why').innerText(), said);
-  });
-});
+const reasons = (look, where, all) => all.forEach(([pixel, reason]) =>
+  test(`the reason at ${pixel} of ${where}`, () =>
+    look(async (page) => {
+      await clickPixel(page, pixel);
+      assertReason(await because(page), reason);
+    })));
+
+reasons(onBalls, '?key=a', [
+  [[480, 450], 'This point of the floor is dark because the ball stands between it and the lamp.'],
+  [[460, 300], 'This point of the ball faces away from the lamp: no light of it can fall here.'],
+  [[10, 10], 'Nothing is there: the ray flies out of the scene and brings back the colour of the background.'],
+]);
 
 test('all that lies along the first ray is told with its distance', () =>
-  on.ask('?key=a&pixel=320,240', async (page) => {
-    await explained(page, [320, 240]);
+  onBalls(async (page) => {
+    await clickPixel(page, [320, 240]);
     await page.getByText('All that lies along the first ray: 2').click();
     const told = await page.locator('.hits li').allInnerTexts();
     assert.deepEqual(told, ['at 16: into the ball', 'at 24: out of the ball']);
   }));
+
+test('a scene of many samples says that one ray is explained, and another does not', async () => {
+  const said = /one, through the pixel’s centre/;
+  await onBalls(async (page) => {
+    await clickPixel(page, [300, 240]);
+    assert.doesNotMatch(await page.locator('#panel-why').innerText(), said);
+  });
+  await onWhitted(async (page) => {
+    await explained(page, [300, 240]);
+    assert.match(await page.locator('#panel-why').innerText(), said);
+  });
+});
+
+reasons(onWhitted, '?scene=whitted', [
+  [[200, 260], /^The mirror ball is a mirror here: what you see is the (floor|background)\./],
+  [[400, 150], /^The glass ball lets light through: what you see through it is the background\./],
+]);
+
+for (const [path, pixel, reason] of [
+  ['?scene=thesis', [320, 240], 'No lamp shines, so this point of the ball is dark.'],
+  ['?scene=stage', [300, 380],
+    /^This point of the floor is lit by lamp 2 at 88 %.* 2 of 4 lamps light it\. .*: lamps 94 %, even light 6 %\.$/],
+]) {
+  test(`the reason at ${pixel} of ${path}`, () =>
+    on.ask(`${path}&pixel=${pixel}`, async (page) => {
+      await explained(page, pixel);
+      assertReason(await because(page), reason);
+    }));
+}
 
 test('a pixel outside, and a question that the server refuses, are told plainly', async () => {
   await on.ask('?key=a&pixel=900,10', async (page) => {

@@ -1,5 +1,6 @@
 // The page with a pixel asked about, as a person meets it.
 
+import { rests } from './page.mjs';
 import { stage } from './stage.mjs';
 
 const EMPTY = '<svg xmlns="http://www.w3.org/2000/svg" width="160" height="120"/>';
@@ -15,7 +16,7 @@ export function whyStage() {
     patience: 30_000, locale: 'en-US', viewport: { width: 1280, height: 900 }, ...options });
   return Object.assign(on, {
     ask: (path, body, options) => look(body, asking(path, options)),
-    shared: (again, path) => shared(again, asking(path)),
+    shared: (again, path) => shared(again, asking(path, { ready: rests })),
     json: async (path) => JSON.parse(await on.tia.get(path)),
   });
 }
