@@ -4,23 +4,22 @@ import { fetchJson } from '../picture/server.js';
 
 let known = [];
 
-/** Before anything is drawn. Without an answer the page draws as the scene says. */
+/** Without an answer the page draws as the scene says. */
 export async function learnIntegrators() {
   try {
     const { $defs } = await fetchJson('schema/scene.json');
     known = $defs.options.properties.integrator.oneOf.map((one) => (
-      { name: one.const, about: one.description, feature: one['x-gathers'] === 'features' }));
+      { name: one.const, about: one.description, feature: one['x-gathers'] !== 'light' }));
   } catch (problem) {
-    console.warn('no integrators:', problem.message);
+    console.warn(problem.message);
   }
 }
 
 const names = (feature) => known.filter((one) => one.feature === feature).map(({ name }) => name);
 
-/** Those that gather light, and those that tell numbers of surfaces instead. */
+/** Those that gather light, and those that do not. */
 export const lightNames = () => names(false);
 export const featureNames = () => names(true);
 export const isFeature = (name) => featureNames().includes(name);
 
-/** In the server's words. */
 export const aboutOf = (name) => known.find((one) => one.name === name)?.about ?? name;

@@ -42,7 +42,7 @@ export function has(name) {
   return dictionary[section]?.[key] !== undefined;
 }
 
-/** The words of this name, else `other`, the server's own. */
+/** These words, else `other`. */
 export const wordsOr = (name, other) => (has(name) ? t(name) : other);
 
 /** Gives every element below `root` its words: `data-t` as text, `data-t-label` as accessible name. */
