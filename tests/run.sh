@@ -71,7 +71,7 @@ for word in "$@"; do
   case $word in
     --list) list_steps && exit ;;
     --full)
-      export TIA_SOAK=${TIA_SOAK:-1}  # the soaks at their whole length
+      export SOAK=${SOAK:-1}  # the soaks at their whole length
       for row in "${steps[@]}"; do chosen+=("$(field 1 "$row")"); done ;;
     *) row_of "$word" > /dev/null && chosen+=("$word") ;;
   esac

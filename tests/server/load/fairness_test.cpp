@@ -1,5 +1,5 @@
 // What one client may do to others: those who want little, or nothing that is not there already, do
-// not wait for those who want all. Seconds; TIA_SOAK=10 makes them minutes.
+// not wait for those who want all. Seconds; SOAK=10 makes them minutes.
 #include <httplib.h>
 #include <sys/resource.h>
 

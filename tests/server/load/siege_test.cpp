@@ -1,6 +1,6 @@
 // All attacks that we know, and the largest of everything legal, at once, on a server with little
 // memory: it lives, it answers who only asks a little, and it never asks the kernel for what it has
-// not. Some seconds for each size; TIA_SOAK=10 makes them minutes.
+// not. Some seconds for each size; SOAK=10 makes them minutes.
 #include "tests/server/load/siege_support.h"
 
 #include <cstdio>

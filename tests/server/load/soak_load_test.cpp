@@ -1,5 +1,5 @@
 // The whole program beside crowds of bad clients and under more work than it can do. The tests take
-// seconds; TIA_SOAK=10 makes them ten times as long.
+// seconds; SOAK=10 makes them ten times as long.
 #include <algorithm>
 #include <atomic>
 #include <memory>

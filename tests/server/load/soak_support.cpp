@@ -6,7 +6,7 @@
 namespace tia::test {
 
 double scale() {
-  const char* text = std::getenv("TIA_SOAK");
+  const char* text = std::getenv("SOAK");
   return text == nullptr ? 0.5 : std::max(0.5, std::atof(text));
 }
 int scaled(int count) { return static_cast<int>(count * scale()); }

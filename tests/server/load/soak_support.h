@@ -9,7 +9,7 @@
 
 namespace tia::test {
 
-/// How many times longer than in CI the tests are: the environment's TIA_SOAK, else half as long.
+/// How many times longer than in CI the tests are: the environment's SOAK, else half as long.
 double scale();
 int scaled(int count);
 
