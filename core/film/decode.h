@@ -24,7 +24,8 @@ struct PictureSize {
   bool progressive = true;  ///< else each scan of a JPEG also transforms what it reads
   std::int64_t pixels() const { return std::int64_t{width} * height; }
   /// What reading it costs. A JPEG is read in blocks of up to 32 x 32 pixels. Space/units: pixels
-  /// of a progressive scan, some 7 ns each; measured, those of others cost four times as much.
+  /// of a progressive scan. Measured with the costliest files known, by what they have in blocks:
+  /// 8 ns each, in a sequential scan 30.
   std::int64_t scanned_pixels() const {
     if (scans == 0) return pixels();
     const auto padded = [](int pixels) { return (std::int64_t{pixels} + 31) / 32 * 32; };
