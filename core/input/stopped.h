@@ -17,15 +17,20 @@ class Stopped : public std::exception {
 class Courtesy {
  public:
   virtual ~Courtesy() = default;
-  /// Returns when it is the caller's turn again. Errors: Stopped.
+  /// Returns when it is the caller's turn again. Errors: Stopped once nobody wants the work.
   virtual void let_others_go() = 0;
 };
 /// Of the work that this thread does; null: it waits for nobody.
 constinit inline thread_local Courtesy* courtesy = nullptr;
 
+/// Lets others go first where that is due. Errors: Stopped, where the work has a courtesy.
+inline void give_way() {
+  if (courtesy != nullptr) courtesy->let_others_go();
+}
+
 /// Lets others go first where that is due. Errors: Stopped once that is asked for.
 inline void end_if_asked(const std::stop_token& stop) {
-  if (courtesy != nullptr) courtesy->let_others_go();
+  give_way();
   if (stop.stop_requested()) throw Stopped();
 }
 

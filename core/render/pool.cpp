@@ -88,17 +88,14 @@ class Pool::Lone : public Courtesy {
   Lone(const Lone&) = delete;
   Lone& operator=(const Lone&) = delete;
 
-  void take_turn() {
-    std::unique_lock lock(pool_.mutex_);
-    if (!job_.caller.called.wait(lock, stop_, [&] { return job_.caller.job != nullptr; }))
-      throw Stopped();
-    since_ = pool_.clock_();
-    Turns::begin(job_, since_);
-    at_work_ = true;
+  void work(const std::function<void()>& work) {
+    take_turn();
+    work();
   }
   void let_others_go() override {
     const Nanoseconds now = pool_.clock_();
-    if (now - since_ < Turns::look || stop_.stop_requested()) return;
+    if (now - since_ < Turns::look) return;
+    if (stop_.stop_requested()) throw Stopped();
     std::unique_lock lock(pool_.mutex_);
     pool_.turns_.spend(job_, now - since_);
     since_ = now;
@@ -109,9 +106,34 @@ class Pool::Lone : public Courtesy {
     lock.unlock();
     take_turn();
   }
+  /// Lets `work` take turns of its own meanwhile. What it throws ends the lone work, too.
+  void aside(const std::function<void()>& work) {
+    std::unique_lock lock(pool_.mutex_);
+    rest();
+    pool_.unseat(job_.caller);
+    Turns::pause(job_, pool_.clock_());
+    pool_.call_hands();
+    lock.unlock();
+    work();
+    lock.lock();
+    Turns::resume(job_);
+    pool_.call_hands();
+    lock.unlock();
+    take_turn();
+  }
 
  private:
+  void take_turn() {
+    std::unique_lock lock(pool_.mutex_);
+    if (!job_.caller.called.wait(lock, stop_, [&] { return job_.caller.job != nullptr; }))
+      throw Stopped();
+    since_ = pool_.clock_();
+    Turns::begin(job_, since_);
+    at_work_ = true;
+    inside_task = true, courtesy = this, lone = this;
+  }
   void rest() {
+    inside_task = false, courtesy = nullptr, lone = nullptr;
     const Nanoseconds now = pool_.clock_();
     pool_.turns_.spend(job_, now - since_);
     Turns::end(job_, now);
@@ -125,6 +147,8 @@ class Pool::Lone : public Courtesy {
   Nanoseconds since_ = 0;
   bool at_work_ = false;
 };
+
+constinit thread_local Pool::Lone* Pool::lone = nullptr;
 
 Nanoseconds Pool::steady_clock() {
   using namespace std::chrono;
@@ -145,6 +169,8 @@ Pool::~Pool() {
 
 void Pool::for_each(int count, int max_threads, const std::stop_token& stop,
                     const std::function<void(int)>& task, Flow* flow) {
+  if (lone != nullptr && std::min(count, max_threads) > 1)
+    return lone->aside([&] { for_each(count, max_threads, stop, task, flow); });
   if (inside_task) return in_turn(count, stop, task);
   Flow own;
   Job job(count, std::min(std::max(max_threads, 1), count), stop, task,
@@ -171,21 +197,17 @@ void Pool::for_each(int count, int max_threads, const std::stop_token& stop,
 void Pool::alone(const std::function<void()>& work, const std::stop_token& stop, Flow* flow) {
   if (inside_task) return work();
   Flow own;
-  Lone lone(*this, stop, flow != nullptr ? *flow : own);
-  lone.take_turn();
-  struct Inside {
-    explicit Inside(Courtesy* of) { inside_task = true, courtesy = of; }
-    ~Inside() { inside_task = false, courtesy = nullptr; }
-  };
-  const Inside inside(&lone);
-  work();
+  Lone(*this, stop, flow != nullptr ? *flow : own).work(work);
 }
 
 Workers Pool::workers(int max_threads, const std::stop_token& stop, Flow* flow) {
   const auto share = [this, max_threads, stop, flow](int count, const Workers::Task& task) {
     for_each(count, max_threads, stop, task, flow);
   };
-  return Workers(share, stop);
+  const auto lone_work = [this, stop, flow](const std::function<void()>& work) {
+    alone(work, stop, flow);
+  };
+  return Workers(share, lone_work, stop);
 }
 
 void Pool::serve(Hand& hand, const std::stop_token& ending) {

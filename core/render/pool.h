@@ -28,7 +28,8 @@ class Pool {
   int threads() const { return turns_.threads(); }
 
   /// Calls task(0) … task(count - 1), each once, in no order, on at most `max_threads` threads;
-  /// inside of another task in turn, on the thread of that one. `flow` is the request that it
+  /// inside of another task in turn, on the thread of that one; inside of lone work with all
+  /// threads, as that work's next job. `flow` is the request that it
   /// belongs to; null: one of its own. Tasks find the caller's task_context.
   /// Errors: Stopped between tasks once `stop` is requested; whatever a task throws.
   void for_each(int count, int max_threads, const std::stop_token& stop,
@@ -46,6 +47,7 @@ class Pool {
   struct Hand;
   class Lone;
   static Nanoseconds steady_clock();
+  static thread_local Lone* lone;  // whose work this thread does
 
   void serve(Hand& hand, const std::stop_token& ending);
   void work(Hand& hand, std::unique_lock<std::mutex>& lock);

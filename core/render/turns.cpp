@@ -96,6 +96,16 @@ void Turns::leave(Turn& job, Nanoseconds now) {
     clients_.remove_if([&](const ClientJobs& each) { return &each == &client; });
 }
 
+void Turns::pause(Turn& job, Nanoseconds now) {
+  job.next = job.count;
+  job.flow.place = job.service.at(now);
+}
+
+void Turns::resume(Turn& job) {
+  job.next = 0;
+  job.service.before = job.flow.place;
+}
+
 Turn* Turns::next(Nanoseconds now) const {
   bool old_at_work = false;
   for (const ClientJobs& client : clients_)

@@ -101,6 +101,10 @@ class Turns {
 
   void enter(Turn& job, Nanoseconds now);
   void leave(Turn& job, Nanoseconds now);
+  /// While another job of its flow goes on for one that stays among the turns, and keeps its
+  /// client there, but wants no hand. Domain: it has none.
+  static void pause(Turn& job, Nanoseconds now);
+  static void resume(Turn& job);
   /// Returns: the job that one more hand should go to, or null.
   Turn* next(Nanoseconds now) const;
   /// Whether a hand goes on with its job.

@@ -44,25 +44,35 @@ class GeometryStore::Meshes {
 };
 
 World GeometryStore::compile(const KnownScene& scene, const Workers& workers) {
+  World world;
   if (!keeps_) {
     claim_for(scene.objects ? scene.objects->bytes : bytes_of(*scene), workers);
-    return tia::compile(*scene, workers);
+    workers.alone([&] { world = tia::compile(*scene, workers); });
+  } else {
+    SharedGeometry geometry = geometry_of(scene, workers);
+    workers.alone([&] { world = tia::compile(*scene, std::move(geometry), workers); });
   }
+  return world;
+}
+
+// Memory is waited for between the turns.
+SharedGeometry GeometryStore::geometry_of(const KnownScene& scene, const Workers& workers) {
   std::optional<ObjectsDigest> digest;
-  if (!scene.objects) digest = digest_of_objects(*scene);
+  const auto digest_all = [&] { digest = digest_of_objects(*scene); };
+  if (!scene.objects) workers.alone(digest_all);
   SharedGeometry geometry = find((digest ? digest->all : *scene.objects).digest);
-  if (!geometry) {
-    if (!digest) digest = digest_of_objects(*scene);  // for that of each mesh
-    claim_for(digest->all.bytes, workers);
-    geometry = build(*scene, *digest, workers);
-  }
-  return tia::compile(*scene, std::move(geometry), workers);
+  if (geometry) return geometry;
+  if (!digest) workers.alone(digest_all);  // for that of each mesh
+  claim_for(digest->all.bytes, workers);
+  workers.alone([&] { geometry = build(*scene, *digest, workers); });
+  return geometry;
 }
 
 SharedGeometry GeometryStore::build(const Scene& scene, const ObjectsDigest& digest,
                                     const Workers& workers) {
   Meshes meshes(*this, digest);
-  const auto made = std::make_shared<const Geometry>(geometry_of(scene, workers, std::ref(meshes)));
+  const auto made =
+      std::make_shared<const Geometry>(tia::geometry_of(scene, workers, std::ref(meshes)));
   keep(digest.all.digest, {made, {}, geometry_entry_bytes + bytes_of(*made)},
        std::move(meshes.met()));
   return made;

@@ -26,8 +26,9 @@ class GeometryStore {
   explicit GeometryStore(std::int64_t max_bytes, MemoryAccount* account = nullptr)
       : keeps_(max_bytes > 0), share_(max_bytes, account, MemoryAccount::geometries) {}
 
-  /// compile(scene, workers), with what is there already of its geometry. Two that want the same at
-  /// once both build it: none waits for another's, which may be stopped.
+  /// compile(scene, workers), with what is there already of its geometry, when it is the workers'
+  /// turn. Two that want the same at once both build it: none waits for another's, which may be
+  /// stopped.
   /// Errors: Stopped, which leaves the store as it was.
   World compile(const KnownScene& scene, const Workers& workers);
 
@@ -49,6 +50,7 @@ class GeometryStore {
   using MeshTable = std::unordered_map<Digest, KeptMesh, DigestHash>;
   class Meshes;  // those of one geometry that is being built
 
+  SharedGeometry geometry_of(const KnownScene& scene, const Workers& workers);
   SharedGeometry build(const Scene& scene, const ObjectsDigest& digest, const Workers& workers);
   SharedGeometry find(const Digest& name);
   SharedMesh find_mesh(const Digest& name);

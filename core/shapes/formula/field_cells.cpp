@@ -4,6 +4,7 @@
 #include <cmath>
 #include <deque>
 
+#include "core/input/stopped.h"
 #include "core/shapes/subdivision.h"
 
 namespace tia {
@@ -79,6 +80,7 @@ class CellBuilder {
     while (!pending_.empty()) {
       const Pending next = pending_.front();
       pending_.pop_front();
+      give_way();
       split(next);
     }
     all_.tree.nodes.shrink_to_fit();

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <deque>
 
+#include "core/input/stopped.h"
 #include "core/shapes/subdivision.h"
 
 namespace tia {
@@ -68,6 +69,7 @@ class PatchBuilder {
     while (!pending_.empty()) {
       const Pending next = pending_.front();
       pending_.pop_front();
+      give_way();
       split(next);
     }
     return tree();

@@ -267,12 +267,58 @@ TEST(PoolAlone, EndsWhenItIsStoppedAtWorkOrWaiting) {
   EXPECT_EQ(done, 3);
 }
 
-TEST(PoolAlone, MayShareItsWorkInTurnAndBeCalledInsideOfATask) {
+// Three tasks that wait for each other end only if three threads run them: the caller's and both
+// of the pool's, once and again.
+TEST(PoolAlone, SharesWhatItCallsForEachFor) {
+  Pool pool(3);
+  std::barrier together(3);
+  Flow flow{1};
+  const Workers workers = pool.workers(3, {}, &flow);
+  std::thread::id on;
+  int inside = 0;
+  workers.alone([&] {
+    for (int i = 0; i < 2; ++i) workers.for_each(3, [&](int) { together.arrive_and_wait(); });
+    on = std::this_thread::get_id();
+    pool.alone([&] { ++inside; }, {});  // at once, for it is its turn again
+  });
+  EXPECT_EQ(on, std::this_thread::get_id());
+  EXPECT_EQ(inside, 1);
+  EXPECT_GT(flow.attained, 0);
+}
+
+TEST(PoolAlone, WhatASharedPartThrowsEndsItAndThePoolWorksOn) {
+  Pool pool(2);
+  const auto fails = [](int) { throw std::runtime_error("no"); };
+  EXPECT_THROW(pool.alone([&] { pool.for_each(4, 2, {}, fails); }, {}), std::runtime_error);
+  int done = 0;
+  pool.alone([&] { ++done; }, {});
+  pool.for_each(5, 1, {}, [&](int) { ++done; });
+  EXPECT_EQ(done, 6);
+}
+
+// No client's many small shared parts make it a new one, who would be let in front each time.
+TEST(PoolAlone, GoesOnWithItsServiceFromPartToPart) {
+  std::atomic<Nanoseconds> now = 0;
+  Pool pool(2, [&] { return now.load(); });
+  Flow flow{1};
+  pool.alone(
+      [&] {
+        for (int i = 0; i < 10; ++i) {
+          now += 1'000'000;
+          pool.for_each(
+              2, 2, {}, [](int) {}, &flow);
+        }
+      },
+      {}, &flow);
+  EXPECT_EQ(flow.attained, 10'000'000);
+  EXPECT_EQ(flow.place, flow.credit_end - Turns::credit + 10'000'000);
+}
+
+TEST(PoolAlone, MayBeCalledInsideOfATask) {
   Pool pool(2);
   int done = 0;
-  pool.alone([&] { pool.for_each(4, 2, {}, [&](int) { ++done; }); }, {});
   pool.for_each(1, 1, {}, [&](int) { pool.alone([&] { ++done; }, {}); });
-  EXPECT_EQ(done, 5);
+  EXPECT_EQ(done, 1);
 }
 
 }  // namespace
