@@ -32,6 +32,7 @@ struct DirectionalLight {
   std::optional<Vec3d> place() const { return std::nullopt; }
   /// Shines from there towards the target.
   void move_to(const Vec3d& from, const Vec3d& target) { direction = target - from; }
+  void move_by(const Vec3d&) {}  // it shines the same way everywhere
 };
 
 struct DirectionalForm {

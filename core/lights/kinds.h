@@ -28,6 +28,13 @@ concept ShiningLight = requires(const Kind& kind) {
   { prepare(kind) } -> LitForm;
 };
 
+/// A kind that goes along with all that it lights where the world moves its origin: `move_by(way)`
+/// moves every point that it is given by. Domain of that: one that does not wait.
+template <class Kind>
+concept MovesAlong = !ShiningLight<Kind> || requires(Kind & kind, const Vec3d& way) {
+  { kind.move_by(way) } -> std::same_as<void>;
+};
+
 /// A kind that stands somewhere, and that a key can put elsewhere: `place_field` names the field
 /// that says where, `waits()` tells whether that is not known yet, `place()` is its middle if it
 /// has one, and `move_to(place, target)` puts it there; what has no middle shines from there
@@ -88,7 +95,7 @@ concept TellsPoint = !ShiningLight<Kind> || requires {
 /// What the list asks of a kind.
 template <class Kind>
 concept IsLight = IsKind<Kind> && TellsDistance<Kind> &&
-    (BackgroundLight<Kind> != ShiningLight<Kind>)&&MovesWhollyOrNot<Kind>&& HasAreaWhollyOrNot<
-        Kind>&& AreaIsSeen<Kind>&& TellsPoint<Kind>;
+    (BackgroundLight<Kind> != ShiningLight<Kind>)&&MovesAlong<Kind>&& MovesWhollyOrNot<
+        Kind>&& HasAreaWhollyOrNot<Kind>&& AreaIsSeen<Kind>&& TellsPoint<Kind>;
 
 }  // namespace tia

@@ -26,6 +26,7 @@ struct PointLight {
   bool waits() const { return !position; }
   std::optional<Vec3d> place() const { return position; }
   void move_to(const Vec3d& to, const Vec3d&) { position = to; }
+  void move_by(const Vec3d& way) { position = *position + way; }
 };
 
 struct PointForm {

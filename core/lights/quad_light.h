@@ -42,6 +42,7 @@ struct QuadLight {
     return *corner + (u + v) * 0.5;
   }
   void move_to(const Vec3d& to, const Vec3d&) { corner = to - (u + v) * 0.5; }
+  void move_by(const Vec3d& way) { corner = *corner + way; }
 };
 
 struct QuadForm {

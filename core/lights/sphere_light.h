@@ -40,6 +40,7 @@ struct SphereLight {
   bool waits() const { return !position; }
   std::optional<Vec3d> place() const { return position; }
   void move_to(const Vec3d& to, const Vec3d&) { position = to; }
+  void move_by(const Vec3d& way) { position = *position + way; }
 };
 
 struct SphereForm {

@@ -41,6 +41,7 @@ struct SpotLight {
   bool waits() const { return !position; }
   std::optional<Vec3d> place() const { return position; }
   void move_to(const Vec3d& to, const Vec3d&) { position = to; }
+  void move_by(const Vec3d& way) { position = *position + way, point_at = point_at + way; }
 };
 
 struct SpotForm {

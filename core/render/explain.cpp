@@ -19,13 +19,18 @@ std::unique_ptr<RayNode> tree_of(const World& world, const Ray<float>& ray,
   return explain_whitted(scope, ray, draws, limit);
 }
 
-// What the ray meets, in double, and the tree of `rounded`, which is the same in float.
+// What the ray meets, in double, and the tree of `rounded`, which is the same in float, in the
+// world.
 void explain_rays(Explanation& all, const Scene& scene, const Ray<float>& rounded,
                   const Draws<float>& draws, const RenderOptions& options,
                   const std::stop_token& stop) {
   ExplanationSize size(all.world, all.labels);
-  all.hits = all_hits(all.world, all.ray);
-  for (const Meeting& each : all.hits) size.hit(each);
+  const Vec3d& origin = all.world.origin;
+  all.hits = all_hits(all.world, {all.ray.origin - origin, all.ray.direction});
+  for (Meeting& each : all.hits) {
+    each.point = each.point + origin;
+    size.hit(each);
+  }
   all.tree = tree_of(all.world, rounded, draws, options, size, stop);
   all.pointers = object_pointers(scene, size.objects());
   all.most_bytes = size.bytes();
@@ -36,7 +41,8 @@ void explain_rays(Explanation& all, const Scene& scene, const Ray<float>& rounde
 Explanation explain(const Scene& scene, World world, const Ray<double>& ray,
                     const RenderOptions& options, const std::stop_token& stop) {
   Explanation all{std::move(world), object_labels(scene), {}, ray, {}, {}};
-  const Ray<float> rounded{lift<float>(ray.origin), normalize(lift<float>(ray.direction))};
+  const Ray<float> rounded{lift<float>(ray.origin - all.world.origin),
+                           normalize(lift<float>(ray.direction))};
   explain_rays(all, scene, rounded, Draws<float>{}, options, stop);
   return all;
 }
@@ -46,14 +52,15 @@ Explanation explain(const Scene& scene, World world, const View& view, int x, in
   const Sampler sampler(options.samples, options.threshold, options.seed);
   const bool centered = sampler.centered();
   const Aim<float> aim = centered ? Aim<float>{} : sampler.aim(x, y, sample);
-  const auto ray = [&]<class Real>(const Aim<Real>& at) {
-    const Vec3<Real> center = view.column(static_cast<Real>(x)) + view.row(static_cast<Real>(y));
-    return Eye<Real>(view).ray(center, at);
+  const auto ray = [&]<class Real>(const View& eye, const Aim<Real>& at) {
+    const Vec3<Real> center = eye.column(static_cast<Real>(x)) + eye.row(static_cast<Real>(y));
+    return Eye<Real>(eye).ray(center, at);
   };
+  const Ray<float> rounded = ray(view.seen_from(world.origin), aim);
   Explanation all{std::move(world),
                   object_labels(scene),
                   {},
-                  ray(Aim<double>{aim.dx, aim.dy, aim.lens_x, aim.lens_y}),
+                  ray(view, Aim<double>{aim.dx, aim.dy, aim.lens_x, aim.lens_y}),
                   {},
                   {}};
   const Vec2d raster{x + 0.5 + aim.dx, y + 0.5 + aim.dy};
@@ -63,7 +70,7 @@ Explanation explain(const Scene& scene, World world, const View& view, int x, in
                            {static_cast<std::uint32_t>(y)},
                            static_cast<std::uint32_t>(sample),
                            sampler.key()};
-  explain_rays(all, scene, ray(aim), draws, options, stop);
+  explain_rays(all, scene, rounded, draws, options, stop);
   return all;
 }
 

@@ -23,7 +23,8 @@ struct ExplainedPixel {
   Vec2d raster{}, ndc{}, screen{};  ///< where its ray goes through: in pixels, [0,1], [-1,1]
 };
 
-/// Explanation. Space/units: world space; the ray's direction is unit.
+/// Explanation. Space/units: the scene's, the tree's rays and points in the world's; the ray's
+/// direction is unit.
 struct Explanation {
   World world;
   std::vector<ObjectLabel> labels;  ///< of the world's objects

@@ -7,9 +7,8 @@ namespace {
 
 Value triple(const Vec3f& v) { return Value::Array{v.x, v.y, v.z}; }
 
-Value::Object ray_value(const auto& ray) {
-  return {{"origin", write_value(static_cast<Vec3d>(ray.origin))},
-          {"direction", write_value(static_cast<Vec3d>(ray.direction))}};
+Value::Object ray_value(const Vec3d& origin, const Vec3d& direction) {
+  return {{"origin", write_value(origin)}, {"direction", write_value(direction)}};
 }
 
 class Writer {
@@ -49,7 +48,8 @@ class Writer {
     Value::Array terms;
     for (const Term& each : node.terms) terms.push_back(term(each));
     Value::Object object;  // moved into, for a list of initializers would copy whole subtrees
-    object.emplace_back("ray", ray_value(node.ray));
+    object.emplace_back(
+        "ray", ray_value(in_scene(node.ray.origin), static_cast<Vec3d>(node.ray.direction)));
     object.emplace_back("depth", node.depth);
     object.emplace_back("winner", hit ? Value(label_of(part_of(node.hit)).name) : Value());
     if (hit) object.emplace_back("winner_id", id_of(part_of(node.hit)));
@@ -57,7 +57,7 @@ class Writer {
     object.emplace_back("color", triple(node.color));
     if (hit) {
       object.emplace_back("t", node.hit.t);
-      object.emplace_back("point", triple(node.point));
+      object.emplace_back("point", write_value(in_scene(node.point)));
       object.emplace_back("normal", triple(node.normal));
     }
     if (!(node.transmittance == Vec3f{1, 1, 1}))
@@ -72,6 +72,8 @@ class Writer {
     if (bracket.degree > 0) root.emplace_back("degree", bracket.degree);
     return root;
   }
+  // A point of the world where the scene has it.
+  Vec3d in_scene(const Vec3f& p) const { return static_cast<Vec3d>(p) + all_.world.origin; }
   static int part_of(const Hit<float>& hit) { return static_cast<int>(hit.part); }
   const ObjectLabel& label_of(int part) const {
     return all_.labels[static_cast<std::size_t>(all_.world.part(part).object)];
@@ -219,7 +221,7 @@ Value::Object value_of(const Explanation& all) {
     ray.emplace_back("ndc", Value::Array{at.ndc.u, at.ndc.v});
     ray.emplace_back("screen", Value::Array{at.screen.u, at.screen.v});
   }
-  answer.emplace_back("ray", ray_value(all.ray));
+  answer.emplace_back("ray", ray_value(all.ray.origin, all.ray.direction));
   answer.emplace_back("hits", writer.hits());
   answer.emplace_back("tree", std::move(tree));
   answer.emplace_back("objects", writer.objects());

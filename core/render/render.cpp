@@ -12,7 +12,8 @@ RayCounts render(const World& world, const View& view, const Window& window,
   const int rows = (window.height() + tile - 1) / tile;
   const Sampler sampler(options.samples, options.threshold, options.seed);
   RayMeter meter(options.max_rays, options.max_work, stop, options.spent);
-  const Shot shot{world, view, options.integrator, options.max_depth, sampler, meter};
+  const View in_world = view.seen_from(world.origin);
+  const Shot shot{world, in_world, options.integrator, options.max_depth, sampler, meter};
 
   pool.for_each(
       columns * rows, options.threads, stop,

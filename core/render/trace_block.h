@@ -14,7 +14,7 @@ enum class Scalar { wide, narrow, exact };
 /// What all blocks of a picture share.
 struct Shot {
   const World& world;
-  const View& view;
+  const View& view;  ///< in world space
   IntegratorName integrator;
   int max_depth;  ///< how often light may be mirrored or refracted
   const Sampler& sampler;

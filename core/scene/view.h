@@ -20,6 +20,12 @@ struct View {
   Vec3d lens_right{}, lens_up{};  ///< the lens' radii, parallel to right and up; 0: a pinhole
   double focus_distance = 1;      ///< along forward; the plane of focus is parallel to the lens
 
+  /// The same view in a space whose origin is there.
+  View seen_from(const Vec3d& there) const {
+    View view = *this;
+    view.origin = origin - there;
+    return view;
+  }
   bool orthographic() const { return projection == Projection::orthographic; }
   bool has_lens() const { return lens_right != Vec3d{0, 0, 0}; }
 

@@ -97,6 +97,7 @@ Incoming<Wide> incoming(const PlaneForm&, const Vec3<Wide>&, const Wide&, const 
 template <class Kind>
 struct Near : Described<Kind> {
   static constexpr bool endless = false;
+  void move_by(const Vec3d&);
 };
 
 struct WholeLight : Near<WholeLight> {};
@@ -106,7 +107,16 @@ static_assert(IsLight<WholeLight>);
 struct LightWithoutForm : Near<LightWithoutForm> {};
 static_assert(!IsLight<LightWithoutForm>);
 
-struct LightOfUntoldDistance : Described<LightOfUntoldDistance> {};
+// It would stay behind where the world moves its origin.
+struct LightThatStays : Described<LightThatStays> {
+  static constexpr bool endless = false;
+};
+PlainForm prepare(const LightThatStays&);
+static_assert(!IsLight<LightThatStays>);
+
+struct LightOfUntoldDistance : Described<LightOfUntoldDistance> {
+  void move_by(const Vec3d&);
+};
 PlainForm prepare(const LightOfUntoldDistance&);
 static_assert(!IsLight<LightOfUntoldDistance>);
 

@@ -62,10 +62,12 @@ class ShapeContract : public testing::Test {
   static Ray<Real> in(const Ray<double>& ray) {
     return {lift<Real>(ray.origin), normalize(lift<Real>(ray.direction))};
   }
+  // A ray of the scene.
   template <class Real>
   static Hit<Real> hit_of(const World& world, const Ray<Real>& ray) {
     WorkCounter work;
-    return closest_hit(world, ray, iota<Real>() >= Real(0), work);
+    const Ray<Real> near{ray.origin - lift<Real>(world.origin), ray.direction};
+    return closest_hit(world, near, iota<Real>() >= Real(0), work);
   }
 };
 

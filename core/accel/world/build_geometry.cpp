@@ -18,6 +18,8 @@ class Compiler {
 
   Geometry compile() {
     for (const Object& object : scene_.objects) add(object, {});
+    builder_.settle();
+    for (Lamp& lamp : geometry_.lamps) lamp = at_center(lamp, lamp.middle.exact - geometry_.origin);
     builder_.finish();
     return std::move(geometry_);
   }
@@ -81,11 +83,16 @@ class Compiler {
     for (std::int64_t copy = 0; copy < copies; ++copy) {
       const Vec3d place =
           geometry_.to_space(geometry_.part(part).space, copy).inverse().point(center);
-      Lamp lamp{PointForm{place}, place, color};
+      Lamp lamp{{}, {}, color};
       lamp.part = part;
       lamp.copy = static_cast<int>(copy);
-      geometry_.lamps.push_back(lamp);
+      geometry_.lamps.push_back(at_center(lamp, place));
     }
+  }
+  static Lamp at_center(Lamp lamp, const Vec3d& place) {
+    lamp.form = PointForm{place};
+    lamp.middle = place;
+    return lamp;
   }
 
   void add_kind(const Mesh& mesh, const Setting& own) { builder_.add(mesh_(mesh, workers_), own); }

@@ -54,6 +54,7 @@ class Lighting {
     world_.background = rgb_of(scene.background);
     world_.transparent_shadows = scene.options.transparent_shadows;
     world_.lamps = objects->lamps;
+    world_.origin = objects->origin;
     lights_.first_part = static_cast<int>(objects->parts.size());
     lights_.objects = objects->objects;
     world_.of_objects = std::move(objects);
@@ -86,8 +87,10 @@ class Lighting {
         light.kind);
   }
   template <ShiningLight Kind>
-  void add_lamp(const Kind& kind, const Light& light, const Vec3d& color, const std::string& name) {
-    Lamp lamp{prepare(kind), light.place().value_or(Vec3d{}), color};
+  void add_lamp(Kind kind, const Light& light, const Vec3d& color, const std::string& name) {
+    kind.move_by(-world_.origin);
+    Lamp lamp{prepare(kind), {}, color};
+    if constexpr (MovableLight<Kind>) lamp.middle = kind.place().value_or(Vec3d{});
     if (light.fade_distance) lamp.fade_distance = *light.fade_distance;
     lamp.fade_power = light.fade_power;
     lamp.name = name;

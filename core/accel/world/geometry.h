@@ -1,6 +1,7 @@
 // Geometry: what rays can meet, indexed, and what shading needs of it. It is a tree of spaces: the
 // world itself, and the inside of each repeated group, which is there once however often it is
-// repeated. Lights, camera and options are the World's business.
+// repeated. Each space has its origin amid what stands in it (own_origin.h). Lights, camera and
+// options are the World's business.
 #pragma once
 
 #include <cstdint>
@@ -98,6 +99,7 @@ struct Geometry {
   std::vector<Matter> matters;
   std::vector<TextureForm> textures;
   std::vector<Lamp> lamps;     ///< of its luminous balls
+  Vec3d origin{};              ///< the world's, in the scene's coordinates
   int first_part = 0;          ///< the number of its first part, which is the world's
   int objects = 0;             ///< how many, those of the parts before it included
   std::size_t degenerate = 0;  ///< triangles without area, which nothing meets

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <optional>
 
+#include "core/accel/world/own_origin.h"
+
 namespace tia {
 namespace {
 
@@ -148,6 +150,8 @@ void GeometryBuilder::put_balls(int grid_number, const Affine& place, double sca
     }
   }
 }
+
+void GeometryBuilder::settle() { tia::settle(geometry_, boxes_); }
 
 // ---- the index ------------------------------------------------------------------------------
 

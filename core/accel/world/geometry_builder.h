@@ -47,6 +47,9 @@ class GeometryBuilder {
   /// the grid's own space. Returns: which of the geometry's copies it is.
   int begin_grid(const Repeat& repeat, const Aabb& box, const Setting& at);
   void end_grid(int grid, const Setting& at);
+  /// Moves the origin of each space amid what stands there (own_origin.h).
+  /// Domain: before finish; after that nothing is added.
+  void settle();
   /// Indexes all that is there.
   void finish();
 

@@ -11,8 +11,11 @@ namespace tia {
 
 /// World. Moving a light or the camera leaves the objects' geometry as it is, so that worlds share
 /// it; what luminous lights add is little, and has an index of its own.
+/// Space/units: world space is the scene's, seen from `origin`, which is taken off in double before
+/// anything is rounded to float. It is 0 where the objects are not far from the scene's origin.
 struct World {
   SharedGeometry of_objects;
+  Vec3d origin{};      ///< in the scene's coordinates: of_objects->origin
   Geometry of_lights;  ///< the surfaces of luminous lights; their parts follow the objects'
   std::vector<Lamp> lamps;
   /// Where few_balls: all of them, a part each, in order.

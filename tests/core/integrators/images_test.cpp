@@ -108,7 +108,8 @@ TEST(Images, CornerOfThreeSendsRaysBackThroughTheMirroredPoint) {
     EXPECT_EQ(at->depth, 3);
     expect_near(at->ray.direction, -d, 2e-6);
     // The way back is the way in, mirrored at the apex: at -from.
-    const Vec3d off = static_cast<Vec3d>(at->ray.origin) - apex + from;
+    const Vec3d back = static_cast<Vec3d>(at->ray.origin) + compile(scene).origin;
+    const Vec3d off = back - apex + from;
     EXPECT_NEAR(length(cross(off, d)), 0, 2e-4);
   }
 }
