@@ -24,14 +24,29 @@ struct Parametric {
 
   template <class Visitor>
   static void fields(Visitor&& visit) {
-    constexpr Spec range{.about = "from where to where", .min = -1e9, .max = 1e9, .required = true};
+    constexpr Spec u_range{
+        .about =
+            "from where to where u runs, both ends included. Nothing is periodic: a surface is "
+            "closed where its formulas come to the same points at both ends, as those of cos(u) "
+            "and sin(u) do from 0 to 6.283185307179586",
+        .min = -1e9,
+        .max = 1e9,
+        .required = true};
+    constexpr Spec v_range{
+        .about =
+            "from where to where v runs, as u does. Seen from the outer side it runs to the left "
+            "of u, counter-clockwise, as y does of x: a closed surface that has its outer side "
+            "inside wants -v for v in its formulas, from -to to -from",
+        .min = -1e9,
+        .max = 1e9,
+        .required = true};
     visit(
         "x", &Parametric::x,
         Spec{.about = "a formula of u and v, as implicit's f is one of x, y, z", .required = true});
     visit("y", &Parametric::y, Spec{.about = "a formula of u and v", .required = true});
     visit("z", &Parametric::z, Spec{.about = "a formula of u and v", .required = true});
-    visit("u", &Parametric::u, range);
-    visit("v", &Parametric::v, range);
+    visit("u", &Parametric::u, u_range);
+    visit("v", &Parametric::v, v_range);
     visit("parameters", &Parametric::parameters,
           Spec{.about = "numbers by the names that the formulas have for them",
                .min = -1e30,
