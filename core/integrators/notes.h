@@ -32,6 +32,7 @@ struct LampNote {
   float fade = 1;
   std::optional<int> blocker{};  ///< the part that takes light first on the way, -1: none; nothing
                                  ///< where all is seen or none of it casts a shadow ray
+  std::int64_t blocker_copy = 0;
 };
 
 struct RayNode;

@@ -41,9 +41,9 @@ struct WorldScope {
     const Mask<Real> dark = occluded(world, ray, t_max, lamp, active, work);
     return select(dark, Real(0), Real(1));
   }
-  /// The part that takes light first on the way from the ray's origin to t_max; -1: none.
-  int blocker(const Ray<float>& ray, float t_max, const Lamp& lamp) {
-    return blocking_part(world, ray, t_max, lamp, shadows_are_transparent(), work);
+  /// What takes light first on the way from the ray's origin to t_max.
+  Blocker blocker(const Ray<float>& ray, float t_max, const Lamp& lamp) {
+    return first_blocker(world, ray, t_max, lamp, shadows_are_transparent(), work);
   }
   bool shadows_are_transparent() const {
     return world.transparent_shadows && rules.transparent_shadows;

@@ -87,10 +87,12 @@ class Whitted {
   LampNote note_of(int number, const Seen<Point, Real>& seen, const LampLight<Real>& light,
                    bool cast) {
     const Incoming<Real>& from = light.middle;
-    LampNote note{number, from, dot(seen.at.n, from.way), light.visible, light.fade, {}};
+    LampNote note{number, from, dot(seen.at.n, from.way), light.visible, light.fade};
+    if (!cast || note.visible >= 1) return note;
     const Lamp& lamp = scope_.world.lamps[static_cast<std::size_t>(number)];
-    if (cast && note.visible < 1)
-      note.blocker = scope_.blocker(seen.shadow_ray(from.way), from.distance, lamp);
+    const auto [part, copy] = scope_.blocker(seen.shadow_ray(from.way), from.distance, lamp);
+    note.blocker = part;
+    note.blocker_copy = copy;
     return note;
   }
 

@@ -47,10 +47,11 @@ Explanation explain(const Scene& scene, World world, const View& view, int x, in
                     const RenderOptions& options, const std::stop_token& stop = {});
 
 /// {"pixel", "sample", "hits": [{"t", "object", "id", "type", "point", "normal", "uv", "front",
-/// and of an equation's root "root": {"bracket": [from, to], "how", "degree"}}],
-/// "tree": {"ray", "depth", "winner", "winner_id", "point", "normal", "terms", "color"},
-/// "objects": [{"id", "name", "pointer", "type"}]}. An object's id is its number in the image of
-/// the integrator `object`; it tells those apart that have one name.
+/// of a copy "copy": [[i, j, k], ...], one of each group around it that is repeated, and of an
+/// equation's root "root": {"bracket": [from, to], "how", "degree"}}],
+/// "tree": {"ray", "depth", "winner", "winner_id", "winner_copy", "point", "normal", "terms",
+/// "color"}, "objects": [{"id", "name", "pointer", "type"}]}. An object's id is its number in the
+/// image of the integrator `object`; it tells those apart that have one name.
 Value::Object value_of(const Explanation& explanation);
 /// The schema of that.
 Value explanation_schema(Definitions& named);

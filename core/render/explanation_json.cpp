@@ -27,6 +27,7 @@ class Writer {
                         {"normal", write_value(at.normal)},
                         {"uv", Value::Array{at.uv.u, at.uv.v}},
                         {"front", at.front}};
+      add_copy(hit, "copy", at.part, at.copy);
       if (at.bracket) hit.emplace_back("root", root(*at.bracket));
       hits.push_back(std::move(hit));
     }
@@ -52,7 +53,10 @@ class Writer {
         "ray", ray_value(in_scene(node.ray.origin), static_cast<Vec3d>(node.ray.direction)));
     object.emplace_back("depth", node.depth);
     object.emplace_back("winner", hit ? Value(label_of(part_of(node.hit)).name) : Value());
-    if (hit) object.emplace_back("winner_id", id_of(part_of(node.hit)));
+    if (hit) {
+      object.emplace_back("winner_id", id_of(part_of(node.hit)));
+      add_copy(object, "winner_copy", part_of(node.hit), static_cast<std::int64_t>(node.hit.copy));
+    }
     object.emplace_back("terms", std::move(terms));
     object.emplace_back("color", triple(node.color));
     if (hit) {
@@ -80,6 +84,14 @@ class Writer {
   }
   // The number in the image of the integrator `object`.
   int id_of(int part) const { return all_.world.part(part).object + 1; }
+  // Which copy of a part, where groups around it are repeated.
+  void add_copy(Value::Object& to, const char* name, int part, std::int64_t copy) const {
+    const Geometry& geometry = all_.world.geometry_of(part);
+    Value::Array groups;
+    for (const auto& [i, j, k] : copies_around(geometry, geometry.part(part).space, copy))
+      groups.push_back(Value::Array{i, j, k});
+    if (!groups.empty()) to.emplace_back(name, std::move(groups));
+  }
   std::string lamp_name(const Lamp& lamp) const {
     if (lamp.part >= 0) return label_of(lamp.part).name;
     return lamp.name;
@@ -95,7 +107,10 @@ class Writer {
   void add_light(const LampNote& note, Value::Object& object) const {
     const Lamp& lamp = all_.world.lamps[static_cast<std::size_t>(note.lamp)];
     object.emplace_back("light", lamp_name(lamp));
-    if (lamp.part >= 0) object.emplace_back("light_id", id_of(lamp.part));
+    if (lamp.part >= 0) {
+      object.emplace_back("light_id", id_of(lamp.part));
+      add_copy(object, "light_copy", lamp.part, lamp.copy);
+    }
     // A directional light's is infinite, which JSON has no number for.
     object.emplace_back("distance",
                         note.from.distance < infinity ? Value(note.from.distance) : Value());
@@ -105,7 +120,9 @@ class Writer {
     object.emplace_back("fade", note.fade * note.from.strength);
     if (!note.blocker) return;
     object.emplace_back("blocker", name_of_part(*note.blocker));
-    if (*note.blocker >= 0) object.emplace_back("blocker_id", id_of(*note.blocker));
+    if (*note.blocker < 0) return;
+    object.emplace_back("blocker_id", id_of(*note.blocker));
+    add_copy(object, "blocker_copy", *note.blocker, note.blocker_copy);
   }
   Value name_of_part(int part) const { return part < 0 ? Value() : Value(label_of(part).name); }
 
@@ -119,6 +136,7 @@ using Pair = std::array<double, 2>;
 Value triple_schema() { return plain_schema<Vec3d>(); }
 Value number_schema(const Spec& spec = {}) { return plain_schema<double>(spec); }
 Value name_schema() { return plain_schema<std::string>(); }
+Value copy_schema() { return list_schema(plain_schema<std::array<int, 3>>({.min = 0})); }
 
 Value ray_schema(Definitions& named) {
   return schema_called("ray", named, [] {
@@ -145,6 +163,10 @@ Value hit_schema() {
        {"normal", triple_schema(), "of length 1"},
        {"uv", plain_schema<Pair>(), "where on the surface"},
        {"front", plain_schema<bool>(), "whether it is met from outside"},
+       {"copy", copy_schema(),
+        "of an object in groups that are repeated: which copy of each, the outermost first, along "
+        "x, y and z from 0",
+        false},
        {"root", root, "of a surface that is an equation's: how it was found", false}});
 }
 
@@ -164,6 +186,7 @@ Value term_schema(Definitions& named) {
        {"value", triple_schema(), "linear RGB; weight * value is what the term adds"},
        {"light", name_schema(), "diffuse, specular: the light's name", false},
        {"light_id", count_schema(1), "which of objects it is, where it is one", false},
+       {"light_copy", copy_schema(), "which copy of that, as a hit's", false},
        {"distance", nullable_schema(number_schema({.min = 0})), "null where it is infinite", false},
        {"direction", triple_schema(), "towards the light", false},
        {"n_dot_l", number_schema(), "the cosine between normal and direction", false},
@@ -172,6 +195,7 @@ Value term_schema(Definitions& named) {
        {"fade", number_schema({.min = 0}), "what distance and direction leave of the light", false},
        {"blocker", nullable_schema(name_schema()), "what takes light first, null: nothing", false},
        {"blocker_id", count_schema(1), "which of objects that is", false},
+       {"blocker_copy", copy_schema(), "which copy of that, as a hit's", false},
        {"node", node_schema(named), "reflection, refraction: the ray that follows", false}});
 }
 
@@ -182,6 +206,7 @@ Value node_schema(Definitions& named) {
          {"depth", count_schema(), "how often it has been mirrored or refracted"},
          {"winner", nullable_schema(name_schema()), "what it meets first, null: nothing"},
          {"winner_id", count_schema(1), "which of objects that is", false},
+         {"winner_copy", copy_schema(), "which copy of that, as a hit's", false},
          {"terms", list_schema(term_schema(named)), "in the order in which they are added"},
          {"color", triple_schema(), "linear RGB: the sum of the terms"},
          {"t", number_schema(), "of the hit: the distance along the ray", false},
@@ -204,7 +229,8 @@ Value explanation_schema(Definitions& named) {
          {"hits", list_schema(hit_schema()), "all along the ray, the nearest first, in double"},
          {"tree", node_schema(named), "what makes the colour, in the picture's own arithmetic"},
          {"objects", list_schema(object_entry_schema()),
-          "all that hits and tree name, each once: names need not be unique, ids are"}});
+          "all that hits and tree name, each once: names need not be unique, ids and pointers are; "
+          "copies of an object share its entry"}});
   });
 }
 

@@ -22,11 +22,19 @@ void ExplanationSize::take(std::size_t bytes, const char* pointer, const char* r
          "an explanation of at most " + std::to_string(longest_explanation) + " bytes; " + remedy});
 }
 
+// Of the member that tells which copy it is.
+std::size_t ExplanationSize::copy_bytes(int part) const {
+  constexpr std::size_t member = 20, group = 30;  // "blocker_copy":[], and [16777215, three times
+  const Geometry& geometry = world_.geometry_of(part);
+  const std::size_t groups = copies_around(geometry, geometry.part(part).space, 0).size();
+  return groups == 0 ? 0 : member + groups * group;
+}
+
 std::size_t ExplanationSize::naming(int part) {
   if (part < 0) return std::string_view("null").size();
   const int object = world_.part(part).object;
   const std::string& name = labels_[static_cast<std::size_t>(object)].name;
-  const std::size_t bytes = text_bytes(name);
+  const std::size_t bytes = text_bytes(name) + copy_bytes(part);
   if (!objects_.insert(object).second) return bytes + id_member;
   constexpr std::size_t longest_pointer = 512;  // (Fault)
   return 2 * bytes + id_member + object_frame + longest_pointer;

@@ -35,6 +35,7 @@ class ExplanationSize {
   void take(std::size_t bytes, const char* pointer, const char* remedy);
   // Of the member that names a part's object, and, the first time, of the object's entry.
   std::size_t naming(int part);
+  std::size_t copy_bytes(int part) const;
 
   const World& world_;
   const std::vector<ObjectLabel>& labels_;

@@ -1,7 +1,6 @@
 // Why a pixel has its colour: asks the server about the pixel of the picture that is shown, each
 // time that it has changed, and shows the answer here and over the picture.
 
-import { explainPixel } from '../picture/explained.js';
 import { plain } from '../picture/passes.js';
 import { middleOf, sizeOf, windowOf } from '../state/window.js';
 import { viewOf } from '../space/view.js';
@@ -40,7 +39,8 @@ export function mountWhy(studio) {
     asking = question;
     question.abort = new AbortController();
     const { request, pixel, abort } = question;
-    const told = await explainPixel(request, pixel, studio.pivot, abort.signal)
+    const told = await import('../picture/explain_pixel.js')
+      .then(({ explainPixel }) => explainPixel(request, pixel, studio.pivot, abort.signal))
       .catch((problem) => ({ problem }));
     if (model.asked !== pixel) return;
     if (told.problem) fail(told.problem);

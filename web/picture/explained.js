@@ -1,7 +1,6 @@
 // A pixel's explanation made ready to be shown: the tree of /explain as rays, one step after the other.
 
 import { add, dot, length, scale, subtract } from '../space/vec.js';
-import { fetchExplanation } from './server.js';
 
 const FAINTEST = 0.002; // of the pixel's light that a ray must be able to bring to be walked through
 const MOST = 200; // rays that a person may want to step through
@@ -41,7 +40,7 @@ export function stepsOf(tree, reach) {
   return { steps, left };
 }
 
-const along = (from, direction, by) => add(from, scale(direction, by));
+export const along = (from, direction, by) => add(from, scale(direction, by));
 
 // The server asks for a lamp behind the horizon without a ray, and for one whose light the surface
 // swallows with a ray that tells a person nothing.
@@ -60,18 +59,6 @@ export function reachOf(tree, least) {
     node.point ? length(subtract(node.point, tree.ray.origin)) : 0,
     ...node.terms.map(({ node: child }) => (child ? far(child) : 0)));
   return Math.max(least, 1.25 * far(tree));
-}
-
-/** The ray that finds where a shadow ray is blocked: { origin, direction, past }. */
-export function probeOf({ from, node, term }) {
-  const past = 1e-5 * Math.max(node.t, ...from.map(Math.abs)); // so far a surface may meet itself
-  return { origin: along(from, node.normal, past), direction: term.direction, past };
-}
-
-/** Where the first of the hits along a probe lies that is the step's blocker; null: none does. */
-export function blockedAt(hits, { term }, { past }) {
-  const far = term.distance ?? Infinity;
-  return hits.find(({ object, t }) => object === term.blocker && t > past && t < far)?.point ?? null;
 }
 
 /** What its surface keeps of a node's own light: what it does not let through. */
@@ -126,27 +113,4 @@ export function sumOf({ terms, color }) {
     const tells = any(adds) || Boolean(term.node) || (term.name === 'diffuse' && any(term.value));
     return { term, adds, sum, shown: tells };
   });
-}
-
-const MOST_PROBES = 12; // blocked shadow rays whose ends are looked for
-
-/**
- * The pixel of a request as { tree, hits, steps, left }. The steps are stepsOf's; a blocked shadow
- * ray ends where it is blocked and has its lamp as `aim`. `middle`: what the picture is about.
- */
-export async function explainPixel(request, [x, y], middle, signal) {
-  const { tree, hits } = await fetchExplanation({ ...request, x, y }, signal);
-  const least = middle ? 2 * length(subtract(middle, tree.ray.origin)) : 10;
-  const { steps, left } = stepsOf(tree, reachOf(tree, least));
-  const blocked = steps.filter((step) => step.blocked).slice(0, MOST_PROBES);
-  await Promise.all(blocked.map((step) => endWhereBlocked(step, request, signal)));
-  return { tree, hits, steps, left };
-}
-
-async function endWhereBlocked(step, request, signal) {
-  const probe = probeOf(step);
-  const ray = { origin: probe.origin, direction: probe.direction };
-  const { hits } = await fetchExplanation({ ...request, ray }, signal);
-  const end = blockedAt(hits, step, probe);
-  if (end) [step.aim, step.to] = [step.to, end];
 }

@@ -93,6 +93,7 @@ export default {
 
     the: 'the {name}',
     object: 'object {number}',
+    copy: ', copy {copy}',
     lamp: 'the lamp',
     lampNumber: 'lamp {number}',
     handLamp: 'the lamp in your hand',

@@ -93,6 +93,7 @@ export default {
 
     the: '\u201c{name}\u201d',
     object: 'vật số {number}',
+    copy: ', bản sao {copy}',
     lamp: 'đèn',
     lampNumber: 'đèn số {number}',
     handLamp: 'đèn trong tay bạn',

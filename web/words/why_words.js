@@ -10,9 +10,10 @@ const addsOf = ({ weight, value }) => weight * brightness(value);
 const percent = (share) => countWords(Math.round(share * 100));
 const capital = (words) => words.charAt(0).toUpperCase() + words.slice(1);
 
-/** An object as a sentence names it; `label` is its name or its place in the scene, null the void. */
+/** An object as a sentence names it; `label` is its name or calledApart's, null the void. */
 export function thingWords(label) {
   if (label === null) return t('why.nothing');
+  if (label.pointer) return `${thingWords(label.name)} (${label.pointer}${label.copy && t('why.copy', label)})`;
   const numbers = label.match(/^\/objects\/(.*)$/)?.[1].match(/\d+/g);
   if (numbers) return t('why.object', { number: numbers.map((number) => Number(number) + 1).join('.') });
   return label.startsWith('/') ? lampWords(label) : t('why.the', { name: label });

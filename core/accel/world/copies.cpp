@@ -5,10 +5,15 @@
 
 namespace tia {
 
-Vec3d Copies::offset(std::int64_t number) const {
+std::array<int, 3> Copies::place(std::int64_t number) const {
   const std::int64_t nx = repeat.count[0], ny = repeat.count[1];
-  return repeat.offset(static_cast<int>(number % nx), static_cast<int>(number / nx % ny),
-                       static_cast<int>(number / nx / ny));
+  return {static_cast<int>(number % nx), static_cast<int>(number / nx % ny),
+          static_cast<int>(number / nx / ny)};
+}
+
+Vec3d Copies::offset(std::int64_t number) const {
+  const auto [i, j, k] = place(number);
+  return repeat.offset(i, j, k);
 }
 
 std::size_t CopyRange::longest(const Vec3d& step) const {

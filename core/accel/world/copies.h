@@ -22,7 +22,9 @@ struct Copies {
 
   /// Of copies that fill a box: beyond all roundings of their coordinates.
   static float slack_of(const Aabb& all);
-  /// Where the copy of that number stands: x runs fastest, then y.
+  /// Which one along x, y and z the copy of that number is: x runs fastest, then y.
+  std::array<int, 3> place(std::int64_t number) const;
+  /// Where it stands.
   Vec3d offset(std::int64_t number) const;
 };
 

@@ -1,5 +1,7 @@
 #include "core/accel/world/geometry.h"
 
+#include <algorithm>
+
 #include "core/math/heap.h"
 
 namespace tia {
@@ -18,6 +20,20 @@ void BallIndex::pack(const std::vector<Ball>& all, const Workers& workers) {
               const auto& [center, radius] = all[i].sphere;
               return {center.x, center.y, center.z, radius * radius};
             }};
+}
+
+std::vector<std::array<int, 3>> copies_around(const Geometry& geometry, int space,
+                                              std::int64_t copy) {
+  std::vector<std::array<int, 3>> inwards;
+  while (geometry.space(space).copies >= 0) {
+    const Copies& grid = geometry.copies[static_cast<std::size_t>(geometry.space(space).copies)];
+    const std::int64_t all = grid.repeat.copies();
+    inwards.push_back(grid.place(copy % all));
+    copy /= all;
+    space = grid.outside;
+  }
+  std::ranges::reverse(inwards);
+  return inwards;
 }
 
 Affine to_object(const Geometry& geometry, const Part& part, std::int64_t copy) {

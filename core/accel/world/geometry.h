@@ -4,6 +4,7 @@
 // options are the World's business.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -133,6 +134,11 @@ std::size_t bytes_of(const Geometry& geometry);
 std::size_t bytes_of(const MeshIndex& mesh);
 /// What a form owns on the heap.
 std::size_t heap_of_form(const Form& form);
+
+/// The copies of repeated groups that a copy of a space is in, the outermost first: which one along
+/// x, y and z. Empty: the space is the world itself.
+std::vector<std::array<int, 3>> copies_around(const Geometry& geometry, int space,
+                                              std::int64_t copy);
 
 /// From the world's space to a part's own, by way of the copy of its group.
 Affine to_object(const Geometry& geometry, const Part& part, std::int64_t copy);

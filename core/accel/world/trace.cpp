@@ -120,14 +120,14 @@ Real transmitted(const World& world, const Ray<Real>& ray, const Real& t_max, co
   return share;
 }
 
-int blocking_part(const World& world, const Ray<float>& ray, float t_max, const Lamp& lamp,
-                  bool transparent, WorkCounter& work) {
-  int blocking = -1;
+Blocker first_blocker(const World& world, const Ray<float>& ray, float t_max, const Lamp& lamp,
+                      bool transparent, WorkCounter& work) {
+  Blocker blocking;
   walk(world, ray, t_max, lamp, true, work, [&](const Hit<float>& hit, bool met) {
     if (!met) return false;
     const int part = static_cast<int>(hit.part);
     if (transparent && world.matter_of(part).transmission == 1) return true;
-    blocking = part;
+    blocking = {part, static_cast<std::int64_t>(hit.copy)};
     return false;
   });
   return blocking;

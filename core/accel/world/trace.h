@@ -50,10 +50,15 @@ template <class Real>
 Real transmitted(const World& world, const Ray<Real>& ray, const Real& t_max, const Lamp& lamp,
                  Mask<Real> active, WorkCounter& work);
 
-/// The part that takes of a lamp's light first on the way from the ray's origin to t_max; -1: none.
+/// Blocker: what stands between a point and a lamp: a part, which copy of it, -1: nothing.
+struct Blocker {
+  int part = -1;
+  std::int64_t copy = 0;
+};
+/// What takes of a lamp's light first on the way from the ray's origin to t_max.
 /// Where shadows are transparent, what lets all light through takes none. Errors: as occluded's.
-int blocking_part(const World& world, const Ray<float>& ray, float t_max, const Lamp& lamp,
-                  bool transparent, WorkCounter& work);
+Blocker first_blocker(const World& world, const Ray<float>& ray, float t_max, const Lamp& lamp,
+                      bool transparent, WorkCounter& work);
 
 /// The same as occluded in a world of few balls.
 template <class Real>

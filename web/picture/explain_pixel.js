@@ -1,0 +1,42 @@
+// Asks the server about a pixel, and where its blocked shadow rays end. Loaded with the first question.
+
+import { length, subtract } from '../space/vec.js';
+import { calledApart } from './called.js';
+import { along, reachOf, stepsOf } from './explained.js';
+import { fetchExplanation } from './server.js';
+
+const MOST_PROBES = 12; // blocked shadow rays whose ends are looked for
+
+/**
+ * The pixel of a request as { tree, hits, steps, left }. The steps are stepsOf's; a blocked shadow
+ * ray ends where it is blocked and has its lamp as `aim`. `middle`: what the picture is about.
+ */
+export async function explainPixel(request, [x, y], middle, signal) {
+  const { tree, hits } = calledApart(await fetchExplanation({ ...request, x, y }, signal));
+  const least = middle ? 2 * length(subtract(middle, tree.ray.origin)) : 10;
+  const { steps, left } = stepsOf(tree, reachOf(tree, least));
+  const blocked = steps.filter((step) => step.blocked).slice(0, MOST_PROBES);
+  await Promise.all(blocked.map((step) => endWhereBlocked(step, request, signal)));
+  return { tree, hits, steps, left };
+}
+
+async function endWhereBlocked(step, request, signal) {
+  const probe = probeOf(step);
+  const ray = { origin: probe.origin, direction: probe.direction };
+  const { hits } = await fetchExplanation({ ...request, ray }, signal);
+  const end = blockedAt(hits, step, probe);
+  if (end) [step.aim, step.to] = [step.to, end];
+}
+
+/** The ray that finds where a shadow ray is blocked: { origin, direction, past }. */
+function probeOf({ from, node, term }) {
+  const past = 1e-5 * Math.max(node.t, ...from.map(Math.abs)); // so far a surface may meet itself
+  return { origin: along(from, node.normal, past), direction: term.direction, past };
+}
+
+/** Where the first of the hits along a probe lies that is the step's blocker; null: none does. */
+function blockedAt(hits, { term }, { past }) {
+  const far = term.distance ?? Infinity;
+  const blocks = ({ id, t }) => id === term.blocker_id && t > past && t < far;
+  return hits.find(blocks)?.point ?? null;
+}
