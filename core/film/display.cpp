@@ -50,14 +50,14 @@ void each_pixel(Block& block, F f) {
 
 }  // namespace
 
-void show(Shown shown, Block& block) {
+void show(FeatureDisplay shown, Block& block) {
   switch (shown) {
-    case Shown::light:
-    case Shown::share: return;
-    case Shown::normal: return each_pixel(block, of_normal);
-    case Shown::depth: return each_pixel(block, of_depth);
-    case Shown::number: return each_pixel(block, of_number);
-    case Shown::cost: return each_pixel(block, of_cost);
+    case FeatureDisplay::light:
+    case FeatureDisplay::share: return;
+    case FeatureDisplay::normal: return each_pixel(block, of_normal);
+    case FeatureDisplay::depth: return each_pixel(block, of_depth);
+    case FeatureDisplay::number: return each_pixel(block, of_number);
+    case FeatureDisplay::cost: return each_pixel(block, of_cost);
   }
 }
 

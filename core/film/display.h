@@ -6,8 +6,8 @@
 
 namespace tia {
 
-/// Shown: what a film's numbers mean to the eye.
-enum class Shown {
+/// FeatureDisplay: what a film's numbers mean to the eye.
+enum class FeatureDisplay {
   light,   ///< linear light, through the transfer curve
   share,   ///< a share in [0,1], as it is
   normal,  ///< 0.5 + 0.5 n; 0, which is no normal, as 0
@@ -19,13 +19,13 @@ enum class Shown {
 /// DisplayRule: how a picture's numbers become codes. All but light is stored linearly, for it
 /// must be read back whatever the curve.
 struct DisplayRule {
-  Shown shown = Shown::light;
+  FeatureDisplay shown = FeatureDisplay::light;
   Transfer transfer = Transfer::srgb;
 
-  Transfer curve() const { return shown == Shown::light ? transfer : Transfer::linear; }
+  Transfer curve() const { return shown == FeatureDisplay::light ? transfer : Transfer::linear; }
 };
 
 /// Turns a block's numbers into what linear codes store.
-void show(Shown shown, Block& block);
+void show(FeatureDisplay shown, Block& block);
 
 }  // namespace tia

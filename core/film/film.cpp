@@ -16,7 +16,7 @@ void develop_rows(const DisplayRule& rule, const Block& block, std::uint8_t* to,
 }
 
 void develop(const DisplayRule& rule, const Block& block, std::uint8_t* to, std::size_t row_bytes) {
-  if (rule.shown == Shown::light) return develop_rows(rule, block, to, row_bytes);
+  if (rule.shown == FeatureDisplay::light) return develop_rows(rule, block, to, row_bytes);
   Block shown = block;
   show(rule.shown, shown);
   develop_rows(rule, shown, to, row_bytes);

@@ -27,7 +27,7 @@ class LinearFilm {
 class DisplayFilm {
  public:
   DisplayFilm(int width, int height, Transfer transfer)
-      : DisplayFilm(width, height, DisplayRule{Shown::light, transfer}) {}
+      : DisplayFilm(width, height, DisplayRule{FeatureDisplay::light, transfer}) {}
   DisplayFilm(int width, int height, const DisplayRule& rule)
       : image_(width, height), rule_(rule) {}
   void put(const Block& block);

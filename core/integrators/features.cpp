@@ -9,75 +9,81 @@ namespace tia {
 // The shading normal, towards the viewer; 0 where nothing is hit.
 template <>
 template <class Real>
-Vec3<Real> Integrator<IntegratorName::normal>::radiance(WorldScope& scope, const Ray<Real>& ray,
-                                                        Mask<Real> active, const Draws<Real>&) {
-  const auto seen = surfaces(scope, ray, first_hit(scope, ray, active), active);
-  return select(seen.here, seen.at.n, {Real(0), Real(0), Real(0)});
+Vec3<Real> Integrator<IntegratorName::normal>::radiance(WorldView& world_view, const Ray<Real>& ray,
+                                                        Mask<Real> active,
+                                                        const SamplerState<Real>&) {
+  const auto isect = surfaces(world_view, ray, first_hit(world_view, ray, active), active);
+  return select(isect.here, isect.at.n, {Real(0), Real(0), Real(0)});
 }
 
 // Distance along the unit ray; infinite where nothing is hit.
 template <>
 template <class Real>
-Vec3<Real> Integrator<IntegratorName::depth>::radiance(WorldScope& scope, const Ray<Real>& ray,
-                                                       Mask<Real> active, const Draws<Real>&) {
-  const Real t = first_hit(scope, ray, active).t;
+Vec3<Real> Integrator<IntegratorName::depth>::radiance(WorldView& world_view, const Ray<Real>& ray,
+                                                       Mask<Real> active,
+                                                       const SamplerState<Real>&) {
+  const Real t = first_hit(world_view, ray, active).t;
   return {t, t, t};
 }
 
 // The surface's colour times what it scatters; 0 where nothing is hit.
 template <>
 template <class Real>
-Vec3<Real> Integrator<IntegratorName::albedo>::radiance(WorldScope& scope, const Ray<Real>& ray,
-                                                        Mask<Real> active, const Draws<Real>&) {
-  const auto seen = surfaces(scope, ray, first_hit(scope, ray, active), active);
-  return select(seen.here, seen.albedo, {Real(0), Real(0), Real(0)});
+Vec3<Real> Integrator<IntegratorName::albedo>::radiance(WorldView& world_view, const Ray<Real>& ray,
+                                                        Mask<Real> active,
+                                                        const SamplerState<Real>&) {
+  const auto isect = surfaces(world_view, ray, first_hit(world_view, ray, active), active);
+  return select(isect.here, isect.albedo, {Real(0), Real(0), Real(0)});
 }
 
 // The object's number in the scene, from 1; 0 where nothing is hit.
 template <>
 template <class Real>
-Vec3<Real> Integrator<IntegratorName::object>::radiance(WorldScope& scope, const Ray<Real>& ray,
-                                                        Mask<Real> active, const Draws<Real>&) {
+Vec3<Real> Integrator<IntegratorName::object>::radiance(WorldView& world_view, const Ray<Real>& ray,
+                                                        Mask<Real> active,
+                                                        const SamplerState<Real>&) {
   Real number(0);
-  for_each_winner(first_hit(scope, ray, active), active, [&](int part, Mask<Real> here) {
-    const int object = scope.world.part(part).object;
+  for_each_winner(first_hit(world_view, ray, active), active, [&](int primitive, Mask<Real> here) {
+    const int object = world_view.world.primitive(primitive).object;
     number = select(here, Real(static_cast<float>(object + 1)), number);
   });
   return {number, number, number};
 }
 
-// The share of the lamps that the point sees; 1 where nothing is hit or nothing shines.
+// The share of the lights that the point sees; 1 where nothing is hit or nothing shines.
 template <>
 template <class Real>
-Vec3<Real> Integrator<IntegratorName::shadow>::radiance(WorldScope& scope, const Ray<Real>& ray,
-                                                        Mask<Real> active, const Draws<Real>&) {
-  const auto seen = surfaces(scope, ray, first_hit(scope, ray, active), active);
-  const std::vector<Lamp>& lamps = scope.world.lamps;
-  if (lamps.empty() || !any(seen.here)) return {Real(1), Real(1), Real(1)};
+Vec3<Real> Integrator<IntegratorName::shadow>::radiance(WorldView& world_view, const Ray<Real>& ray,
+                                                        Mask<Real> active,
+                                                        const SamplerState<Real>&) {
+  const auto isect = surfaces(world_view, ray, first_hit(world_view, ray, active), active);
+  const std::vector<WorldLight>& lights = world_view.world.lights;
+  if (lights.empty() || !any(isect.here)) return {Real(1), Real(1), Real(1)};
   Real lit(0);
-  for (const Lamp& lamp : lamps) {
-    const auto from = scope.from_middle(lamp, seen.at.p);
-    lit = lit + from_place(scope, lamp, from, seen, ray.direction, {}).visible;
+  for (const WorldLight& light : lights) {
+    const auto from = world_view.from_middle(light, isect.at.p);
+    lit = lit + from_place(world_view, light, from, isect, ray.direction, {}).visible;
   }
-  const Real share = select(seen.here, lit / Real(static_cast<float>(lamps.size())), Real(1));
+  const Real share = select(isect.here, lit / Real(static_cast<float>(lights.size())), Real(1));
   return {share, share, share};
 }
 
 // Tests of boxes and surfaces that the ray costs when it goes alone.
 template <>
 template <class Real>
-Vec3<Real> Integrator<IntegratorName::cost>::radiance(WorldScope& scope, const Ray<Real>& ray,
-                                                      Mask<Real> active, const Draws<Real>&) {
+Vec3<Real> Integrator<IntegratorName::cost>::radiance(WorldView& world_view, const Ray<Real>& ray,
+                                                      Mask<Real> active,
+                                                      const SamplerState<Real>&) {
   std::array<LaneOf<Real>, static_cast<std::size_t>(lanes<Real>)> cost{};
-  scope.rays.primary += count(active);
+  world_view.rays.primary += count(active);
   for (unsigned left = bits(active); left != 0; left &= left - 1) {
     const int i = std::countr_zero(left);
     const auto alone = [&](const Vec3<Real>& v) {
       return Vec3f{static_cast<float>(lane(v.x, i)), static_cast<float>(lane(v.y, i)),
                    static_cast<float>(lane(v.z, i))};
     };
-    WorkCounter work([&](std::int64_t portion) { scope.work.test(portion); });
-    closest_hit(scope.world, Ray<float>{alone(ray.origin), alone(ray.direction)}, true, work);
+    WorkCounter work([&](std::int64_t portion) { world_view.work.test(portion); });
+    closest_hit(world_view.world, Ray<float>{alone(ray.origin), alone(ray.direction)}, true, work);
     cost[static_cast<std::size_t>(i)] = static_cast<LaneOf<Real>>(work.tests());
   }
   const Real all = load<Real>(cost.data());

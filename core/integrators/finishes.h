@@ -18,20 +18,20 @@ struct Finishes {
   Real object{};  ///< the number of its object
 
   /// Lanes outside `here` keep what they have, unless it is the first.
-  void take(const Matter& matter, int number, Mask<Real> here, bool first) {
+  void take(const ShadingParameters& shading, int number, Mask<Real> here, bool first) {
     const auto put = [&](auto& to, const auto& from) {
       to = first ? from : select(here, from, to);
     };
     const auto into = [&](Real& to, double from) { put(to, lift<Real>(from)); };
-    put(ambient, lift<Real>(matter.ambient));
-    into(gloss.brilliance, matter.brilliance);
-    into(gloss.specular, matter.specular);
-    into(gloss.exponent, matter.exponent);
-    into(reflection, matter.reflection);
-    into(transmission, matter.transmission);
-    if (matter.fresnel) fresnel = fresnel || here;
-    into(inside.ior, matter.ior);
-    put(inside.absorption, lift<Real>(matter.absorption));
+    put(ambient, lift<Real>(shading.ambient));
+    into(gloss.brilliance, shading.brilliance);
+    into(gloss.specular, shading.specular);
+    into(gloss.exponent, shading.exponent);
+    into(reflection, shading.reflection);
+    into(transmission, shading.transmission);
+    if (shading.fresnel) fresnel = fresnel || here;
+    into(inside.ior, shading.ior);
+    put(inside.absorption, lift<Real>(shading.absorption));
     into(object, number);
   }
 };
@@ -40,15 +40,16 @@ template <class Real>
 Finishes<Real> finishes(const World& world, const Hit<Real>& hit, Mask<Real> active) {
   Finishes<Real> all;
   bool first = true;
-  for_each_winner(hit, active, [&](int part, Mask<Real> here) {
-    all.take(world.matter_of(part), world.part(part).object, here, std::exchange(first, false));
+  for_each_winner(hit, active, [&](int primitive, Mask<Real> here) {
+    all.take(world.shading_of(primitive), world.primitive(primitive).object, here,
+             std::exchange(first, false));
   });
   return all;
 }
 
-/// Ways: where light goes on from a surface, and how much of it.
+/// SpecularSplit: where light goes on from a surface, and how much of it.
 template <class Real>
-struct Ways {
+struct SpecularSplit {
   Real mirror = Real(0), glass = Real(0);  ///< the shares of either way
   Refraction<Real> bent{};                 ///< the way through the glass
   Medium<Real> behind{};                   ///< what that leads into
@@ -57,25 +58,25 @@ struct Ways {
 /// Domain: unit direction and n, direction.n <= 0; `front`: where the ray comes from outside.
 /// Source: the slides; with Fresnel's equations in the place of T where a finish says so.
 template <class Real>
-Ways<Real> ways_on(const Vec3<Real>& direction, const Vec3<Real>& n, const Real& copy,
-                   Mask<Real> here, Mask<Real> front, const Finishes<Real>& finish,
-                   const Interface<Real>* through) {
+SpecularSplit<Real> split_specular(const Vec3<Real>& direction, const Vec3<Real>& n,
+                                   const Real& instance, Mask<Real> here, Mask<Real> front,
+                                   const Finishes<Real>& finish, const Interface<Real>* through) {
   const Real zero(0), one(1);
-  Ways<Real> ways;
-  ways.mirror = select(here, (one - finish.transmission) * finish.reflection, zero);
+  SpecularSplit<Real> split;
+  split.mirror = select(here, (one - finish.transmission) * finish.reflection, zero);
   const Mask<Real> glass = here && finish.transmission > zero;
-  if (!any(glass)) return ways;
+  if (!any(glass)) return split;
   const Medium<Real>& inside = finish.inside;
-  const auto outside = medium_around(through, glass, !front, finish.object, copy);
+  const auto outside = medium_around(through, glass, !front, finish.object, instance);
   const Real before = select(front, outside.ior, inside.ior);
-  ways.behind = {select(front, inside.ior, outside.ior),
-                 select(front, inside.absorption, outside.absorption)};
-  ways.bent = refracted(direction, n, before / ways.behind.ior);
-  const Real mirrored = select(finish.fresnel, fresnel(before, ways.behind.ior, ways.bent),
-                               select(ways.bent.total, one, zero));
-  ways.mirror = ways.mirror + select(glass, finish.transmission * mirrored, zero);
-  ways.glass = select(glass, finish.transmission * (one - mirrored), zero);
-  return ways;
+  split.behind = {select(front, inside.ior, outside.ior),
+                  select(front, inside.absorption, outside.absorption)};
+  split.bent = refracted(direction, n, before / split.behind.ior);
+  const Real mirrored = select(finish.fresnel, fresnel(before, split.behind.ior, split.bent),
+                               select(split.bent.total, one, zero));
+  split.mirror = split.mirror + select(glass, finish.transmission * mirrored, zero);
+  split.glass = select(glass, finish.transmission * (one - mirrored), zero);
+  return split;
 }
 
 }  // namespace tia

@@ -4,7 +4,7 @@
 
 #include <utility>
 
-#include "core/integrators/scope.h"
+#include "core/integrators/world_view.h"
 
 namespace tia {
 
@@ -17,16 +17,16 @@ namespace tia {
 template <IntegratorName name>
 struct Integrator {
   /// Returns: linear RGB, unclamped, or a feature. Lanes that are not active come out meaningless
-  /// and do not count as rays. The draws tell pixels and sample.
+  /// and do not count as rays. The sampler state tells pixels and sample.
   template <class Real>
-  static Vec3<Real> radiance(WorldScope& scope, const Ray<Real>& ray, Mask<Real> active,
-                             const Draws<Real>& draws);
+  static Vec3<Real> radiance(WorldView& world_view, const Ray<Real>& ray, Mask<Real> active,
+                             const SamplerState<Real>& sampler_state);
 };
 
 /// Makes an integrator's radiance() for the three scalars.
-#define TIA_INTEGRATOR_OF(name, Real)                                                           \
-  template Vec3<Real> Integrator<IntegratorName::name>::radiance(WorldScope&, const Ray<Real>&, \
-                                                                 Mask<Real>, const Draws<Real>&);
+#define TIA_INTEGRATOR_OF(name, Real)                             \
+  template Vec3<Real> Integrator<IntegratorName::name>::radiance( \
+      WorldView&, const Ray<Real>&, Mask<Real>, const SamplerState<Real>&);
 #define TIA_INTEGRATOR(name)     \
   TIA_INTEGRATOR_OF(name, Wide)  \
   TIA_INTEGRATOR_OF(name, float) \
@@ -34,15 +34,16 @@ struct Integrator {
 
 /// The radiance() of an integrator by its name.
 template <class Real>
-Vec3<Real> radiance(IntegratorName name, WorldScope& scope, const Ray<Real>& ray, Mask<Real> active,
-                    const Draws<Real>& draws) {
-  using Radiance = Vec3<Real> (*)(WorldScope&, const Ray<Real>&, Mask<Real>, const Draws<Real>&);
+Vec3<Real> radiance(IntegratorName name, WorldView& world_view, const Ray<Real>& ray,
+                    Mask<Real> active, const SamplerState<Real>& sampler_state) {
+  using Radiance =
+      Vec3<Real> (*)(WorldView&, const Ray<Real>&, Mask<Real>, const SamplerState<Real>&);
   static constexpr auto all = []<std::size_t... i>(std::index_sequence<i...>) {
     return std::array<Radiance, sizeof...(i)>{
         &Integrator<integrators[i].name>::template radiance<Real>...};
   }
   (std::make_index_sequence<integrators.size()>());
-  return all[static_cast<std::size_t>(name)](scope, ray, active, draws);
+  return all[static_cast<std::size_t>(name)](world_view, ray, active, sampler_state);
 }
 
 }  // namespace tia

@@ -21,7 +21,7 @@ struct Interface {
   const Interface* before;  ///< null: none
   Mask<Real> here;          ///< the lanes that went through
   Mask<Real> entering;      ///< where they entered the object; else they left it
-  Real object, copy;
+  Real object, instance;
   Medium<Real> inside;
 };
 
@@ -31,22 +31,23 @@ namespace detail {
 /// (or is being left) besides. Null: none.
 template <class Real>
 const Interface<Real>* innermost(const Interface<Real>* last, int i, bool leaving, float object,
-                                 float copy) {
+                                 float instance) {
   struct Left {
-    float object, copy;
+    float object, instance;
   };
   std::array<Left, 72> left;
   std::size_t count = 0;
-  if (leaving) left[count++] = {object, copy};
+  if (leaving) left[count++] = {object, instance};
   for (const Interface<Real>* at = last; at != nullptr; at = at->before) {
     if ((bits(at->here) >> i & 1U) == 0) continue;
-    const Left own{static_cast<float>(lane(at->object, i)), static_cast<float>(lane(at->copy, i))};
+    const Left own{static_cast<float>(lane(at->object, i)),
+                   static_cast<float>(lane(at->instance, i))};
     if ((bits(at->entering) >> i & 1U) == 0) {
       if (count < left.size()) left[count++] = own;
       continue;
     }
     std::size_t k = 0;
-    while (k < count && !(left[k].object == own.object && left[k].copy == own.copy)) ++k;
+    while (k < count && !(left[k].object == own.object && left[k].instance == own.instance)) ++k;
     if (k == count) return at;
     left[k] = left[--count];
   }
@@ -59,7 +60,7 @@ const Interface<Real>* innermost(const Interface<Real>* last, int i, bool leavin
 /// object of this number not counted once where lanes are `leaving` it. Empty space elsewhere.
 template <class Real>
 Medium<Real> medium_around(const Interface<Real>* last, Mask<Real> here, Mask<Real> leaving,
-                           const Real& object, const Real& copy) {
+                           const Real& object, const Real& instance) {
   constexpr auto n = static_cast<std::size_t>(lanes<Real>);
   Medium<Real> medium;
   if (last == nullptr) return medium;
@@ -68,13 +69,13 @@ Medium<Real> medium_around(const Interface<Real>* last, Mask<Real> here, Mask<Re
   for (unsigned left = bits(here); left != 0; left &= left - 1) {
     const int i = std::countr_zero(left);
     const auto at = static_cast<std::size_t>(i);
-    const auto* in =
-        detail::innermost(last, i, (bits(leaving) >> i & 1U) != 0,
-                          static_cast<float>(lane(object, i)), static_cast<float>(lane(copy, i)));
+    const auto* in = detail::innermost(last, i, (bits(leaving) >> i & 1U) != 0,
+                                       static_cast<float>(lane(object, i)),
+                                       static_cast<float>(lane(instance, i)));
     if (in == nullptr) continue;
-    const Real* parts[] = {&in->inside.ior, &in->inside.absorption.x, &in->inside.absorption.y,
-                           &in->inside.absorption.z};
-    for (std::size_t k = 0; k < 4; ++k) found[k][at] = lane(*parts[k], i);
+    const Real* primitives[] = {&in->inside.ior, &in->inside.absorption.x, &in->inside.absorption.y,
+                                &in->inside.absorption.z};
+    for (std::size_t k = 0; k < 4; ++k) found[k][at] = lane(*primitives[k], i);
   }
   return {load<Real>(found[0].data()),
           {load<Real>(found[1].data()), load<Real>(found[2].data()), load<Real>(found[3].data())}};

@@ -15,7 +15,7 @@ Vec3<Real> mirrored(const Vec3<Real>& d, const Vec3<Real>& n) {
 /// Refraction: the way on behind the surface.
 template <class Real>
 struct Refraction {
-  Vec3<Real> way;
+  Vec3<Real> wt;
   Real cos_in, cos_out;  ///< of the angles to the normal on either side
   Mask<Real> total;      ///< where there is no way on: total internal reflection
 };

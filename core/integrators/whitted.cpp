@@ -6,29 +6,32 @@ namespace tia {
 
 template <>
 template <class Real>
-Vec3<Real> Integrator<IntegratorName::whitted>::radiance(WorldScope& scope, const Ray<Real>& ray,
-                                                         Mask<Real> active,
-                                                         const Draws<Real>& draws) {
-  NoNotes notes;
-  return Whitted<WorldScope, Real>(scope, notes).trace(ray, active, Path<Real>{draws});
+Vec3<Real> Integrator<IntegratorName::whitted>::radiance(WorldView& world_view,
+                                                         const Ray<Real>& ray, Mask<Real> active,
+                                                         const SamplerState<Real>& sampler_state) {
+  NoRecorder recorder;
+  return Whitted<WorldView, Real>(world_view, recorder)
+      .trace(ray, active, RayPath<Real>{sampler_state});
 }
 TIA_INTEGRATOR(whitted)
 
-// The same within narrower rules, which the scope has.
+// The same within narrower rules, which the world view has.
 template <>
 template <class Real>
-Vec3<Real> Integrator<IntegratorName::thesis>::radiance(WorldScope& scope, const Ray<Real>& ray,
+Vec3<Real> Integrator<IntegratorName::thesis>::radiance(WorldView& world_view, const Ray<Real>& ray,
                                                         Mask<Real> active,
-                                                        const Draws<Real>& draws) {
-  return Integrator<IntegratorName::whitted>::radiance(scope, ray, active, draws);
+                                                        const SamplerState<Real>& sampler_state) {
+  return Integrator<IntegratorName::whitted>::radiance(world_view, ray, active, sampler_state);
 }
 TIA_INTEGRATOR(thesis)
 
-std::unique_ptr<RayNode> explain_whitted(WorldScope& scope, const Ray<float>& ray,
-                                         const Draws<float>& draws, const NoteLimit& limit) {
-  Notes notes(limit);
-  Whitted<WorldScope, float, Notes>(scope, notes).trace(ray, true, Path<float>{draws});
-  return notes.take();
+std::unique_ptr<RayNode> explain_whitted(WorldView& world_view, const Ray<float>& ray,
+                                         const SamplerState<float>& sampler_state,
+                                         const RayTreeLimit& limit) {
+  RayTreeRecorder recorder(limit);
+  Whitted<WorldView, float, RayTreeRecorder>(world_view, recorder)
+      .trace(ray, true, RayPath<float>{sampler_state});
+  return recorder.take();
 }
 
 }  // namespace tia

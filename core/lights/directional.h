@@ -37,14 +37,14 @@ struct DirectionalLight {
 
 struct DirectionalForm {
   static constexpr bool as_point = false;
-  Constant way;  ///< towards the light, unit
+  Constant wi;  ///< towards the light, unit
 };
 inline DirectionalForm prepare(const DirectionalLight& light) {
   return {unit(*light.direction) * -1.0};
 }
 template <class Real>
 Incoming<Real> incoming(const DirectionalForm& light, const Vec3<Real>&) {
-  return {lift<Real>(light.way), Real(infinity), Real(1)};
+  return {lift<Real>(light.wi), Real(infinity), Real(1)};
 }
 static_assert(LitForm<DirectionalForm>);
 

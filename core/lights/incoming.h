@@ -8,11 +8,11 @@
 namespace tia {
 
 /// Incoming: light that a point gets from one place of a light, if nothing stands between.
-/// Space/units: world space; `way` is unit, towards the light; `distance` to it is infinite where
+/// Space/units: world space; `wi` is unit, towards the light; `distance` to it is infinite where
 /// the light is; `strength` is the kind's own factor on its colour, 0 .. 1.
 template <class Real>
 struct Incoming {
-  Vec3<Real> way;
+  Vec3<Real> wi;
   Real distance, strength;
 };
 

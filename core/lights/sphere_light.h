@@ -40,7 +40,7 @@ struct SphereLight {
   bool waits() const { return !position; }
   std::optional<Vec3d> place() const { return position; }
   void move_to(const Vec3d& to, const Vec3d&) { position = to; }
-  void move_by(const Vec3d& way) { position = *position + way; }
+  void move_by(const Vec3d& wi) { position = *position + wi; }
 };
 
 struct SphereForm {
@@ -71,14 +71,14 @@ Incoming<Real> incoming(const SphereForm& light, const Vec3<Real>& p, const Real
   const DiscPoint<Real> at = square_to_disc(u, v);
   const Real rise = (at.x * at.x + at.y * at.y) * height;
   const Real aside = sqrt(height * (Real(2) - rise));
-  const auto [x, y] = axes_around(middle.way);
-  const Vec3<Real> way =
-      normalize(middle.way * (Real(1) - rise) + x * (at.x * aside) + y * (at.y * aside));
+  const auto [x, y] = axes_around(middle.wi);
+  const Vec3<Real> wi =
+      normalize(middle.wi * (Real(1) - rise) + x * (at.x * aside) + y * (at.y * aside));
   // As far as the near side of the ball; the ball itself never blocks.
-  const Real along = dot(way, middle.way);
+  const Real along = dot(wi, middle.wi);
   const Real reach = square - (Real(1) - along * along);
   const Real near = middle.distance * (along - sqrt(max_of(reach, Real(0))));
-  return {way, select(outside, near, middle.distance), Real(1)};
+  return {wi, select(outside, near, middle.distance), Real(1)};
 }
 static_assert(AreaForm<SphereForm>);
 

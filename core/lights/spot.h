@@ -59,7 +59,7 @@ inline SpotForm prepare(const SpotLight& light) {
 template <class Real>
 Incoming<Real> incoming(const SpotForm& light, const Vec3<Real>& p) {
   Incoming<Real> from = incoming_from(lift<Real>(light.position), p);
-  const Real cosine = -dot(from.way, lift<Real>(light.axis));
+  const Real cosine = -dot(from.wi, lift<Real>(light.axis));
   const Real inner = lift<Real>(light.cos_radius), outer = lift<Real>(light.cos_falloff);
   const Real share = min_of(max_of((cosine - outer) / (inner - outer), Real(0)), Real(1));
   const Real smooth = share * share * (Real(3) - (share + share));

@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "core/input/fields.h"
-#include "core/materials/matter.h"
+#include "core/materials/shading_parameters.h"
 #include "core/materials/texture.h"
 
 namespace tia {
@@ -53,7 +53,7 @@ struct Finish {
 };
 
 /// What it is to shading, its texture left out, in light from everywhere of that linear RGB.
-Matter matter_of(const Finish& finish, const Vec3d& ambient_light);
+ShadingParameters shading_of(const Finish& finish, const Vec3d& ambient_light);
 inline const Texture* texture_of(const Finish& finish) {
   return finish.texture ? &*finish.texture : nullptr;
 }

@@ -11,11 +11,11 @@
 namespace tia {
 
 /// What a kind must bring:
-///   matter_of   what shading needs of it, in light from everywhere of that linear RGB
+///   shading_of   what shading needs of it, in light from everywhere of that linear RGB
 ///   texture_of  what gives its points their colours, null where nothing does
 template <class Kind>
 concept IsMaterial = IsKind<Kind> && requires(const Kind& kind, const Vec3d& ambient_light) {
-  { matter_of(kind, ambient_light) } -> std::same_as<Matter>;
+  { shading_of(kind, ambient_light) } -> std::same_as<ShadingParameters>;
   { texture_of(kind) } -> std::same_as<const Texture*>;
 };
 
@@ -34,8 +34,8 @@ struct Material {
   bool operator==(const Material&) const = default;
 };
 
-inline Matter matter_of(const Material& material, const Vec3d& ambient_light) {
-  return std::visit([&](const auto& kind) { return matter_of(kind, ambient_light); },
+inline ShadingParameters shading_of(const Material& material, const Vec3d& ambient_light) {
+  return std::visit([&](const auto& kind) { return shading_of(kind, ambient_light); },
                     material.kind);
 }
 inline const Texture* texture_of(const Material& material) {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/input/codec.h"
-#include "core/input/placement.h"
+#include "core/input/transform_steps.h"
 #include "core/math/heap.h"
 #include "core/shapes/crossing.h"
 
@@ -15,7 +15,7 @@ namespace tia {
 /// of which the surface shows a part. Space/units: scene units, object space.
 struct Pattern {
   double scale = 1;
-  Placement transform;
+  TransformSteps transform;
 
   template <class Visitor>
   static void fields(Visitor&& visit) {

@@ -53,13 +53,13 @@ struct RootRay {
   static P near_inverse(const P& a) { return a * (P(3) - (a + a)); }
 };
 
-/// Hit: the nearest crossing so far; t is infinite where there is none. `part` is an index into the
-/// world, `element` numbers the part's faces or triangles, `copy` the copies of repeated groups;
-/// each is kept in a lane of the scalar, exact up to 2^24.
+/// Hit: the nearest crossing so far; t is infinite where there is none. `primitive` is an index
+/// into the world, `element` numbers the primitive's faces or triangles, `instance` the instances
+/// of repeated groups; each is kept in a lane of the scalar, exact up to 2^24.
 template <class Real>
 struct Hit {
   Real t = Real(infinity);
-  Real part = Real(-1), element = Real(0), copy = Real(0);
+  Real primitive = Real(-1), element = Real(0), instance = Real(0);
 };
 
 }  // namespace tia

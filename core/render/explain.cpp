@@ -9,20 +9,22 @@ namespace tia {
 namespace {
 
 std::unique_ptr<RayNode> tree_of(const World& world, const Ray<float>& ray,
-                                 const Draws<float>& draws, const RenderOptions& options,
-                                 ExplanationSize& size, const std::stop_token& stop) {
+                                 const SamplerState<float>& sampler_state,
+                                 const RenderOptions& options, ExplanationSize& size,
+                                 const std::stop_token& stop) {
   RayMeter meter(options.max_rays, options.max_work, stop);
-  WorldScope scope{world, WorkCounter([&](std::int64_t work) { meter.add_work(work); }),
-                   rules_of(options.integrator, options.max_depth)};
-  const NoteLimit limit{[&](const Hit<float>& hit) { size.ray(hit); },
-                        [&](TermName name, const LampNote& light) { size.term(name, light); }};
-  return explain_whitted(scope, ray, draws, limit);
+  WorldView world_view{world, WorkCounter([&](std::int64_t work) { meter.add_work(work); }),
+                       rules_of(options.integrator, options.max_depth)};
+  const RayTreeLimit limit{
+      [&](const Hit<float>& hit) { size.ray(hit); },
+      [&](TermName name, const LightRecord& light) { size.term(name, light); }};
+  return explain_whitted(world_view, ray, sampler_state, limit);
 }
 
 // What the ray meets, in double, and the tree of `rounded`, which is the same in float, in the
 // world.
 void explain_rays(Explanation& all, const Scene& scene, const Ray<float>& rounded,
-                  const Draws<float>& draws, const RenderOptions& options,
+                  const SamplerState<float>& sampler_state, const RenderOptions& options,
                   const std::stop_token& stop) {
   ExplanationSize size(all.world, all.labels);
   const Vec3d& origin = all.world.origin;
@@ -31,7 +33,7 @@ void explain_rays(Explanation& all, const Scene& scene, const Ray<float>& rounde
     each.point = each.point + origin;
     size.hit(each);
   }
-  all.tree = tree_of(all.world, rounded, draws, options, size, stop);
+  all.tree = tree_of(all.world, rounded, sampler_state, options, size, stop);
   all.pointers = object_pointers(scene, size.objects());
   all.most_bytes = size.bytes();
 }
@@ -43,7 +45,7 @@ Explanation explain(const Scene& scene, World world, const Ray<double>& ray,
   Explanation all{std::move(world), object_labels(scene), {}, ray, {}, {}};
   const Ray<float> rounded{lift<float>(ray.origin - all.world.origin),
                            normalize(lift<float>(ray.direction))};
-  explain_rays(all, scene, rounded, Draws<float>{}, options, stop);
+  explain_rays(all, scene, rounded, SamplerState<float>{}, options, stop);
   return all;
 }
 
@@ -66,11 +68,11 @@ Explanation explain(const Scene& scene, World world, const View& view, int x, in
   const Vec2d raster{x + 0.5 + aim.dx, y + 0.5 + aim.dy};
   const Vec2d ndc{raster.u / view.width, raster.v / view.height};
   all.pixel = {x, y, sample, raster, ndc, {2 * ndc.u - 1, 1 - 2 * ndc.v}};
-  const Draws<float> draws{{static_cast<std::uint32_t>(x)},
-                           {static_cast<std::uint32_t>(y)},
-                           static_cast<std::uint32_t>(sample),
-                           sampler.key()};
-  explain_rays(all, scene, rounded, draws, options, stop);
+  const SamplerState<float> sampler_state{{static_cast<std::uint32_t>(x)},
+                                          {static_cast<std::uint32_t>(y)},
+                                          static_cast<std::uint32_t>(sample),
+                                          sampler.key()};
+  explain_rays(all, scene, rounded, sampler_state, options, stop);
   return all;
 }
 

@@ -9,7 +9,7 @@
 
 #include "core/accel/world/all_hits.h"
 #include "core/input/codec.h"
-#include "core/integrators/notes.h"
+#include "core/integrators/ray_tree.h"
 #include "core/render/explanation_size.h"
 #include "core/render/render.h"
 #include "core/scene/labels.h"

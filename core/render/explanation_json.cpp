@@ -1,5 +1,5 @@
 // An explanation as JSON.
-#include "core/input/written.h"
+#include "core/input/object_schema.h"
 #include "core/render/explain.h"
 
 namespace tia {
@@ -18,16 +18,16 @@ class Writer {
   Value::Array hits() const {
     Value::Array hits;
     for (const Meeting& at : all_.hits) {
-      const ObjectLabel& object = label_of(at.part);
+      const ObjectLabel& object = label_of(at.primitive);
       Value::Object hit{{"t", at.t},
                         {"object", object.name},
-                        {"id", id_of(at.part)},
+                        {"id", id_of(at.primitive)},
                         {"type", object.type},
                         {"point", write_value(at.point)},
                         {"normal", write_value(at.normal)},
                         {"uv", Value::Array{at.uv.u, at.uv.v}},
                         {"front", at.front}};
-      add_copy(hit, "copy", at.part, at.copy);
+      add_copy(hit, "copy", at.primitive, at.instance);
       if (at.bracket) hit.emplace_back("root", root(*at.bracket));
       hits.push_back(std::move(hit));
     }
@@ -52,10 +52,11 @@ class Writer {
     object.emplace_back(
         "ray", ray_value(in_scene(node.ray.origin), static_cast<Vec3d>(node.ray.direction)));
     object.emplace_back("depth", node.depth);
-    object.emplace_back("winner", hit ? Value(label_of(part_of(node.hit)).name) : Value());
+    object.emplace_back("winner", hit ? Value(label_of(primitive_of(node.hit)).name) : Value());
     if (hit) {
-      object.emplace_back("winner_id", id_of(part_of(node.hit)));
-      add_copy(object, "winner_copy", part_of(node.hit), static_cast<std::int64_t>(node.hit.copy));
+      object.emplace_back("winner_id", id_of(primitive_of(node.hit)));
+      add_copy(object, "winner_copy", primitive_of(node.hit),
+               static_cast<std::int64_t>(node.hit.instance));
     }
     object.emplace_back("terms", std::move(terms));
     object.emplace_back("color", triple(node.color));
@@ -78,53 +79,56 @@ class Writer {
   }
   // A point of the world where the scene has it.
   Vec3d in_scene(const Vec3f& p) const { return static_cast<Vec3d>(p) + all_.world.origin; }
-  static int part_of(const Hit<float>& hit) { return static_cast<int>(hit.part); }
-  const ObjectLabel& label_of(int part) const {
-    return all_.labels[static_cast<std::size_t>(all_.world.part(part).object)];
+  static int primitive_of(const Hit<float>& hit) { return static_cast<int>(hit.primitive); }
+  const ObjectLabel& label_of(int primitive) const {
+    return all_.labels[static_cast<std::size_t>(all_.world.primitive(primitive).object)];
   }
   // The number in the image of the integrator `object`.
-  int id_of(int part) const { return all_.world.part(part).object + 1; }
-  // Which copy of a part, where groups around it are repeated.
-  void add_copy(Value::Object& to, const char* name, int part, std::int64_t copy) const {
-    const Geometry& geometry = all_.world.geometry_of(part);
+  int id_of(int primitive) const { return all_.world.primitive(primitive).object + 1; }
+  // Which copy of a primitive, where groups around it are repeated.
+  void add_copy(Value::Object& to, const char* name, int primitive, std::int64_t copy) const {
+    const Geometry& geometry = all_.world.geometry_of(primitive);
     Value::Array groups;
-    for (const auto& [i, j, k] : copies_around(geometry, geometry.part(part).space, copy))
+    for (const auto& [i, j, k] :
+         instances_around(geometry, geometry.primitive(primitive).space, copy))
       groups.push_back(Value::Array{i, j, k});
     if (!groups.empty()) to.emplace_back(name, std::move(groups));
   }
-  std::string lamp_name(const Lamp& lamp) const {
-    if (lamp.part >= 0) return label_of(lamp.part).name;
-    return lamp.name;
+  std::string light_name(const WorldLight& light) const {
+    if (light.primitive >= 0) return label_of(light.primitive).name;
+    return light.name;
   }
 
   Value::Object term(const Term& term) const {
     Value::Object object{
         {"name", name_of(term.name)}, {"weight", term.weight}, {"value", triple(term.value)}};
-    if (term.light.lamp >= 0) add_light(term.light, object);
+    if (term.light.light >= 0) add_light(term.light, object);
     if (term.node) object.emplace_back("node", node(*term.node));
     return object;
   }
-  void add_light(const LampNote& note, Value::Object& object) const {
-    const Lamp& lamp = all_.world.lamps[static_cast<std::size_t>(note.lamp)];
-    object.emplace_back("light", lamp_name(lamp));
-    if (lamp.part >= 0) {
-      object.emplace_back("light_id", id_of(lamp.part));
-      add_copy(object, "light_copy", lamp.part, lamp.copy);
+  void add_light(const LightRecord& record, Value::Object& object) const {
+    const WorldLight& light = all_.world.lights[static_cast<std::size_t>(record.light)];
+    object.emplace_back("light", light_name(light));
+    if (light.primitive >= 0) {
+      object.emplace_back("light_id", id_of(light.primitive));
+      add_copy(object, "light_copy", light.primitive, light.instance);
     }
     // A directional light's is infinite, which JSON has no number for.
     object.emplace_back("distance",
-                        note.from.distance < infinity ? Value(note.from.distance) : Value());
-    object.emplace_back("direction", triple(note.from.way));
-    object.emplace_back("n_dot_l", note.n_dot_l);
-    object.emplace_back("visible", note.visible);
-    object.emplace_back("fade", note.fade * note.from.strength);
-    if (!note.blocker) return;
-    object.emplace_back("blocker", name_of_part(*note.blocker));
-    if (*note.blocker < 0) return;
-    object.emplace_back("blocker_id", id_of(*note.blocker));
-    add_copy(object, "blocker_copy", *note.blocker, note.blocker_copy);
+                        record.from.distance < infinity ? Value(record.from.distance) : Value());
+    object.emplace_back("direction", triple(record.from.wi));
+    object.emplace_back("n_dot_l", record.n_dot_l);
+    object.emplace_back("visible", record.visible);
+    object.emplace_back("fade", record.fade * record.from.strength);
+    if (!record.blocker) return;
+    object.emplace_back("blocker", name_of_primitive(*record.blocker));
+    if (*record.blocker < 0) return;
+    object.emplace_back("blocker_id", id_of(*record.blocker));
+    add_copy(object, "blocker_copy", *record.blocker, record.blocker_instance);
   }
-  Value name_of_part(int part) const { return part < 0 ? Value() : Value(label_of(part).name); }
+  Value name_of_primitive(int primitive) const {
+    return primitive < 0 ? Value() : Value(label_of(primitive).name);
+  }
 
   const Explanation& all_;
 };

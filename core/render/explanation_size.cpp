@@ -23,42 +23,43 @@ void ExplanationSize::take(std::size_t bytes, const char* pointer, const char* r
 }
 
 // Of the member that tells which copy it is.
-std::size_t ExplanationSize::copy_bytes(int part) const {
+std::size_t ExplanationSize::copy_bytes(int primitive) const {
   constexpr std::size_t member = 20, group = 30;  // "blocker_copy":[], and [16777215, three times
-  const Geometry& geometry = world_.geometry_of(part);
-  const std::size_t groups = copies_around(geometry, geometry.part(part).space, 0).size();
+  const Geometry& geometry = world_.geometry_of(primitive);
+  const std::size_t groups =
+      instances_around(geometry, geometry.primitive(primitive).space, 0).size();
   return groups == 0 ? 0 : member + groups * group;
 }
 
-std::size_t ExplanationSize::naming(int part) {
-  if (part < 0) return std::string_view("null").size();
-  const int object = world_.part(part).object;
+std::size_t ExplanationSize::naming(int primitive) {
+  if (primitive < 0) return std::string_view("null").size();
+  const int object = world_.primitive(primitive).object;
   const std::string& name = labels_[static_cast<std::size_t>(object)].name;
-  const std::size_t bytes = text_bytes(name) + copy_bytes(part);
+  const std::size_t bytes = text_bytes(name) + copy_bytes(primitive);
   if (!objects_.insert(object).second) return bytes + id_member;
   constexpr std::size_t longest_pointer = 512;  // (Fault)
   return 2 * bytes + id_member + object_frame + longest_pointer;
 }
 
 void ExplanationSize::hit(const Meeting& at) {
-  std::size_t bytes = hit_frame + number + 2 * three + 2 * number + naming(at.part);
+  std::size_t bytes = hit_frame + number + 2 * three + 2 * number + naming(at.primitive);
   if (at.bracket) bytes += bracket_frame + 3 * number + text_bytes(at.bracket->how);
   take(bytes, "", "this ray crosses too many surfaces for one");
 }
 
 void ExplanationSize::ray(const Hit<float>& hit) {
-  const std::size_t bytes =
-      ray_frame + 6 * three + number + naming(hit.t < infinity ? static_cast<int>(hit.part) : -1);
+  const std::size_t bytes = ray_frame + 6 * three + number +
+                            naming(hit.t < infinity ? static_cast<int>(hit.primitive) : -1);
   take(bytes, "/max_depth", "a lower max_depth makes fewer mirrored and refracted rays");
 }
 
-void ExplanationSize::term(TermName, const LampNote& light) {
+void ExplanationSize::term(TermName, const LightRecord& record) {
   std::size_t bytes = term_frame + number + three;
-  if (light.lamp >= 0) {
-    const Lamp& lamp = world_.lamps[static_cast<std::size_t>(light.lamp)];
+  if (record.light >= 0) {
+    const WorldLight& light = world_.lights[static_cast<std::size_t>(record.light)];
     bytes += light_frame + 4 * number + three;
-    bytes += lamp.part >= 0 ? naming(lamp.part) : text_bytes(lamp.name);
-    if (light.blocker) bytes += naming(*light.blocker);
+    bytes += light.primitive >= 0 ? naming(light.primitive) : text_bytes(light.name);
+    if (record.blocker) bytes += naming(*record.blocker);
   }
   take(bytes, "/max_depth", "fewer lights, or a lower max_depth, make fewer terms");
 }

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/accel/world/all_hits.h"
-#include "core/integrators/notes.h"
+#include "core/integrators/ray_tree.h"
 #include "core/scene/labels.h"
 
 namespace tia {
@@ -25,7 +25,7 @@ class ExplanationSize {
 
   void hit(const Meeting& at);
   void ray(const Hit<float>& hit);
-  void term(TermName name, const LampNote& light);
+  void term(TermName name, const LightRecord& record);
 
   std::size_t bytes() const { return bytes_; }
   /// The numbers of all objects that are told of.
@@ -33,9 +33,9 @@ class ExplanationSize {
 
  private:
   void take(std::size_t bytes, const char* pointer, const char* remedy);
-  // Of the member that names a part's object, and, the first time, of the object's entry.
-  std::size_t naming(int part);
-  std::size_t copy_bytes(int part) const;
+  // Of the member that names a primitive's object, and, the first time, of the object's entry.
+  std::size_t naming(int primitive);
+  std::size_t copy_bytes(int primitive) const;
 
   const World& world_;
   const std::vector<ObjectLabel>& labels_;

@@ -7,11 +7,11 @@
 #include <stop_token>
 #include <utility>
 
-#include "core/integrators/scope.h"
+#include "core/integrators/world_view.h"
 
 namespace tia {
 
-/// RayCounts: exact numbers of rays by kind; a shadow ray for each lamp and hit with n.l > 0.
+/// RayCounts: exact numbers of rays by kind; a shadow ray for each light and hit with n.l > 0.
 struct RayCounts {
   std::int64_t primary = 0, shadow = 0, reflection = 0, refraction = 0;
   bool operator==(const RayCounts&) const = default;

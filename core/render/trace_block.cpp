@@ -6,23 +6,25 @@
 
 #include "core/integrators/integrator.h"
 #include "core/integrators/whitted.h"
-#include "core/render/patch.h"
+#include "core/render/pixel_tile.h"
 
 namespace tia {
 namespace {
 
-// One block's rays through a scope.
-template <class Real, class Scope>
+// One block's rays through a world view.
+template <class Real, class AnyWorldView>
 class Tracer {
  public:
   Tracer(const Shot& shot, int x0, int y0, const Block& block)
-      : eye(shot.view), shot_(shot), scope_{scope_of(shot, x0, y0, block)} {}
+      : eye(shot.view), shot_(shot), world_view_{scope_of(shot, x0, y0, block)} {}
 
-  Vec3<Real> light(const Ray<Real>& ray, Mask<Real> active, const Draws<Real>& draws) {
-    if constexpr (std::is_same_v<Scope, BallScope>) return whitted(scope_, ray, active, draws);
-    else return radiance(shot_.integrator, scope_, ray, active, draws);
+  Vec3<Real> light(const Ray<Real>& ray, Mask<Real> active,
+                   const SamplerState<Real>& sampler_state) {
+    if constexpr (std::is_same_v<AnyWorldView, FewBallsView>)
+      return whitted(world_view_, ray, active, sampler_state);
+    else return radiance(shot_.integrator, world_view_, ray, active, sampler_state);
   }
-  RayTally& rays() { return scope_.rays; }
+  RayTally& rays() { return world_view_.rays; }
 
   Eye<Real> eye;
 
@@ -32,8 +34,8 @@ class Tracer {
     shot_.meter.add_work(work);
     shot_.meter.add(rays());
   }
-  Scope scope_of(const Shot& shot, int x0, int y0, const Block& block) {
-    if constexpr (std::is_same_v<Scope, BallScope>) {
+  AnyWorldView scope_of(const Shot& shot, int x0, int y0, const Block& block) {
+    if constexpr (std::is_same_v<AnyWorldView, FewBallsView>) {
       const Beam beam(shot.view, x0, y0, x0 + block.width, y0 + block.height);
       return {shot.world, candidates(shot.world, beam)};
     } else {
@@ -43,38 +45,39 @@ class Tracer {
   }
 
   const Shot& shot_;
-  Scope scope_;
+  AnyWorldView world_view_;
 };
 
 // ---- one ray a pixel of a perspective view: what most pictures are -----------------------------
 
-template <class Real, class Scope>
+template <class Real, class AnyWorldView>
 [[gnu::flatten]] void trace_centers(const Shot& shot, int x0, int y0, Block& block) {
-  using Patch = tia::Patch<Real>;
-  constexpr bool draws_much = std::is_same_v<Scope, WorldScope>;
-  Draws<Real> draws;
-  draws.key = shot.sampler.key();
-  Tracer<Real, Scope> tracer(shot, x0, y0, block);
+  using PixelTile = tia::PixelTile<Real>;
+  constexpr bool draws_much = std::is_same_v<AnyWorldView, WorldView>;
+  SamplerState<Real> sampler_state;
+  sampler_state.key = shot.sampler.key();
+  Tracer<Real, AnyWorldView> tracer(shot, x0, y0, block);
   const Vec3<Real> origin = lift<Real>(shot.view.origin);
-  const Real column_of = Patch::column(), row_of = Patch::row();
+  const Real column_of = PixelTile::column(), row_of = PixelTile::row();
   const auto number = [](int i) { return Real(static_cast<float>(i)); };
-  std::array<Vec3<Real>, Block::size / Patch::width> columns;
-  for (int x = 0; x < block.width; x += Patch::width)
-    columns[static_cast<std::size_t>(x / Patch::width)] =
+  std::array<Vec3<Real>, Block::size / PixelTile::width> columns;
+  for (int x = 0; x < block.width; x += PixelTile::width)
+    columns[static_cast<std::size_t>(x / PixelTile::width)] =
         shot.view.column(number(x0 + x) + column_of);
 
-  for (int y = 0; y < block.height; y += Patch::height) {
+  for (int y = 0; y < block.height; y += PixelTile::height) {
     const Vec3<Real> row = shot.view.row(number(y0 + y) + row_of);
     const Mask<Real> rows = row_of < number(block.height - y);
-    for (int x = 0; x < block.width; x += Patch::width) {
-      const Vec3<Real>& column = columns[static_cast<std::size_t>(x / Patch::width)];
+    for (int x = 0; x < block.width; x += PixelTile::width) {
+      const Vec3<Real>& column = columns[static_cast<std::size_t>(x / PixelTile::width)];
       const Mask<Real> active = rows && column_of < number(block.width - x);
-      if constexpr (draws_much) Patch::number(x0 + x, y0 + y, draws);
-      const Vec3<Real> light = tracer.light({origin, normalize(column + row)}, active, draws);
+      if constexpr (draws_much) PixelTile::number(x0 + x, y0 + y, sampler_state);
+      const Vec3<Real> light =
+          tracer.light({origin, normalize(column + row)}, active, sampler_state);
       const auto i = static_cast<std::size_t>(y * Block::size + x);
-      Patch::store(light.x, &block.r[i]);
-      Patch::store(light.y, &block.g[i]);
-      Patch::store(light.z, &block.b[i]);
+      PixelTile::store(light.x, &block.r[i]);
+      PixelTile::store(light.y, &block.g[i]);
+      PixelTile::store(light.z, &block.b[i]);
     }
   }
   shot.meter.add(tracer.rays());
@@ -153,19 +156,19 @@ Vec3<Real> clamped(const Vec3<Real>& v) {
   return {clamp(v.x), clamp(v.y), clamp(v.z)};
 }
 
-template <class Real, class Scope>
-[[gnu::flatten]] void trace_round(const Shot& shot, int round, Tracer<Real, Scope>& tracer,
+template <class Real, class AnyWorldView>
+[[gnu::flatten]] void trace_round(const Shot& shot, int round, Tracer<Real, AnyWorldView>& tracer,
                                   const Pixels<Real>& pixels) {
   Aims<Real> aims(shot.sampler, round, pixels.x, pixels.y, shot.view.has_lens());
   const Vec3<Real> center = pixels.center(shot.view);
   const Mask<Real> active = pixels.active();
   const int count = shot.sampler.strata(round).count();
   Vec3<Real> first = pixels.first();
-  Draws<Real> draws{pixels.x, pixels.y, 0, shot.sampler.key()};
+  SamplerState<Real> sampler_state{pixels.x, pixels.y, 0, shot.sampler.key()};
   Sums<Real> sums;
   for (int i = 0; i < count; ++i) {
-    draws.sample = static_cast<std::uint32_t>(shot.sampler.before(round) + i);
-    const Vec3<Real> light = tracer.light(tracer.eye.ray(center, aims(i)), active, draws);
+    sampler_state.sample = static_cast<std::uint32_t>(shot.sampler.before(round) + i);
+    const Vec3<Real> light = tracer.light(tracer.eye.ray(center, aims(i)), active, sampler_state);
     sums.add(light);
     if (shot.sampler.adaptive()) {
       const Vec3<Real> shown = clamped(light);
@@ -200,7 +203,7 @@ void develop(const std::vector<Estimate>& estimates, Block& block) {
 // The block's pixels, patch by patch.
 template <class Real>
 std::vector<int> in_patches(const Block& block) {
-  constexpr int w = Patch<Real>::width, h = Patch<Real>::height;
+  constexpr int w = PixelTile<Real>::width, h = PixelTile<Real>::height;
   std::vector<int> pixels(static_cast<std::size_t>(block.width * block.height));
   std::iota(pixels.begin(), pixels.end(), 0);
   const auto place = [&](int pixel) {
@@ -211,9 +214,9 @@ std::vector<int> in_patches(const Block& block) {
   return pixels;
 }
 
-template <class Real, class Scope>
+template <class Real, class AnyWorldView>
 void trace_samples(const Shot& shot, int x0, int y0, Block& block) {
-  Tracer<Real, Scope> tracer(shot, x0, y0, block);
+  Tracer<Real, AnyWorldView> tracer(shot, x0, y0, block);
   std::vector<Estimate> estimates(static_cast<std::size_t>(block.width * block.height));
   std::vector<int> unsettled = in_patches<Real>(block);
   for (int round = 0; round < shot.sampler.rounds() && !unsettled.empty(); ++round) {
@@ -236,19 +239,19 @@ void trace_samples(const Shot& shot, int x0, int y0, Block& block) {
   develop(estimates, block);
 }
 
-template <class Real, class Scope>
+template <class Real, class AnyWorldView>
 void trace(const Shot& shot, int x0, int y0, Block& block) {
   if (shot.sampler.centered() && !shot.view.orthographic())
-    trace_centers<Real, Scope>(shot, x0, y0, block);
-  else trace_samples<Real, Scope>(shot, x0, y0, block);
+    trace_centers<Real, AnyWorldView>(shot, x0, y0, block);
+  else trace_samples<Real, AnyWorldView>(shot, x0, y0, block);
 }
 
 // The thesis' pictures have few plain balls and want to be fast.
 template <class Real>
 void trace(const Shot& shot, int x0, int y0, Block& block) {
   if (shot.world.few_balls && row_of(shot.integrator).is_whitted)
-    trace<Real, BallScope>(shot, x0, y0, block);
-  else trace<Real, WorldScope>(shot, x0, y0, block);
+    trace<Real, FewBallsView>(shot, x0, y0, block);
+  else trace<Real, WorldView>(shot, x0, y0, block);
 }
 
 }  // namespace

@@ -31,8 +31,8 @@ struct IntegratorRow {
   std::string_view text;  ///< its name in JSON
   const char* about;      ///< a sentence, for people
   Gathers gathers = Gathers::light;
-  Shown shown = Shown::light;  ///< what its numbers mean to the eye
-  bool averages = true;        ///< whether a pixel may have the mean of several rays' numbers
+  FeatureDisplay display = FeatureDisplay::light;  ///< what its numbers mean to the eye
+  bool averages = true;  ///< whether a pixel may have the mean of several rays' numbers
   /// Whether it is whitted, within `most`: then /explain tells its tree of rays, and a few plain
   /// balls are traced in registers.
   bool is_whitted = false;
@@ -58,12 +58,12 @@ inline constexpr std::array integrators = std::to_array<IntegratorRow>({
      .text = "normal",
      .about = "which way the surface faces: the shading normal, towards the viewer",
      .gathers = Gathers::features,
-     .shown = Shown::normal},
+     .display = FeatureDisplay::normal},
     {.name = IntegratorName::depth,
      .text = "depth",
      .about = "how far away the surface is along the ray",
      .gathers = Gathers::features,
-     .shown = Shown::depth},
+     .display = FeatureDisplay::depth},
     {.name = IntegratorName::albedo,
      .text = "albedo",
      .about = "the surface's colour times what it scatters, without light or shadow",
@@ -72,18 +72,18 @@ inline constexpr std::array integrators = std::to_array<IntegratorRow>({
      .text = "object",
      .about = "the number of the object in the scene, from 1",
      .gathers = Gathers::features,
-     .shown = Shown::number,
+     .display = FeatureDisplay::number,
      .averages = false},
     {.name = IntegratorName::shadow,
      .text = "shadow",
      .about = "the share of the lamps that the surface sees",
      .gathers = Gathers::features,
-     .shown = Shown::share},
+     .display = FeatureDisplay::share},
     {.name = IntegratorName::cost,
      .text = "cost",
      .about = "how many tests of boxes and surfaces the ray takes",
      .gathers = Gathers::features,
-     .shown = Shown::cost},
+     .display = FeatureDisplay::cost},
 });
 
 constexpr const IntegratorRow& row_of(IntegratorName name) {
@@ -114,7 +114,7 @@ struct Codec<IntegratorName> : NamesCodec<IntegratorName> {
 };
 
 /// How an integrator's numbers are shown, and whether a pixel's may be averaged.
-constexpr Shown shown(IntegratorName name) { return row_of(name).shown; }
+constexpr FeatureDisplay display_of(IntegratorName name) { return row_of(name).display; }
 constexpr bool averages(IntegratorName name) { return row_of(name).averages; }
 /// Whether it gathers light, else numbers of the surfaces.
 constexpr bool gathers_light(IntegratorName name) { return row_of(name).gathers_light(); }

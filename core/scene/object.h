@@ -9,7 +9,7 @@
 
 #include "core/input/boxed.h"
 #include "core/input/codec.h"
-#include "core/input/placement.h"
+#include "core/input/transform_steps.h"
 #include "core/materials/material.h"
 #include "core/shapes/shape.h"
 
@@ -22,7 +22,7 @@ struct Object {
   static constexpr std::string_view schema_name = "object";
   std::string name;
   Shape shape;
-  Placement transform;
+  TransformSteps transform;
   std::optional<MaterialRef> material;
   std::vector<MaterialRef> materials{};  ///< those that the shape's own numbers mean, from 1 on
 

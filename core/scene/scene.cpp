@@ -46,7 +46,7 @@ class TreeCheck {
       if (found == scene_.materials.end()) return false;
       own = &found->second;
     }
-    return tia::emits(matter_of(*own, {}).emission.exact);
+    return tia::emits(shading_of(*own, {}).emission.exact);
   }
 
   void check(const Object& object, const Inherited& own, const Place& at) {

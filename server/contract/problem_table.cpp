@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "core/input/written.h"
+#include "core/input/object_schema.h"
 
 namespace tia::server {
 namespace {

@@ -1,5 +1,5 @@
 // What operators ask: /healthz, /readyz, /version, /metrics.
-#include "core/input/written.h"
+#include "core/input/object_schema.h"
 #include "core/math/wide.h"
 #include "core/version.h"
 #include "server/handlers/handlers.h"

@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "core/input/written.h"
+#include "core/input/object_schema.h"
 #include "core/scene/keys.h"
 #include "core/scene/read_scene.h"
 #include "server/contract/parameters.h"

@@ -2,7 +2,7 @@
 #include <optional>
 
 #include "core/input/json.h"
-#include "core/input/written.h"
+#include "core/input/object_schema.h"
 #include "core/version.h"
 #include "server/contract/parameters.h"
 #include "server/handlers/bodies.h"

@@ -1,6 +1,6 @@
 #include "server/requests/camera_patch.h"
 
-#include "core/input/written.h"
+#include "core/input/object_schema.h"
 
 namespace tia {
 namespace {

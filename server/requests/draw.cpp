@@ -36,7 +36,7 @@ Plan plan_of(const PictureRequest& asked, const Studio& studio, const Asker& ask
       .view = view_of(scene->camera, asked.width, asked.height),
       .window = window,
       .options = options,
-      .display = {shown(options.integrator), asked.transfer.value_or(scene->options.transfer)},
+      .display = {display_of(options.integrator), asked.transfer.value_or(scene->options.transfer)},
       .format = asked.format};
   in_turn([&] { plan.recipe = recipe_of(asked, plan); });
   return plan;

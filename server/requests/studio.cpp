@@ -1,6 +1,6 @@
 #include "server/requests/studio.h"
 
-#include "core/input/written.h"
+#include "core/input/object_schema.h"
 
 namespace tia::server {
 namespace {

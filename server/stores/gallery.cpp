@@ -1,6 +1,6 @@
 #include "server/stores/gallery.h"
 
-#include "core/input/written.h"
+#include "core/input/object_schema.h"
 #include "core/scene/read_scene.h"
 #include "server/stores/assets.h"
 

@@ -66,12 +66,12 @@ std::size_t heap(const Value::Member& member) {
 }
 std::size_t heap(const Value& value) { return heap_of(value.is); }
 std::size_t heap(const SharedValue& value) { return block + sizeof(Value) + heap_of(*value); }
-std::size_t heap(const Placement& placement) { return heap_of(placement.steps); }
+std::size_t heap(const TransformSteps& placement) { return heap_of(placement.steps); }
 template <class T>
 std::size_t heap(const Numbers<T>& numbers) {
   return heap_of(numbers.values);
 }
-std::size_t heap(const Occupied& occupied) { return heap_of(occupied.numbers); }
+std::size_t heap(const VoxelList& occupied) { return heap_of(occupied.numbers); }
 std::size_t heap(const PictureFile& file) {
   return heap_of(file.base64) +
          (file.pixels ? 2 * block + sizeof(Image8) + heap_of(file.pixels->rgb) : 0);

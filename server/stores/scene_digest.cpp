@@ -44,12 +44,12 @@ class Digester {
   void add(const Color& c) { add(c.r), add(c.g), add(c.b); }
   void add(const MatrixRows& rows) { add(rows.row); }
   void add(const AlgebraicTerm& term) { add(term.powers), add(term.coefficient); }
-  void add(const Occupied& occupied) {
+  void add(const VoxelList& occupied) {
     add(occupied.width);
     add(occupied.numbers.size());
     add(occupied.numbers.data(), occupied.numbers.size() * sizeof(occupied.numbers[0]));
   }
-  void add(const Placement& placement) { add(placement.steps); }
+  void add(const TransformSteps& placement) { add(placement.steps); }
   void add(const PictureFile& file) { add(file.base64); }  // what its pixels come from
   void add(const std::string& text) {
     add(text.size());

@@ -45,17 +45,17 @@ inline Vec3f trace(const Vec3f& origin, const Vec3f& direction, const std::vecto
   const Vec3f p = origin + direction * nearest;
   const Vec3f n = normalize(p - hit->center);
   Vec3f light{};
-  for (const Ball& lamp : balls) {
-    if (lamp.emission.x <= 0) continue;
-    const Vec3f l = normalize(lamp.center - p);
+  for (const Ball& light : balls) {
+    if (light.emission.x <= 0) continue;
+    const Vec3f l = normalize(light.center - p);
     bool lit = true;
     for (const Ball& ball : balls) {
       float t0 = 0, t1 = 0;
-      if (&ball == &lamp || !ball.intersect(p + n * 1e-4F, l, t0, t1)) continue;
+      if (&ball == &light || !ball.intersect(p + n * 1e-4F, l, t0, t1)) continue;
       lit = false;
       break;
     }
-    if (lit) light = light + hit->color * lamp.emission * std::max(0.0F, dot(n, l));
+    if (lit) light = light + hit->color * light.emission * std::max(0.0F, dot(n, l));
   }
   return light + hit->emission;
 }

@@ -73,7 +73,7 @@ void index_trace(State& state) {
     const Ray<Real> ray{vector_at<Real>(rays.origin, i), vector_at<Real>(rays.direction, i)};
     if constexpr (kind == RayKind::shadow)
       benchmark::DoNotOptimize(occluded<Real>(at.world, ray, load<Real>(&rays.t_max[i]),
-                                              at.world.lamps.front(), active, work));
+                                              at.world.lights.front(), active, work));
     else benchmark::DoNotOptimize(closest_hit<Real>(at.world, ray, active, work));
   }
   state.SetItemsProcessed(traced);

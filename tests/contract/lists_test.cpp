@@ -76,7 +76,7 @@ const Texture* texture_of(const MaterialWithoutMatter&);
 static_assert(!IsMaterial<MaterialWithoutMatter>);
 
 struct MaterialWithoutTexture : Described<MaterialWithoutTexture> {};
-Matter matter_of(const MaterialWithoutTexture&, const Vec3d&);
+ShadingParameters shading_of(const MaterialWithoutTexture&, const Vec3d&);
 static_assert(!IsMaterial<MaterialWithoutTexture>);
 
 struct ColorlessForm {};

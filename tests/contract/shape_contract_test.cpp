@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "core/integrators/scope.h"
+#include "core/integrators/world_view.h"
 #include "tests/contract/formula_specimens.h"
 
 namespace tia {
@@ -199,17 +199,17 @@ TYPED_TEST(ShapeContract, FirstCrossingIsTheLeastOfAllAhead) {
     const World world = this->world_of(shape);
     const Ray<double> ray = this->ray_near(random, S::reach(shape));
     double least = Aabb::far;
-    crossings(world.part(0), ray,
+    crossings(world.primitive(0), ray,
               [&](double t, int) { least = t > 0 ? std::min(least, t) : least; });
-    const double nearest = nearest_crossing(world.part(0), ray, Aabb::far).at.t;
+    const double nearest = nearest_crossing(world.primitive(0), ray, Aabb::far).at.t;
     if (this->rounds_at_start && least < Aabb::far) {
       EXPECT_NEAR(nearest, least, this->rounding(shape, ray, least));
     } else {
       EXPECT_EQ(nearest, least);
     }
     // One at the limit counts: of what is equally far the first in the scene wins.
-    EXPECT_EQ(nearest_crossing(world.part(0), ray, nearest).at.t, nearest);
-    const double beyond = nearest_crossing(world.part(0), ray, nearest / 2).at.t;
+    EXPECT_EQ(nearest_crossing(world.primitive(0), ray, nearest).at.t, nearest);
+    const double beyond = nearest_crossing(world.primitive(0), ray, nearest / 2).at.t;
     EXPECT_TRUE(beyond == nearest || beyond == Aabb::far) << beyond;
     found += least < Aabb::far;
   }
@@ -276,7 +276,7 @@ TYPED_TEST(ShapeContract, SpansAreAscendingPairsAroundTheInside) {
       const World world = this->world_of(shape);
       const Ray<double> ray = this->ray_near(random, S::reach(shape));
       std::vector<double> t;
-      spans(world.part(0), ray, [&](double at, int) { t.push_back(at); });
+      spans(world.primitive(0), ray, [&](double at, int) { t.push_back(at); });
       ASSERT_EQ(t.size() % 2, 0U);
       EXPECT_TRUE(std::is_sorted(t.begin(), t.end()));
       for (std::size_t k = 0; k + 1 < t.size(); k += 2) {

@@ -11,13 +11,13 @@
 #include "core/formulas/parse.h"
 #include "core/input/errors.h"
 #include "core/input/json.h"
-#include "core/input/written.h"
+#include "core/input/object_schema.h"
 #include "core/lights/sphere_light.h"
 #include "core/scene/keys.h"
 #include "core/scene/read_scene.h"
 #include "core/shapes/algebraic/algebraic_term.h"
 #include "core/shapes/mesh/mesh.h"
-#include "core/shapes/voxels/occupied.h"
+#include "core/shapes/voxels/voxel_list.h"
 #include "tests/core/film/files.h"
 
 namespace tia {

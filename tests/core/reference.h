@@ -108,8 +108,8 @@ class Reference {
   void add_light(const Light& light) {
     const Vec3d color = rgb(light.color) * light.intensity;
     if (!light.place()) return;
-    if (const auto* lamp = std::get_if<SphereLight>(&light.kind))
-      add_ball({*lamp->position, lamp->radius, {0, 0, 0}, color});
+    if (const auto* ball = std::get_if<SphereLight>(&light.kind))
+      add_ball({*ball->position, ball->radius, {0, 0, 0}, color});
     else if (color.x > 0 || color.y > 0 || color.z > 0)
       sources_.push_back({*light.place(), color, -1});
   }

@@ -1,4 +1,4 @@
-// The tree of one ray in whitted, and the few scenes that tests of light and matter are made of.
+// The tree of one ray in whitted, and the few scenes that tests of light and shading are made of.
 #pragma once
 
 #include "tests/core/support.h"
@@ -61,7 +61,7 @@ inline Object object(const Shape& shape, const Finish& finish) {
   return is;
 }
 
-inline Light lamp_of(const decltype(Light::kind)& kind, const Color& color = {1, 1, 1}) {
+inline Light light_of(const decltype(Light::kind)& kind, const Color& color = {1, 1, 1}) {
   Light light;
   light.kind = kind;
   light.color = color;

@@ -13,8 +13,8 @@ template <class Real>
 struct LongestAxis {
   Mask<Real> x, y;
 
-  explicit LongestAxis(const Vec3<Real>& way) {
-    const Real a = abs_of(way.x), b = abs_of(way.y), c = abs_of(way.z);
+  explicit LongestAxis(const Vec3<Real>& direction) {
+    const Real a = abs_of(direction.x), b = abs_of(direction.y), c = abs_of(direction.z);
     x = a >= b && a >= c;
     y = !x && b >= c;
   }
@@ -32,11 +32,12 @@ struct ShearedRay {
   std::array<Real, 3> shear{};        ///< across / along, twice, and 1 / along
 
   ShearedRay() = default;
-  ShearedRay(const Vec3<Real>& from, const Vec3<Real>& way, const LongestAxis<Real>& longest) {
+  ShearedRay(const Vec3<Real>& from, const Vec3<Real>& direction,
+             const LongestAxis<Real>& longest) {
     const auto turned = [&](const Vec3<Real>& v) -> Vec3<Real> {
       return select(longest.x, {v.y, v.z, v.x}, select(longest.y, {v.z, v.x, v.y}, v));
     };
-    const Vec3<Real> o = turned(from), d = turned(way);
+    const Vec3<Real> o = turned(from), d = turned(direction);
     origin = {o.x, o.y, o.z};
     shear = {d.x / d.z, d.y / d.z, Real(1) / d.z};
   }

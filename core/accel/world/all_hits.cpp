@@ -50,70 +50,71 @@ class Collector {
   void meet(const Item& item, Packet<double>& packet) {
     const auto at = static_cast<std::size_t>(item.index);
     switch (item.kind) {
-      case Item::flat: return meet_part(geometry_.flats[at].part, packet);
-      case Item::part: return meet_part(item.index, packet);
+      case Item::flat: return meet_primitive(geometry_.flats[at].primitive, packet);
+      case Item::primitive: return meet_primitive(item.index, packet);
       case Item::mesh: return meet_mesh(item.index, packet);
       case Item::solid: return meet(geometry_.solids[at], packet);
-      case Item::copies: return meet(geometry_.copies[at], packet);
+      case Item::instances: return meet(geometry_.instances[at], packet);
     }
   }
-  void add(double t, int part, int element, const Packet<double>& packet,
+  void add(double t, int primitive, int element, const Packet<double>& packet,
            const std::optional<Bracket>& bracket = {}) {
     if (!(t > 0 && t < Aabb::far)) return;
     if (found_.size() == most_hits)
       fail(std::string("a ray that crosses at most ")
                .append(std::to_string(most_hits))
                .append(" surfaces"));
-    found_.push_back({.t = t, .part = part, .element = element, .copy = packet.copy});
+    found_.push_back(
+        {.t = t, .primitive = primitive, .element = element, .instance = packet.instance});
     found_.back().bracket = bracket;
   }
   void meet(const Solid& solid, Packet<double>& packet) {
     work_.test(solid.work);
     const Line line = Lines<double>(packet.root)[0];
-    for (const Boundary& each : spans(solid, geometry_.parts, line, work_))
-      add(each.t, each.part, each.element, packet, bracket_of(each, line));
+    for (const Boundary& each : spans(solid, geometry_.primitives, line, work_))
+      add(each.t, each.primitive, each.element, packet, bracket_of(each, line));
   }
-  // A solid's boundary is a crossing of one of its parts: the very same t.
+  // A solid's boundary is a crossing of one of its primitives: the very same t.
   std::optional<Bracket> bracket_of(const Boundary& at, const Line& line) {
-    const Part& part = geometry_.part(at.part);
-    work_.test(part.work);
+    const Primitive& primitive = geometry_.primitive(at.primitive);
+    work_.test(primitive.work);
     std::optional<Bracket> found;
-    work_.add(
-        spans(part, line, [&](double t, int element, const std::optional<Bracket>& bracket = {}) {
-          if (t == at.t && element == at.element) found = bracket;
-        }));
+    work_.add(spans(primitive, line,
+                    [&](double t, int element, const std::optional<Bracket>& bracket = {}) {
+                      if (t == at.t && element == at.element) found = bracket;
+                    }));
     return found;
   }
   void meet(const Ball& ball, Packet<double>& packet) {
-    if (ball.grid < 0) return meet_part(ball.part, packet);
-    const Copies& grid = geometry_.copies[static_cast<std::size_t>(ball.grid)];
-    Packet<double> inside =
-        packet.seen_through(grid.to_group).inside_copy(grid.offset(ball.copy), ball.copy);
-    meet_part(ball.part, inside);
+    if (ball.grid < 0) return meet_primitive(ball.primitive, packet);
+    const InstanceGrid& grid = geometry_.instances[static_cast<std::size_t>(ball.grid)];
+    Packet<double> inside = packet.seen_through(grid.to_group)
+                                .inside_instance(grid.offset(ball.instance), ball.instance);
+    meet_primitive(ball.primitive, inside);
   }
-  void meet_part(int part, Packet<double>& packet) {
-    const Part& own = geometry_.part(part);
+  void meet_primitive(int primitive, Packet<double>& packet) {
+    const Primitive& own = geometry_.primitive(primitive);
     work_.test(own.work);
     work_.add(crossings(own, Lines<double>(packet.root)[0],
                         [&](double t, int element, const std::optional<Bracket>& bracket = {}) {
-                          add(t, part_of(own, part, element), element, packet, bracket);
+                          add(t, primitive_of(own, primitive, element), element, packet, bracket);
                         }));
   }
-  void meet_mesh(int part, Packet<double>& packet) {
-    const Part& own = geometry_.part(part);
+  void meet_mesh(int primitive, Packet<double>& packet) {
+    const Primitive& own = geometry_.primitive(primitive);
     const MeshIndex& mesh = *geometry_.meshes[static_cast<std::size_t>(own.mesh)];
     const MeshRay<double> ray(mesh, packet.seen_through(own.to_object).root, false, 0.0);
     EveryTriangle triangles{[&](double m, double triangle) {
-      add(ray.t_of(m), part, static_cast<int>(triangle), packet);
+      add(ray.t_of(m), primitive, static_cast<int>(triangle), packet);
     }};
     search<false>(mesh, ray, triangles, true, work_);
   }
-  void meet(const Copies& grid, Packet<double>& packet) {
+  void meet(const InstanceGrid& grid, Packet<double>& packet) {
     const Packet<double> outside = packet.seen_through(grid.to_group);
-    const int before = packet.copy * static_cast<int>(grid.repeat.copies());
+    const int before = packet.instance * static_cast<int>(grid.repeat.copies());
     const Space& space = geometry_.spaces[static_cast<std::size_t>(grid.inside)];
-    traverse(grid, outside.box, true, endless_, work_, [&](int copy, bool) {
-      Packet<double> inside = outside.inside_copy(grid.offset(copy), before + copy);
+    traverse(grid, outside.box, true, endless_, work_, [&](int instance, bool) {
+      Packet<double> inside = outside.inside_instance(grid.offset(instance), before + instance);
       through(space, inside);
     });
   }
@@ -127,8 +128,8 @@ class Collector {
 // Two triangles of one mesh met at one place: their shared edge or corner.
 bool same_place(const World& world, const Meeting& a, const Meeting& b) {
   constexpr double slack = 1e-12;
-  return a.part == b.part && a.copy == b.copy && world.part(a.part).mesh >= 0 &&
-         b.t - a.t <= slack * b.t;
+  return a.primitive == b.primitive && a.instance == b.instance &&
+         world.primitive(a.primitive).mesh >= 0 && b.t - a.t <= slack * b.t;
 }
 
 }  // namespace
@@ -144,14 +145,15 @@ std::vector<Meeting> all_hits(const World& world, const Ray<double>& ray) {
   for (const Geometry* each : world.geometries())
     Collector(*each, found, work).through(each->spaces.front(), packet);
   std::sort(found.begin(), found.end(), [](const Meeting& a, const Meeting& b) {
-    return std::tie(a.t, a.part, a.copy, a.element) < std::tie(b.t, b.part, b.copy, b.element);
+    return std::tie(a.t, a.primitive, a.instance, a.element) <
+           std::tie(b.t, b.primitive, b.instance, b.element);
   });
   const auto one = [&](const Meeting& a, const Meeting& b) { return same_place(world, a, b); };
   found.erase(std::unique(found.begin(), found.end(), one), found.end());
   for (Meeting& each : found) {
     each.point = ray.at(each.t);
-    each.normal = normals_at(world, each.point, each.part, each.element, each.copy).ng;
-    each.uv = uv_at(world, each.point, each.part, each.element, each.copy);
+    each.normal = normals_at(world, each.point, each.primitive, each.element, each.instance).ng;
+    each.uv = uv_at(world, each.point, each.primitive, each.element, each.instance);
     if (!(dot(each.normal, each.normal) > 0)) each.normal = -ray.direction;  // too small for one
     each.front = dot(each.normal, ray.direction) < 0;
   }

@@ -13,8 +13,8 @@ namespace tia {
 /// Space/units: world space; the normal is the surface's own, outwards, and unit.
 struct Meeting {
   double t = 0;
-  int part = 0, element = 0;
-  std::int64_t copy = 0;
+  int primitive = 0, element = 0;
+  std::int64_t instance = 0;
   Vec3d point{}, normal{};
   Vec2d uv{};
   bool front = false;                ///< whether the ray meets the outer side

@@ -9,35 +9,36 @@ class Compiler {
  public:
   Compiler(const Scene& scene, const Workers& workers, const MeshSource& mesh)
       : scene_(scene), workers_(workers), mesh_(mesh) {
-    geometry_.matters.push_back(matter_of(Material{}));
+    geometry_.shadings.push_back(shading_of(Material{}));
     for (const auto& [name, material] : scene.materials) {
-      named_.emplace(name, static_cast<int>(geometry_.matters.size()));
-      geometry_.matters.push_back(matter_of(material));
+      named_.emplace(name, static_cast<int>(geometry_.shadings.size()));
+      geometry_.shadings.push_back(shading_of(material));
     }
   }
 
   Geometry compile() {
     for (const Object& object : scene_.objects) add(object, {});
     builder_.settle();
-    for (Lamp& lamp : geometry_.lamps) lamp = at_center(lamp, lamp.middle.exact - geometry_.origin);
+    for (WorldLight& light : geometry_.lights)
+      light = at_center(light, light.middle.exact - geometry_.origin);
     builder_.finish();
     return std::move(geometry_);
   }
 
  private:
-  Matter matter_of(const Material& material) {
-    Matter matter = tia::matter_of(material, rgb_of(scene_.ambient_light));
+  ShadingParameters shading_of(const Material& material) {
+    ShadingParameters shading = tia::shading_of(material, rgb_of(scene_.ambient_light));
     if (const Texture* texture = texture_of(material))
-      matter.texture = pushed(geometry_.textures, prepare(*texture));
-    return matter;
+      shading.texture = pushed(geometry_.textures, prepare(*texture));
+    return shading;
   }
   int matter_index(const MaterialRef& material) {
     if (const auto* name = std::get_if<std::string>(&material)) return named_.at(*name);
-    return pushed(geometry_.matters, matter_of(*std::get<Boxed<Material>>(material)));
+    return pushed(geometry_.shadings, shading_of(*std::get<Boxed<Material>>(material)));
   }
   Setting below(const Object& object, const Setting& above) {
     return {above.place * object.transform.affine(),
-            object.material ? matter_index(*object.material) : above.matter, above.space,
+            object.material ? matter_index(*object.material) : above.shading, above.space,
             above.inverted};
   }
 
@@ -52,12 +53,12 @@ class Compiler {
         object.shape);
     add_numbered(object);
   }
-  // After its one part.
+  // After its one primitive.
   void add_numbered(const Object& object) {
     if (object.materials.empty()) return;
-    std::vector<int> matters;
-    for (const MaterialRef& material : object.materials) matters.push_back(matter_index(material));
-    builder_.add_numbered(matters);
+    std::vector<int> shadings;
+    for (const MaterialRef& material : object.materials) shadings.push_back(matter_index(material));
+    builder_.add_numbered(shadings);
   }
 
   // ---- surfaces -------------------------------------------------------------------------------
@@ -65,34 +66,36 @@ class Compiler {
   // A luminous one that lights from its centre is a light.
   template <IsForm F>
   void add_surface(const F& form, const Setting& own) {
-    const int part = builder_.add(form, own);
+    const int primitive = builder_.add(form, own);
     if constexpr (LightsFromCenter<F>) {
-      const Constant emission = geometry_.matter_of(part).emission;
-      if (emits(emission.exact)) add_lamps(own.place.point(light_center(form)), emission, part);
+      const Constant emission = geometry_.shading_of(primitive).emission;
+      if (emits(emission.exact))
+        add_lights(own.place.point(light_center(form)), emission, primitive);
     }
   }
-  // One lamp for each copy of it.
-  void add_lamps(const Vec3d& center, const Constant& color, int part) {
-    std::int64_t copies = 1;
-    for (int space = geometry_.part(part).space; geometry_.space(space).copies >= 0;) {
-      const Copies& above =
-          geometry_.copies[static_cast<std::size_t>(geometry_.space(space).copies)];
-      copies *= above.repeat.copies();
+  // One light for each instance of it.
+  void add_lights(const Vec3d& center, const Constant& color, int primitive) {
+    std::int64_t instances = 1;
+    for (int space = geometry_.primitive(primitive).space; geometry_.space(space).instances >= 0;) {
+      const InstanceGrid& above =
+          geometry_.instances[static_cast<std::size_t>(geometry_.space(space).instances)];
+      instances *= above.repeat.copies();
       space = above.outside;
     }
-    for (std::int64_t copy = 0; copy < copies; ++copy) {
-      const Vec3d place =
-          geometry_.to_space(geometry_.part(part).space, copy).inverse().point(center);
-      Lamp lamp{{}, {}, color};
-      lamp.part = part;
-      lamp.copy = static_cast<int>(copy);
-      geometry_.lamps.push_back(at_center(lamp, place));
+    for (std::int64_t instance = 0; instance < instances; ++instance) {
+      const Vec3d place = geometry_.to_space(geometry_.primitive(primitive).space, instance)
+                              .inverse()
+                              .point(center);
+      WorldLight light{{}, {}, color};
+      light.primitive = primitive;
+      light.instance = static_cast<int>(instance);
+      geometry_.lights.push_back(at_center(light, place));
     }
   }
-  static Lamp at_center(Lamp lamp, const Vec3d& place) {
-    lamp.form = PointForm{place};
-    lamp.middle = place;
-    return lamp;
+  static WorldLight at_center(WorldLight light, const Vec3d& place) {
+    light.form = PointForm{place};
+    light.middle = place;
+    return light;
   }
 
   void add_kind(const Mesh& mesh, const Setting& own) { builder_.add(mesh_(mesh, workers_), own); }
@@ -107,8 +110,8 @@ class Compiler {
     Aabb box;
     for (const Object& child : group.children) box = around(box, bounds_.of(child));
     const int grid = builder_.begin_grid(*group.repeat, box, own);
-    const int inside = geometry_.copies[static_cast<std::size_t>(grid)].inside;
-    for (const Object& child : group.children) add(child, {Affine{}, own.matter, inside, false});
+    const int inside = geometry_.instances[static_cast<std::size_t>(grid)].inside;
+    for (const Object& child : group.children) add(child, {Affine{}, own.shading, inside, false});
     builder_.end_grid(grid, own);
   }
 

@@ -17,20 +17,21 @@ constexpr std::size_t few_balls = 16;
 constexpr std::size_t few_lights = 64;
 
 // A point as seen from anywhere, whose light does not fade.
-bool is_plain_point(const Lamp& lamp) {
-  const bool point = std::visit([]<class Form>(const Form&) { return Form::as_point; }, lamp.form);
-  return point && lamp.fade_distance == 0 && lamp.places == nullptr;
+bool is_plain_point(const WorldLight& shining) {
+  const bool point =
+      std::visit([]<class Form>(const Form&) { return Form::as_point; }, shining.form);
+  return point && shining.fade_distance == 0 && shining.places == nullptr;
 }
 
 // Whether it scatters light and does nothing else.
-bool is_plain(const Matter& matter) {
-  return !emits(matter.ambient.exact) && matter.brilliance == 1 && matter.specular == 0 &&
-         matter.reflection == 0 && matter.transmission == 0 && matter.texture < 0;
+bool is_plain(const ShadingParameters& shading) {
+  return !emits(shading.ambient.exact) && shading.brilliance == 1 && shading.specular == 0 &&
+         shading.reflection == 0 && shading.transmission == 0 && shading.texture < 0;
 }
 
 bool is_plain_balls(const Geometry& geometry) {
-  return geometry.balls.size() == geometry.parts.size() && geometry.copies.empty() &&
-         geometry.balls.size() <= few_balls && std::ranges::all_of(geometry.matters, is_plain);
+  return geometry.balls.size() == geometry.primitives.size() && geometry.instances.empty() &&
+         geometry.balls.size() <= few_balls && std::ranges::all_of(geometry.shadings, is_plain);
 }
 
 // Lists all balls, if they are so few and plain that they are tried in turn.
@@ -40,8 +41,8 @@ void list_few_balls(World& world) {
     if (!is_plain_balls(*each)) return;
     all.insert(all.end(), each->balls.begin(), each->balls.end());
   }
-  world.few_balls = all.size() <= few_balls && world.lamps.size() <= few_lights &&
-                    std::ranges::all_of(world.lamps, is_plain_point);
+  world.few_balls = all.size() <= few_balls && world.lights.size() <= few_lights &&
+                    std::ranges::all_of(world.lights, is_plain_point);
   if (world.few_balls) world.balls = std::move(all);
 }
 
@@ -53,9 +54,9 @@ class Lighting {
       : scene_(scene), workers_(workers) {
     world_.background = rgb_of(scene.background);
     world_.transparent_shadows = scene.options.transparent_shadows;
-    world_.lamps = objects->lamps;
+    world_.lights = objects->lights;
     world_.origin = objects->origin;
-    lights_.first_part = static_cast<int>(objects->parts.size());
+    lights_.first_primitive = static_cast<int>(objects->primitives.size());
     lights_.objects = objects->objects;
     world_.of_objects = std::move(objects);
   }
@@ -89,14 +90,14 @@ class Lighting {
   template <ShiningLight Kind>
   void add_lamp(Kind kind, const Light& light, const Vec3d& color, const std::string& name) {
     kind.move_by(-world_.origin);
-    Lamp lamp{prepare(kind), {}, color};
-    if constexpr (MovableLight<Kind>) lamp.middle = kind.place().value_or(Vec3d{});
-    if (light.fade_distance) lamp.fade_distance = *light.fade_distance;
-    lamp.fade_power = light.fade_power;
-    lamp.name = name;
-    if constexpr (AreaLight<Kind>) lamp.places = places(kind.samples);
-    if constexpr (SeenLight<Kind>) lamp.part = add_seen(surface(kind), color);
-    if (emits(color)) world_.lamps.push_back(lamp);
+    WorldLight shining{prepare(kind), {}, color};
+    if constexpr (MovableLight<Kind>) shining.middle = kind.place().value_or(Vec3d{});
+    if (light.fade_distance) shining.fade_distance = *light.fade_distance;
+    shining.fade_power = light.fade_power;
+    shining.name = name;
+    if constexpr (AreaLight<Kind>) shining.places = places(kind.samples);
+    if constexpr (SeenLight<Kind>) shining.primitive = add_seen(surface(kind), color);
+    if (emits(color)) world_.lights.push_back(shining);
   }
   std::shared_ptr<const Strata> places(int samples) {
     if (samples == 1) return nullptr;
@@ -104,12 +105,12 @@ class Lighting {
     if (!shared) shared = std::make_shared<const Strata>(samples);
     return shared;
   }
-  // Returns: its part.
+  // Returns: its primitive.
   template <IsSeenSurface S>
   int add_seen(const S& shape, const Vec3d& color) {
-    Matter glow;
+    ShadingParameters glow;
     glow.emission = color;
-    const Setting own{Affine{}, pushed(lights_.matters, glow), 0, false};
+    const Setting own{Affine{}, pushed(lights_.shadings, glow), 0, false};
     if constexpr (IsSurface<S>) return builder_.add(prepare(shape), own);
     else return builder_.add(indexed(shape, workers_), own);
   }

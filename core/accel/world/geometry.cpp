@@ -6,13 +6,13 @@
 
 namespace tia {
 
-Affine Geometry::to_space(int space, std::int64_t copy) const {
-  const int repeated_by = spaces[static_cast<std::size_t>(space)].copies;
+Affine Geometry::to_space(int space, std::int64_t instance) const {
+  const int repeated_by = spaces[static_cast<std::size_t>(space)].instances;
   if (repeated_by < 0) return {};
-  const Copies& grid = copies[static_cast<std::size_t>(repeated_by)];
+  const InstanceGrid& grid = instances[static_cast<std::size_t>(repeated_by)];
   const std::int64_t all = grid.repeat.copies();
-  const Affine to_copy = Affine::translation(-grid.offset(copy % all));
-  return to_copy * grid.to_group * to_space(grid.outside, copy / all);
+  const Affine to_copy = Affine::translation(-grid.offset(instance % all));
+  return to_copy * grid.to_group * to_space(grid.outside, instance / all);
 }
 
 void BallIndex::pack(const std::vector<Ball>& all, const Workers& workers) {
@@ -22,22 +22,24 @@ void BallIndex::pack(const std::vector<Ball>& all, const Workers& workers) {
             }};
 }
 
-std::vector<std::array<int, 3>> copies_around(const Geometry& geometry, int space,
-                                              std::int64_t copy) {
+std::vector<std::array<int, 3>> instances_around(const Geometry& geometry, int space,
+                                                 std::int64_t instance) {
   std::vector<std::array<int, 3>> inwards;
-  while (geometry.space(space).copies >= 0) {
-    const Copies& grid = geometry.copies[static_cast<std::size_t>(geometry.space(space).copies)];
+  while (geometry.space(space).instances >= 0) {
+    const InstanceGrid& grid =
+        geometry.instances[static_cast<std::size_t>(geometry.space(space).instances)];
     const std::int64_t all = grid.repeat.copies();
-    inwards.push_back(grid.place(copy % all));
-    copy /= all;
+    inwards.push_back(grid.place(instance % all));
+    instance /= all;
     space = grid.outside;
   }
   std::ranges::reverse(inwards);
   return inwards;
 }
 
-Affine to_object(const Geometry& geometry, const Part& part, std::int64_t copy) {
-  return part.space == 0 ? part.to_object : part.to_object * geometry.to_space(part.space, copy);
+Affine to_object(const Geometry& geometry, const Primitive& primitive, std::int64_t instance) {
+  return primitive.space == 0 ? primitive.to_object
+                              : primitive.to_object * geometry.to_space(primitive.space, instance);
 }
 
 SharedMesh indexed(const Mesh& mesh, const Workers& workers) {
@@ -55,7 +57,9 @@ std::size_t heap_bytes(const std::variant<T...>& value) {
   return std::visit([](const auto& is) { return heap_bytes(is); }, value);
 }
 // Those of one object share their form.
-std::size_t heap_bytes(const Part& part) { return part.numbers < 0 ? 0 : heap_bytes(part.form); }
+std::size_t heap_bytes(const Primitive& primitive) {
+  return primitive.numbers < 0 ? 0 : heap_bytes(primitive.form);
+}
 std::size_t heap_bytes(const TextureForm& texture) { return heap_bytes(texture.kind); }
 std::size_t heap_bytes(const Solid& solid) { return heap_bytes(solid.steps); }
 std::size_t heap_bytes(const Space& space) {
@@ -75,10 +79,10 @@ std::size_t deep_heap_of(const std::vector<T>& list) {
 }  // namespace
 
 std::size_t bytes_of(const Geometry& g) {
-  return sizeof(Geometry) + deep_heap_of(g.spaces) + deep_heap_of(g.parts) + heap_bytes(g.balls) +
-         heap_bytes(g.flats) + heap_bytes(g.meshes) + deep_heap_of(g.solids) +
-         heap_bytes(g.copies) + heap_bytes(g.matters) + deep_heap_of(g.textures) +
-         heap_bytes(g.lamps);
+  return sizeof(Geometry) + deep_heap_of(g.spaces) + deep_heap_of(g.primitives) +
+         heap_bytes(g.balls) + heap_bytes(g.flats) + heap_bytes(g.meshes) + deep_heap_of(g.solids) +
+         heap_bytes(g.instances) + heap_bytes(g.shadings) + deep_heap_of(g.textures) +
+         heap_bytes(g.lights);
 }
 
 std::size_t heap_of_form(const Form& form) { return heap_bytes(form); }

@@ -12,19 +12,19 @@
 #include <vector>
 
 #include "core/accel/mesh/mesh_index.h"
-#include "core/accel/world/copies.h"
-#include "core/accel/world/part.h"
+#include "core/accel/world/instance_grid.h"
+#include "core/accel/world/primitive.h"
 #include "core/accel/world/solid.h"
 #include "core/boxes/bvh.h"
 #include "core/lights/light.h"
-#include "core/materials/matter.h"
+#include "core/materials/shading_parameters.h"
 #include "core/math/strata.h"
 #include "core/scene/scene.h"
 
 namespace tia {
 
-/// Lamp: a light that shines on points.
-struct Lamp {
+/// WorldLight: a light that shines on points.
+struct WorldLight {
   LightForm form;
   Constant middle;           ///< of what has one
   Constant color;            ///< color * intensity
@@ -32,8 +32,8 @@ struct Lamp {
   double fade_power = 0;
   /// Of its area, that shine; null: its middle alone. Lamps of as many places share them.
   std::shared_ptr<const Strata> places{};
-  int part = -1;       ///< its own surface, which never blocks it; -1: none
-  int copy = 0;        ///< which copy of it
+  int primitive = -1;  ///< its own surface, which never blocks it; -1: none
+  int instance = 0;    ///< which instance of it
   std::string name{};  ///< the JSON Pointer of one of the scene's lights; "": a luminous object
 };
 
@@ -41,15 +41,16 @@ struct Lamp {
 /// where the grid stands.
 struct Ball {
   Sphere sphere;
-  int part = 0;
-  int grid = -1;  ///< the geometry's grid of which it is a copy, -1 inside of one and where none is
-  int copy = 0;   ///< which one
+  int primitive = 0;
+  int grid =
+      -1;  ///< the geometry's grid of which it is an instance, -1 inside of one and where none is
+  int instance = 0;  ///< which one
 };
 
 /// Flat: a plane as whole packets are tried on it, in its space.
 struct Flat {
   PlaneForm plane;
-  int part = 0;
+  int primitive = 0;
 };
 
 /// BallIndex: balls, packed for packets and for single rays.
@@ -66,52 +67,56 @@ struct BallIndex {
 
 /// Item: one thing that a ray is tried on by itself.
 struct Item {
-  enum Kind { flat, part, mesh, solid, copies };
-  Kind kind = part;
-  int index = 0;  ///< into the geometry's list of that kind; of a mesh: its part
+  enum Kind { flat, primitive, mesh, solid, instances };
+  Kind kind = primitive;
+  int index = 0;  ///< into the geometry's list of that kind; of a mesh: its primitive
 };
 
 /// Space: a part of the geometry that has an index of its own: the world, or the inside of a
-/// repeated group, which is there once for all copies. What stands in it is in its own coordinates;
-/// a ray enters a group's with the copy that it has reached (copies.h), and is turned into them.
-/// Balls have an index to themselves, for they are most of what scenes have many of and are tried
-/// four at a time; every other thing is an item, and those without bounds stand beside the tree.
-/// Space/units: of the world world space, of a group its own.
+/// repeated group, which is there once for all instances. What stands in it is in its own
+/// coordinates; a ray enters a group's with the instance that it has reached (instance_grid.h), and
+/// is turned into them. Balls have an index to themselves, for they are most of what scenes have
+/// many of and are tried four at a time; every other thing is an item, and those without bounds
+/// stand beside the tree. Space/units: of the world world space, of a group its own.
 struct Space {
   BallIndex balls;
   std::vector<Item> items;
   std::vector<Box32> boxes;         ///< one an item
   Bvh bvh;                          ///< over the items that have bounds
   std::vector<std::uint32_t> rest;  ///< the items that have none
-  int copies = -1;                  ///< what repeats it; -1: the world itself
+  int instances = -1;               ///< what repeats it; -1: the world itself
 };
 
 /// Meshes are shared: whatever moves keeps its index.
 using SharedMesh = std::shared_ptr<const MeshIndex>;
 
 struct Geometry {
-  std::vector<Space> spaces;  ///< the first is the world itself
-  std::vector<Part> parts;    ///< in the scene's order
+  std::vector<Space> spaces;          ///< the first is the world itself
+  std::vector<Primitive> primitives;  ///< in the scene's order
   std::vector<Ball> balls;
   std::vector<Flat> flats;
   std::vector<SharedMesh> meshes;
   std::vector<Solid> solids;
-  std::vector<Copies> copies;
-  std::vector<Matter> matters;
+  std::vector<InstanceGrid> instances;
+  std::vector<ShadingParameters> shadings;
   std::vector<TextureForm> textures;
-  std::vector<Lamp> lamps;     ///< of its luminous balls
-  Vec3d origin{};              ///< the world's, in the scene's coordinates
-  int first_part = 0;          ///< the number of its first part, which is the world's
-  int objects = 0;             ///< how many, those of the parts before it included
-  std::size_t degenerate = 0;  ///< triangles without area, which nothing meets
+  std::vector<WorldLight> lights;  ///< of its luminous balls
+  Vec3d origin{};                  ///< the world's, in the scene's coordinates
+  int first_primitive = 0;         ///< the number of its first primitive, which is the world's
+  int objects = 0;                 ///< how many, those of the primitives before it included
+  std::size_t degenerate = 0;      ///< triangles without area, which nothing meets
 
   /// Domain: one of its own, by the number that the world has for it.
-  const Part& part(int i) const { return parts[static_cast<std::size_t>(i - first_part)]; }
-  const Matter& matter_of(int i) const { return matters[static_cast<std::size_t>(part(i).matter)]; }
+  const Primitive& primitive(int i) const {
+    return primitives[static_cast<std::size_t>(i - first_primitive)];
+  }
+  const ShadingParameters& shading_of(int i) const {
+    return shadings[static_cast<std::size_t>(primitive(i).shading)];
+  }
   Space& space(int i) { return spaces[static_cast<std::size_t>(i)]; }
   const Space& space(int i) const { return spaces[static_cast<std::size_t>(i)]; }
-  /// From the world to that copy of a space.
-  Affine to_space(int space, std::int64_t copy) const;
+  /// From the world to that instance of a space.
+  Affine to_space(int space, std::int64_t instance) const;
 };
 
 /// Geometries are shared: it takes no lock to read one.
@@ -135,12 +140,12 @@ std::size_t bytes_of(const MeshIndex& mesh);
 /// What a form owns on the heap.
 std::size_t heap_of_form(const Form& form);
 
-/// The copies of repeated groups that a copy of a space is in, the outermost first: which one along
-/// x, y and z. Empty: the space is the world itself.
-std::vector<std::array<int, 3>> copies_around(const Geometry& geometry, int space,
-                                              std::int64_t copy);
+/// The instances of repeated groups that an instance of a space is in, the outermost first: which
+/// one along x, y and z. Empty: the space is the world itself.
+std::vector<std::array<int, 3>> instances_around(const Geometry& geometry, int space,
+                                                 std::int64_t instance);
 
-/// From the world's space to a part's own, by way of the copy of its group.
-Affine to_object(const Geometry& geometry, const Part& part, std::int64_t copy);
+/// From the world's space to a primitive's own, by way of the instance of its group.
+Affine to_object(const Geometry& geometry, const Primitive& primitive, std::int64_t instance);
 
 }  // namespace tia

@@ -27,7 +27,7 @@ Aabb bounds_of(const Form& form) {
 int work_of_form(const Form& form) {
   const auto work = []<class F>(const F& own) {
     if constexpr (TellsWork<F>) return work_of(own);
-    else return Part{}.work;
+    else return Primitive{}.work;
   };
   return std::visit(work, form);
 }
@@ -37,32 +37,32 @@ int work_of_form(const Form& form) {
 // ---- objects --------------------------------------------------------------------------------
 
 int GeometryBuilder::add_part(Form form, const Setting& at, int object) {
-  Part part;
-  part.to_object = at.place.inverse();
-  part.placed = part.to_object != Affine{};
+  Primitive primitive;
+  primitive.to_object = at.place.inverse();
+  primitive.placed = primitive.to_object != Affine{};
   const Aabb box = bounds_of(form);
-  if (box.bounded()) part.middle = box.center();
-  part.work = work_of_form(form);
+  if (box.bounded()) primitive.middle = box.center();
+  primitive.work = work_of_form(form);
   forms_bytes_ += heap_of_form(form);
   if (forms_bytes_ > most_forms_bytes)
     throw InputError({FaultKind::limit, "/objects", std::nullopt,
                       "surfaces that are found with less: their cells, patches and voxels take at "
                       "most 256 MiB together"});
-  part.form = std::move(form);
-  part.matter = at.matter;
-  part.object = object;
-  part.space = at.space;
-  part.inverted = at.inverted;
-  return geometry_.first_part + pushed(geometry_.parts, std::move(part));
+  primitive.form = std::move(form);
+  primitive.shading = at.shading;
+  primitive.object = object;
+  primitive.space = at.space;
+  primitive.inverted = at.inverted;
+  return geometry_.first_primitive + pushed(geometry_.primitives, std::move(primitive));
 }
 
 int GeometryBuilder::add(Form form, const Setting& at) {
-  const int part = add_part(std::move(form), at, geometry_.objects++);
-  const Form& own = geometry_.part(part).form;
-  if (const auto* plane = std::get_if<PlaneForm>(&own)) put(*plane, part, at);
-  else if (const auto* sphere = std::get_if<Sphere>(&own)) put(*sphere, part, at);
-  else put({Item::part, part}, bounds_of(at.place, bounds_of(own)), at.space);
-  return part;
+  const int primitive = add_part(std::move(form), at, geometry_.objects++);
+  const Form& own = geometry_.primitive(primitive).form;
+  if (const auto* plane = std::get_if<PlaneForm>(&own)) put(*plane, primitive, at);
+  else if (const auto* sphere = std::get_if<Sphere>(&own)) put(*sphere, primitive, at);
+  else put({Item::primitive, primitive}, bounds_of(at.place, bounds_of(own)), at.space);
+  return primitive;
 }
 
 int GeometryBuilder::add(SharedMesh mesh, const Setting& at) {
@@ -72,67 +72,68 @@ int GeometryBuilder::add(SharedMesh mesh, const Setting& at) {
   const double more =
       MeshIndex::room * mesh->unit * (length(at.place.x) + length(at.place.y) + length(at.place.z));
   box = {box.min - Vec3d{more, more, more}, box.max + Vec3d{more, more, more}};
-  const int part = add_part(Sphere{}, at, geometry_.objects++);
+  const int primitive = add_part(Sphere{}, at, geometry_.objects++);
   geometry_.degenerate += mesh->degenerate;
-  geometry_.parts.back().mesh = pushed(geometry_.meshes, std::move(mesh));
-  put({Item::mesh, part}, box, at.space);
-  return part;
+  geometry_.primitives.back().mesh = pushed(geometry_.meshes, std::move(mesh));
+  put({Item::mesh, primitive}, box, at.space);
+  return primitive;
 }
 
-void GeometryBuilder::add_numbered(const std::vector<int>& matters) {
-  Part part = geometry_.parts.back();
-  geometry_.parts.back().numbers = static_cast<int>(matters.size());
-  part.numbers = -1;
-  for (const int matter : matters) {
-    part.matter = matter;
-    geometry_.parts.push_back(part);
+void GeometryBuilder::add_numbered(const std::vector<int>& shadings) {
+  Primitive primitive = geometry_.primitives.back();
+  geometry_.primitives.back().numbers = static_cast<int>(shadings.size());
+  primitive.numbers = -1;
+  for (const int shading : shadings) {
+    primitive.shading = shading;
+    geometry_.primitives.push_back(primitive);
   }
 }
 
 void GeometryBuilder::add(Solid solid, const Aabb& box, int space) {
   for (const Solid::Step& step : solid.steps)
-    solid.work += step.part >= 0 ? geometry_.part(step.part).work : 1;
+    solid.work += step.primitive >= 0 ? geometry_.primitive(step.primitive).work : 1;
   put({Item::solid, pushed(geometry_.solids, std::move(solid))}, box, space);
 }
 
 // A plane is a flat, too, wherever it is.
-void GeometryBuilder::put(const PlaneForm& plane, int part, const Setting& at) {
-  const Vec3d normal = unit(geometry_.part(part).to_object.row(plane.frame.n));
+void GeometryBuilder::put(const PlaneForm& plane, int primitive, const Setting& at) {
+  const Vec3d normal = unit(geometry_.primitive(primitive).to_object.row(plane.frame.n));
   const PlaneForm flat{at.place.point(plane.point), onb_around(normal)};
-  const int number = pushed(geometry_.flats, Flat{flat, part});
-  geometry_.parts.back().flat = number;
+  const int number = pushed(geometry_.flats, Flat{flat, primitive});
+  geometry_.primitives.back().flat = number;
   put({Item::flat, number}, bounds(flat), at.space);
 }
 
 // A sphere that stays round is a ball, too.
-void GeometryBuilder::put(const Sphere& sphere, int part, const Setting& at) {
+void GeometryBuilder::put(const Sphere& sphere, int primitive, const Setting& at) {
   const auto scale = similarity(at.place);
-  if (!scale) return put({Item::part, part}, bounds_of(at.place, bounds(sphere)), at.space);
+  if (!scale)
+    return put({Item::primitive, primitive}, bounds_of(at.place, bounds(sphere)), at.space);
   const Sphere round{at.place.point(sphere.center), sphere.radius * *scale};
-  geometry_.parts.back().ball = static_cast<int>(geometry_.balls.size());
-  put(Ball{round, part}, at.space);
+  geometry_.primitives.back().ball = static_cast<int>(geometry_.balls.size());
+  put(Ball{round, primitive}, at.space);
 }
 
 // ---- grids ----------------------------------------------------------------------------------
 
 int GeometryBuilder::begin_grid(const Repeat& repeat, const Aabb& box, const Setting& at) {
   const int inside = pushed(geometry_.spaces, Space{});
-  const float slack = Copies::slack_of(repeat.swept(box));
-  const int grid =
-      pushed(geometry_.copies, Copies{at.place.inverse(), repeat, box, inside, at.space, slack});
-  geometry_.spaces.back().copies = grid;
+  const float slack = InstanceGrid::slack_of(repeat.swept(box));
+  const int grid = pushed(geometry_.instances,
+                          InstanceGrid{at.place.inverse(), repeat, box, inside, at.space, slack});
+  geometry_.spaces.back().instances = grid;
   return grid;
 }
 
 void GeometryBuilder::end_grid(int number, const Setting& at) {
-  const Copies& grid = geometry_.copies[static_cast<std::size_t>(number)];
+  const InstanceGrid& grid = geometry_.instances[static_cast<std::size_t>(number)];
   const auto scale = similarity(at.place);
   if (at.space == 0 && scale && is_small(grid)) return put_balls(number, at.place, *scale);
-  put({Item::copies, number}, bounds_of(at.place, grid.repeat.swept(grid.box)), at.space);
+  put({Item::instances, number}, bounds_of(at.place, grid.repeat.swept(grid.box)), at.space);
 }
 
 // A small grid of balls is quicker found in the world's index than by itself.
-bool GeometryBuilder::is_small(const Copies& grid) const {
+bool GeometryBuilder::is_small(const InstanceGrid& grid) const {
   constexpr std::int64_t most = 8192;
   const Space& inside = geometry_.space(grid.inside);
   const auto balls = static_cast<std::int64_t>(inside.balls.balls.size());
@@ -140,13 +141,13 @@ bool GeometryBuilder::is_small(const Copies& grid) const {
 }
 
 void GeometryBuilder::put_balls(int grid_number, const Affine& place, double scale) {
-  const Copies& grid = geometry_.copies[static_cast<std::size_t>(grid_number)];
+  const InstanceGrid& grid = geometry_.instances[static_cast<std::size_t>(grid_number)];
   for (const std::uint32_t number : geometry_.space(grid.inside).balls.balls) {
     const Ball one = geometry_.balls[number];
-    for (int copy = 0; copy < grid.repeat.copies(); ++copy) {
-      const Vec3d center = place.point(one.sphere.center + grid.offset(copy));
+    for (int instance = 0; instance < grid.repeat.copies(); ++instance) {
+      const Vec3d center = place.point(one.sphere.center + grid.offset(instance));
       const Sphere round{center, one.sphere.radius * scale};
-      put(Ball{round, one.part, grid_number, copy}, 0);
+      put(Ball{round, one.primitive, grid_number, instance}, 0);
     }
   }
 }

@@ -13,7 +13,7 @@ namespace tia {
 /// Setting: how a surface stands in a geometry.
 struct Setting {
   Affine place{};  ///< from its own space to the geometry's space where it stands
-  int matter = 0;
+  int shading = 0;
   int space = 0;
   bool inverted = false;  ///< whether it is cut out of a solid
 };
@@ -34,17 +34,17 @@ class GeometryBuilder {
     geometry_.spaces.emplace_back();
   }
 
-  /// An object that is one surface. Returns: its part.
+  /// An object that is one surface. Returns: its primitive.
   int add(Form form, const Setting& at);
   int add(SharedMesh mesh, const Setting& at);
   /// A surface that belongs to an object, and that nothing meets but the object's solid.
   int add_part(Form form, const Setting& at, int object);
-  /// Gives the last part that was added one more for each of its numbered materials.
-  void add_numbered(const std::vector<int>& matters);
-  /// Its parts are there already. Space/units: the box is in that space.
+  /// Gives the last primitive that was added one more for each of its numbered materials.
+  void add_numbered(const std::vector<int>& shadings);
+  /// Its primitives are there already. Space/units: the box is in that space.
   void add(Solid solid, const Aabb& box, int space);
-  /// A grid, whose inside takes what comes until it ends. Space/units: the box of one copy is in
-  /// the grid's own space. Returns: which of the geometry's copies it is.
+  /// A grid, whose inside takes what comes until it ends. Space/units: the box of one instance is
+  /// in the grid's own space. Returns: which of the geometry's instances it is.
   int begin_grid(const Repeat& repeat, const Aabb& box, const Setting& at);
   void end_grid(int grid, const Setting& at);
   /// Moves the origin of each space amid what stands there (own_origin.h).
@@ -55,11 +55,11 @@ class GeometryBuilder {
 
  private:
   void put(Item item, const Aabb& box, int space);
-  void put(const PlaneForm& plane, int part, const Setting& at);
-  void put(const Sphere& sphere, int part, const Setting& at);
+  void put(const PlaneForm& plane, int primitive, const Setting& at);
+  void put(const Sphere& sphere, int primitive, const Setting& at);
   void put(const Ball& ball, int space);
   void put_balls(int grid, const Affine& place, double scale);
-  bool is_small(const Copies& grid) const;
+  bool is_small(const InstanceGrid& grid) const;
   void index(BallIndex& index) const;
   void index(Space& space, const std::vector<Aabb>& boxes) const;
 

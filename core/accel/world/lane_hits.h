@@ -5,7 +5,7 @@
 #include <bit>
 
 #include "core/accel/world/packet.h"
-#include "core/accel/world/part.h"
+#include "core/accel/world/primitive.h"
 #include "core/accel/world/solid.h"
 #include "core/boxes/work_counter.h"
 
@@ -14,23 +14,23 @@ namespace tia {
 /// LaneHits: where each lane hits first; t infinite where it does not.
 template <class Real>
 struct LaneHits {
-  Real t, part, element;
+  Real t, primitive, element;
 };
 
 namespace detail {
 
 template <class Real>
 struct HitArrays {
-  std::array<LaneOf<Real>, static_cast<std::size_t>(lanes<Real>)> t, part{}, element{};
+  std::array<LaneOf<Real>, static_cast<std::size_t>(lanes<Real>)> t, primitive{}, element{};
 
   HitArrays() { t.fill(infinity); }
   void set(std::size_t lane, const Boundary& hit) {
     t[lane] = static_cast<LaneOf<Real>>(hit.t);
-    part[lane] = static_cast<LaneOf<Real>>(hit.part);
+    primitive[lane] = static_cast<LaneOf<Real>>(hit.primitive);
     element[lane] = static_cast<LaneOf<Real>>(hit.element);
   }
   LaneHits<Real> all() const {
-    return {tia::load<Real>(t.data()), tia::load<Real>(part.data()),
+    return {tia::load<Real>(t.data()), tia::load<Real>(primitive.data()),
             tia::load<Real>(element.data())};
   }
 };
@@ -51,9 +51,9 @@ LaneHits<Real> hits_by_lanes(const RootRay<Real>& rays, Mask<Real> here, const R
   return hits.all();
 }
 
-/// Of a part that goes in eights.
+/// Of a primitive that goes in eights.
 template <class Real>
-LaneHits<Real> hits_in_eights(const Part& part, int number, const RootRay<Real>& rays,
+LaneHits<Real> hits_in_eights(const Primitive& primitive, int number, const RootRay<Real>& rays,
                               Mask<Real> here, const Real& limit, WorkCounter& work) {
   constexpr auto n = static_cast<std::size_t>(lanes<Real>);
   static_assert(n % 8 == 0);
@@ -63,9 +63,9 @@ LaneHits<Real> hits_in_eights(const Part& part, int number, const RootRay<Real>&
   store(widen(limit), t_max.data());
   const unsigned wanted = bits(here);
   for (std::size_t first = 0; first < n; first += 8) {
-    const EightCrossings found =
-        nearest_crossings(part, {lines.eight(first), Octet(0.0),
-                                 Octet::load_unaligned(&t_max[first]), wanted >> first & 0xFF});
+    const EightCrossings found = nearest_crossings(
+        primitive, {lines.eight(first), Octet(0.0), Octet::load_unaligned(&t_max[first]),
+                    wanted >> first & 0xFF});
     work.add(found.work);
     for (std::size_t i = 0; i < 8; ++i) hits.set(first + i, {found.t[i], number, found.element[i]});
   }

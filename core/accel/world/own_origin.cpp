@@ -71,44 +71,45 @@ class Settling {
         if (box.bounded() && size > 0) visit(static_cast<std::size_t>(space), box.center(), size);
       }
   }
-  // Calls visit(space, place) with where each part is. It counts where all is endless: then no
+  // Calls visit(space, place) with where each primitive is. It counts where all is endless: then no
   // thing has a size, but how far they are apart tells one.
   template <class Visit>
   void for_each_place(Visit visit) const {
-    for (const Part& part : geometry_.parts) {
-      const auto* plane = std::get_if<PlaneForm>(&part.form);
-      visit(static_cast<std::size_t>(part.space),
-            part.to_object.inverse().point(plane != nullptr ? plane->point : part.middle));
+    for (const Primitive& primitive : geometry_.primitives) {
+      const auto* plane = std::get_if<PlaneForm>(&primitive.form);
+      visit(
+          static_cast<std::size_t>(primitive.space),
+          primitive.to_object.inverse().point(plane != nullptr ? plane->point : primitive.middle));
     }
   }
 
   const Vec3d& origin(int space) const { return origins_[static_cast<std::size_t>(space)]; }
   int space_of(const Ball& ball) const {
-    return ball.grid >= 0 ? 0 : geometry_.part(ball.part).space;
+    return ball.grid >= 0 ? 0 : geometry_.primitive(ball.primitive).space;
   }
 
   // All that stands in the spaces, and the ways into them, from where their origins are now.
   void move() {
-    for (Part& part : geometry_.parts) move(part);
+    for (Primitive& primitive : geometry_.primitives) move(primitive);
     for (Ball& ball : geometry_.balls)
       ball.sphere.center = ball.sphere.center - origin(space_of(ball));
     for (Flat& flat : geometry_.flats)
-      flat.plane.point = flat.plane.point - origin(geometry_.part(flat.part).space);
-    for (Copies& grid : geometry_.copies) {
+      flat.plane.point = flat.plane.point - origin(geometry_.primitive(flat.primitive).space);
+    for (InstanceGrid& grid : geometry_.instances) {
       grid.to_group = Affine::translation(-origin(grid.inside)) * grid.to_group *
                       Affine::translation(origin(grid.outside));
       if (origin(grid.inside) == Vec3d{}) continue;
       grid.box = moved(grid.box, origin(grid.inside));
-      grid.slack = Copies::slack_of(grid.repeat.swept(grid.box));
+      grid.slack = InstanceGrid::slack_of(grid.repeat.swept(grid.box));
     }
     for (auto& [space, boxes] : boxes_)
       if (origin(space) != Vec3d{})
         for (Aabb& box : boxes) box = moved(box, origin(space));
   }
-  void move(Part& part) const {
-    if (origin(part.space) == Vec3d{}) return;
-    part.to_object = part.to_object * Affine::translation(origin(part.space));
-    part.placed = part.to_object != Affine{};
+  void move(Primitive& primitive) const {
+    if (origin(primitive.space) == Vec3d{}) return;
+    primitive.to_object = primitive.to_object * Affine::translation(origin(primitive.space));
+    primitive.placed = primitive.to_object != Affine{};
   }
   // Corners near the new origin were rounded as numbers of its length are.
   static Aabb moved(const Aabb& box, const Vec3d& to) {

@@ -17,9 +17,9 @@ template <class Real>
 class Lines {
  public:
   explicit Lines(const RootRay<Real>& ray) {
-    const Precise<Real>* parts[] = {&ray.origin.x,    &ray.origin.y,    &ray.origin.z,
-                                    &ray.direction.x, &ray.direction.y, &ray.direction.z};
-    for (std::size_t i = 0; i < 6; ++i) store(*parts[i], parts_[i].data());
+    const Precise<Real>* primitives[] = {&ray.origin.x,    &ray.origin.y,    &ray.origin.z,
+                                         &ray.direction.x, &ray.direction.y, &ray.direction.z};
+    for (std::size_t i = 0; i < 6; ++i) store(*primitives[i], parts_[i].data());
   }
   Line operator[](std::size_t lane) const {
     return {{parts_[0][lane], parts_[1][lane], parts_[2][lane]},
@@ -45,13 +45,13 @@ class Packet {
   explicit Packet(const Ray<Real>& ray)
       : root(ray), box(ray.origin, ray.direction, Real(0)), unit_length(true) {}
 
-  Packet<float> one(int i) const { return {root.one(i), box.one(i), copy, unit_length}; }
+  Packet<float> one(int i) const { return {root.one(i), box.one(i), instance, unit_length}; }
   /// The same rays in the space that `map` leads to.
   Packet seen_through(const Affine& map) const {
-    return {map.point(root.origin), map.vector(root.direction), copy};
+    return {map.point(root.origin), map.vector(root.direction), instance};
   }
-  /// The same rays seen from a copy of the space that stands at `offset`.
-  Packet inside_copy(const Vec3d& offset, int number) const {
+  /// The same rays seen from an instance of the space that stands at `offset`.
+  Packet inside_instance(const Vec3d& offset, int number) const {
     Packet inside(root, box, number, unit_length);
     inside.root.origin = root.origin - static_cast<Vec3<P>>(offset);
     const Vec3<Real> origin = narrowed(inside.root.origin);
@@ -61,7 +61,7 @@ class Packet {
 
   RootRay<Real> root;
   BoxRay<Real> box;
-  int copy = 0;              ///< which copy of repeated groups the rays are in
+  int instance = 0;          ///< which instance of repeated groups the rays are in
   bool unit_length = false;  ///< whether directions are unit, but for float's rounding
 
  private:
@@ -70,9 +70,9 @@ class Packet {
   Packet(const Vec3<P>& origin, const Vec3<P>& direction, int number)
       : root(origin, direction),
         box(narrowed(origin), narrowed(direction), blur_of(narrowed(origin))),
-        copy(number) {}
+        instance(number) {}
   Packet(const RootRay<Real>& r, const BoxRay<Real>& b, int number, bool is_unit)
-      : root(r), box(b), copy(number), unit_length(is_unit) {}
+      : root(r), box(b), instance(number), unit_length(is_unit) {}
 
   static Vec3<Real> narrowed(const Vec3<P>& v) {
     return {narrow<Real>(v.x), narrow<Real>(v.y), narrow<Real>(v.z)};

@@ -5,59 +5,65 @@
 
 namespace tia {
 
-/// The nearest hit with t > 0; at equal t the object, copy and element that comes first.
+/// The nearest hit with t > 0; at equal t the object, instance and element that comes first.
 template <class Real>
 struct Nearest {
   Hit<Real> hit{};
-  int own = -1, own_copy = 0;  ///< the part that does not count; -1: none
+  int own = -1, own_instance = 0;  ///< the primitive that does not count; -1: none
 
   const Real& limit() const { return hit.t; }
-  bool skips(int part, int copy) const { return part == own && copy == own_copy; }
-  void offer(const Real& t, const Real& part, const Real& element, int copy, Mask<Real> here) {
-    const Real number(static_cast<float>(copy));
+  bool skips(int primitive, int instance) const {
+    return primitive == own && instance == own_instance;
+  }
+  void offer(const Real& t, const Real& primitive, const Real& element, int instance,
+             Mask<Real> here) {
+    const Real number(static_cast<float>(instance));
     const auto first = [](const Real& a, const Real& b, Mask<Real> after) -> Mask<Real> {
       return a < b || (a == b && after);
     };
     const Mask<Real> earlier =
-        first(part, hit.part, first(number, hit.copy, element < hit.element));
+        first(primitive, hit.primitive, first(number, hit.instance, element < hit.element));
     const Mask<Real> nearer = here && first(t, hit.t, t < Real(infinity) && earlier);
     hit.t = select(nearer, t, hit.t);
-    hit.part = select(nearer, part, hit.part);
+    hit.primitive = select(nearer, primitive, hit.primitive);
     hit.element = select(nearer, element, hit.element);
-    hit.copy = select(nearer, number, hit.copy);
+    hit.instance = select(nearer, number, hit.instance);
   }
 
   using Triangles = NearestTriangle<Real>;
   Triangles in(const MeshRay<Real>& ray) const {
     return {ray.m_of(hit.t * Real(box_grow)) * Real(box_grow)};
   }
-  void take(const Triangles& found, const MeshRay<Real>& ray, int part, int copy, Mask<Real> here) {
-    offer(ray.t_of(found.limit), Real(static_cast<float>(part)), found.number, copy,
+  void take(const Triangles& found, const MeshRay<Real>& ray, int primitive, int instance,
+            Mask<Real> here) {
+    offer(ray.t_of(found.limit), Real(static_cast<float>(primitive)), found.number, instance,
           here && found.found());
   }
 
   Nearest<float> one(int i) const {
-    return {{lane(hit.t, i), lane(hit.part, i), lane(hit.element, i), lane(hit.copy, i)},
+    return {{lane(hit.t, i), lane(hit.primitive, i), lane(hit.element, i), lane(hit.instance, i)},
             own,
-            own_copy};
+            own_instance};
   }
   void set_one(int i, const Nearest<float>& ray) {
     set_lane(hit.t, i, ray.hit.t);
-    set_lane(hit.part, i, ray.hit.part);
+    set_lane(hit.primitive, i, ray.hit.primitive);
     set_lane(hit.element, i, ray.hit.element);
-    set_lane(hit.copy, i, ray.hit.copy);
+    set_lane(hit.instance, i, ray.hit.instance);
   }
 };
 
-/// Whether anything but one part of one copy stands between the ray's origin and t_max.
+/// Whether anything but one primitive of one instance stands between the ray's origin and t_max.
 template <class Real>
 struct AnyHit {
   Real t_max;  ///< below 0 where something does: then nothing is left to look for
-  int own = -1, own_copy = 0;
+  int own = -1, own_instance = 0;
 
   const Real& limit() const { return t_max; }
   Mask<Real> blocked() const { return t_max < Real(0); }
-  bool skips(int part, int copy) const { return part == own && copy == own_copy; }
+  bool skips(int primitive, int instance) const {
+    return primitive == own && instance == own_instance;
+  }
   void offer(const Real& t, const Real&, const Real&, int, Mask<Real> here) {
     t_max = select(here && t < t_max, Real(-1), t_max);
   }
@@ -68,7 +74,7 @@ struct AnyHit {
     t_max = select(here && found.found(), Real(-1), t_max);
   }
 
-  AnyHit<float> one(int i) const { return {lane(t_max, i), own, own_copy}; }
+  AnyHit<float> one(int i) const { return {lane(t_max, i), own, own_instance}; }
   void set_one(int i, const AnyHit<float>& ray) { set_lane(t_max, i, ray.t_max); }
 };
 

@@ -51,7 +51,7 @@ class Search {
     const RootRay<FloatRegister> root(ray.root);
     traverse(balls.bvh, node, LoneRay(ray.box), query_.limit(), work_,
              [&](std::uint32_t first, std::uint32_t count, bool) {
-               meet_balls(balls, first, count, root, ray.copy);
+               meet_balls(balls, first, count, root, ray.instance);
              });
   }
   void below(const Space& space, std::uint32_t node, Packet<float>& ray) {
@@ -101,7 +101,7 @@ class Search {
       meet(geometry_.balls[balls.bvh.order[i]], packet, here);
   }
   void meet_balls(const BallIndex& balls, std::uint32_t first, std::uint32_t count,
-                  const RootRay<FloatRegister>& ray, int copy) {
+                  const RootRay<FloatRegister>& ray, int instance) {
     constexpr auto step = static_cast<std::uint32_t>(lanes<FloatRegister>);
     using P = Precise<FloatRegister>;
     const double* const words = balls.packed.leaf(first);
@@ -117,9 +117,9 @@ class Search {
       for (; left != 0; left &= left - 1) {
         const auto i = static_cast<std::uint32_t>(std::countr_zero(left));
         const Ball& ball = geometry_.balls[balls.bvh.order[first + from + i]];
-        if (query_.skips(ball.part, copy + ball.copy)) continue;
-        query_.offer(lane(t, static_cast<int>(i)), number(ball.part), Real(0), copy + ball.copy,
-                     true);
+        if (query_.skips(ball.primitive, instance + ball.instance)) continue;
+        query_.offer(lane(t, static_cast<int>(i)), number(ball.primitive), Real(0),
+                     instance + ball.instance, true);
       }
     }
   }
@@ -138,60 +138,60 @@ class Search {
   void meet(const Item& item, Packet<Real>& packet, Mask<Real> here) {
     switch (item.kind) {
       case Item::flat: return meet(geometry_.flats[at(item)], packet, here);
-      case Item::part: return meet_part(item.index, packet, here);
+      case Item::primitive: return meet_primitive(item.index, packet, here);
       case Item::mesh: return meet_mesh(item.index, packet, here);
       case Item::solid: return meet(geometry_.solids[at(item)], packet, here);
-      case Item::copies: return meet(geometry_.copies[at(item)], packet, here);
+      case Item::instances: return meet(geometry_.instances[at(item)], packet, here);
     }
   }
   static std::size_t at(const Item& item) { return static_cast<std::size_t>(item.index); }
   static Real number(int i) { return Real(static_cast<float>(i)); }
 
   [[gnu::flatten]] void meet(const Ball& ball, Packet<Real>& packet, Mask<Real> here) {
-    const int copy = packet.copy + ball.copy;
-    if (query_.skips(ball.part, copy)) return;
+    const int instance = packet.instance + ball.instance;
+    if (query_.skips(ball.primitive, instance)) return;
     work_.test();
     const Real t = intersect(ball.sphere, packet.root);
-    query_.offer(t, number(ball.part), Real(0), copy, here);
+    query_.offer(t, number(ball.primitive), Real(0), instance, here);
   }
   [[gnu::flatten]] void meet(const Flat& flat, Packet<Real>& packet, Mask<Real> here) {
     work_.test();
     const Real t = intersect(flat.plane, packet.root);
-    query_.offer(t, number(flat.part), Real(0), packet.copy, here);
+    query_.offer(t, number(flat.primitive), Real(0), packet.instance, here);
   }
 
   void offer(const LaneHits<Real>& hits, const Packet<Real>& packet, Mask<Real> here) {
-    query_.offer(hits.t, hits.part, hits.element, packet.copy, here && hits.t > Real(0));
+    query_.offer(hits.t, hits.primitive, hits.element, packet.instance, here && hits.t > Real(0));
   }
-  void meet_part(int part, Packet<Real>& packet, Mask<Real> here) {
-    if (query_.skips(part, packet.copy)) return;
-    const Part& own = geometry_.part(part);
+  void meet_primitive(int primitive, Packet<Real>& packet, Mask<Real> here) {
+    if (query_.skips(primitive, packet.instance)) return;
+    const Primitive& own = geometry_.primitive(primitive);
     work_.test(count(here) * own.work);
     if constexpr ((lanes<Real>) > 1) {
       if (goes_in_eights(own))
-        return offer(hits_in_eights(own, part, packet.root, here, query_.limit(), work_), packet,
-                     here);
+        return offer(hits_in_eights(own, primitive, packet.root, here, query_.limit(), work_),
+                     packet, here);
     }
     const auto nearest = [&](const Line& line, double t_max) -> Boundary {
       const auto [hit, more] = nearest_crossing(own, line, t_max);
       work_.add(more);
-      return {hit.t, part_of(own, part, hit.element), hit.element};
+      return {hit.t, primitive_of(own, primitive, hit.element), hit.element};
     };
     offer(hits_by_lanes(packet.root, here, query_.limit(), nearest), packet, here);
   }
   void meet(const Solid& solid, Packet<Real>& packet, Mask<Real> here) {
     work_.test(count(here) * solid.work);
     const auto first = [&](const Line& line, double) -> Boundary {
-      for (const Boundary& each : spans(solid, geometry_.parts, line, work_))
+      for (const Boundary& each : spans(solid, geometry_.primitives, line, work_))
         if (each.t > 0) return each;
       return {Aabb::far, 0, 0};
     };
     offer(hits_by_lanes(packet.root, here, query_.limit(), first), packet, here);
   }
 
-  void meet_mesh(int part, Packet<Real>& packet, Mask<Real> here) {
-    if (query_.skips(part, packet.copy)) return;
-    const Part& own = geometry_.part(part);
+  void meet_mesh(int primitive, Packet<Real>& packet, Mask<Real> here) {
+    if (query_.skips(primitive, packet.instance)) return;
+    const Primitive& own = geometry_.primitive(primitive);
     const MeshIndex& mesh = *geometry_.meshes[static_cast<std::size_t>(own.mesh)];
     const bool placed = own.placed;
     const MeshRay<Real> ray(mesh, placed ? packet.seen_through(own.to_object).root : packet.root,
@@ -199,7 +199,7 @@ class Search {
     auto triangles = query_.in(ray);
     here = here && triangles.limit > Real(0);
     search<quick>(mesh, ray, triangles, here, work_);
-    query_.take(triangles, ray, part, packet.copy, here);
+    query_.take(triangles, ray, primitive, packet.instance, here);
   }
   // How far from the world's origin the rays are; 0 where that is not known.
   static Real extent_of(const Packet<Real>& packet) {
@@ -209,13 +209,13 @@ class Search {
                   abs_of(narrow<Real>(o.z)));
   }
 
-  void meet(const Copies& grid, Packet<Real>& packet, Mask<Real> here) {
+  void meet(const InstanceGrid& grid, Packet<Real>& packet, Mask<Real> here) {
     const Packet<Real> outside = packet.seen_through(grid.to_group);
-    const int before = packet.copy * static_cast<int>(grid.repeat.copies());
+    const int before = packet.instance * static_cast<int>(grid.repeat.copies());
     const Space& space = geometry_.spaces[static_cast<std::size_t>(grid.inside)];
-    traverse(grid, outside.box, here, query_.limit(), work_, [&](int copy, Mask<Real> entered) {
-      Packet<Real> inside = outside.inside_copy(grid.offset(copy), before + copy);
-      // The box of a copy of one thing is that thing's.
+    traverse(grid, outside.box, here, query_.limit(), work_, [&](int instance, Mask<Real> entered) {
+      Packet<Real> inside = outside.inside_instance(grid.offset(instance), before + instance);
+      // The box of an instance of one thing is that thing's.
       if (space.items.size() == 1 && space.balls.balls.empty())
         meet(space.items.front(), inside, entered);
       else through(space, inside, entered);
@@ -233,7 +233,7 @@ void search(const World& world, const Ray<Real>& ray, Mask<Real> active, Query& 
             WorkCounter& work) {
   Packet<Real> packet(ray);
   for (const Geometry* geometry : world.geometries()) {
-    if (geometry->parts.empty()) continue;
+    if (geometry->primitives.empty()) continue;
     Search<Real, Query>(*geometry, query, work).through(geometry->spaces.front(), packet, active);
   }
 }

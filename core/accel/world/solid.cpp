@@ -16,20 +16,20 @@ double same_distance(const Line& line) {
 
 }  // namespace
 
-const Spans& spans(const Solid& solid, const std::vector<Part>& parts, const Line& line,
+const Spans& spans(const Solid& solid, const std::vector<Primitive>& primitives, const Line& line,
                    WorkCounter& work) {
   auto& stack = per_thread<std::vector<Spans>, struct BetweenSteps>();
   auto& result = per_thread<Spans, struct OfStep>();
   std::size_t top = 0;
   const double same = same_distance(line);
   for (const Solid::Step& step : solid.steps) {
-    if (step.part >= 0) {
+    if (step.primitive >= 0) {
       if (top == stack.size()) stack.emplace_back();
       Spans& own = stack[top++];
       own.clear();
-      const Part& part = parts[static_cast<std::size_t>(step.part)];
-      work.add(spans(part, line, [&](double t, int element) {
-        own.push_back({t, part_of(part, step.part, element), element});
+      const Primitive& primitive = primitives[static_cast<std::size_t>(step.primitive)];
+      work.add(spans(primitive, line, [&](double t, int element) {
+        own.push_back({t, primitive_of(primitive, step.primitive, element), element});
       }));
     } else {
       --top;

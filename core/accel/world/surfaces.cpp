@@ -1,5 +1,5 @@
-// The surface where rays hit a part: its normals, coordinates and colours there, lane by lane, or
-// eight lanes at once where the part's form can.
+// The surface where rays hit a primitive: its normals, coordinates and colours there, lane by lane,
+// or eight lanes at once where the primitive's form can.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -9,17 +9,19 @@
 namespace tia {
 namespace {
 
-MeshPoint mesh_point(const Geometry& geometry, const Part& part, const Vec3d& local, int element) {
-  return point_of(*geometry.meshes[static_cast<std::size_t>(part.mesh)],
+MeshPoint mesh_point(const Geometry& geometry, const Primitive& primitive, const Vec3d& local,
+                     int element) {
+  return point_of(*geometry.meshes[static_cast<std::size_t>(primitive.mesh)],
                   static_cast<std::size_t>(element), local);
 }
 
 }  // namespace
 
-Normals normals_at(const World& world, const Vec3d& p, int part, int element, std::int64_t copy) {
-  const Geometry& geometry = world.geometry_of(part);
-  const Part& own = geometry.part(part);
-  const Affine map = to_object(geometry, own, copy);
+Normals normals_at(const World& world, const Vec3d& p, int primitive, int element,
+                   std::int64_t instance) {
+  const Geometry& geometry = world.geometry_of(primitive);
+  const Primitive& own = geometry.primitive(primitive);
+  const Affine map = to_object(geometry, own, instance);
   const Vec3d local = map.point(p);
   // Normals are carried out by the inverse transpose.
   const auto outwards = [&](const Vec3d& n) { return normalize(map.row(own.inverted ? -n : n)); };
@@ -34,10 +36,10 @@ Normals normals_at(const World& world, const Vec3d& p, int part, int element, st
   return {n, n};
 }
 
-Vec2d uv_at(const World& world, const Vec3d& p, int part, int element, std::int64_t copy) {
-  const Geometry& geometry = world.geometry_of(part);
-  const Part& own = geometry.part(part);
-  const Vec3d local = to_object(geometry, own, copy).point(p);
+Vec2d uv_at(const World& world, const Vec3d& p, int primitive, int element, std::int64_t instance) {
+  const Geometry& geometry = world.geometry_of(primitive);
+  const Primitive& own = geometry.primitive(primitive);
+  const Vec3d local = to_object(geometry, own, instance).point(p);
   if (own.mesh >= 0) return mesh_point(geometry, own, local, element).uv;
   return std::visit([&](const auto& form) { return uv(form, local, element); }, own.form);
 }
@@ -68,7 +70,7 @@ class SurfaceLanes {
 
 template <class Real>
 SurfacePoint<Real> surface_by_lanes(const World& world, const Ray<Real>& ray, const Hit<Real>& hit,
-                                    int part, Mask<Real> here) {
+                                    int primitive, Mask<Real> here) {
   SurfaceLanes<Real> all;
   const Lines<Real> lines{RootRay<Real>(ray)};
   for (unsigned left = bits(here); left != 0; left &= left - 1) {
@@ -76,14 +78,15 @@ SurfacePoint<Real> surface_by_lanes(const World& world, const Ray<Real>& ray, co
     const auto at = static_cast<std::size_t>(i);
     const Vec3d p = lines[at].at(lane(hit.t, i));
     all.set(at, p,
-            normals_at(world, p, part, static_cast<int>(lane(hit.element, i)),
-                       static_cast<std::int64_t>(lane(hit.copy, i))));
+            normals_at(world, p, primitive, static_cast<int>(lane(hit.element, i)),
+                       static_cast<std::int64_t>(lane(hit.instance, i))));
   }
   return all.all();
 }
 
 template <class Real>
-SurfacePoint<Real> surface_in_eights(const Part& part, const Ray<Real>& ray, const Real& t) {
+SurfacePoint<Real> surface_in_eights(const Primitive& primitive, const Ray<Real>& ray,
+                                     const Real& t) {
   constexpr auto n = static_cast<std::size_t>(lanes<Real>);
   static_assert(n % 8 == 0);
   const Lines<Real> lines{RootRay<Real>(ray)};
@@ -92,8 +95,8 @@ SurfacePoint<Real> surface_in_eights(const Part& part, const Ray<Real>& ray, con
   SurfaceLanes<Real> all;
   for (std::size_t first = 0; first < n; first += 8) {
     const Vec3<Octet> p = lines.eight(first).at(Octet::load_unaligned(&distances[first]));
-    const Vec3<Octet> own = normals_of_eight(part, part.to_object.point(p));
-    const Vec3<Octet> out = normalize(part.to_object.row(part.inverted ? -own : own));
+    const Vec3<Octet> own = normals_of_eight(primitive, primitive.to_object.point(p));
+    const Vec3<Octet> out = normalize(primitive.to_object.row(primitive.inverted ? -own : own));
     for (int i = 0; i < 8; ++i) {
       const Vec3d one{lane(out.x, i), lane(out.y, i), lane(out.z, i)};
       all.set(first + static_cast<std::size_t>(i), {lane(p.x, i), lane(p.y, i), lane(p.z, i)},
@@ -104,14 +107,14 @@ SurfacePoint<Real> surface_in_eights(const Part& part, const Ray<Real>& ray, con
 }
 
 template <class Real>
-SurfacePoint<Real> copied_ball_surface(const Ball& ball, const Copies& grid, const Ray<Real>& ray,
-                                       const Hit<Real>& hit) {
+SurfacePoint<Real> copied_ball_surface(const Ball& ball, const InstanceGrid& grid,
+                                       const Ray<Real>& ray, const Hit<Real>& hit) {
   using P = Precise<Real>;
   constexpr auto n = static_cast<std::size_t>(lanes<Real>);
   std::array<std::array<double, n>, 3> centers{};
   for (std::size_t i = 0; i < n; ++i) {
-    const auto copy = static_cast<std::int64_t>(lane(hit.copy, static_cast<int>(i)));
-    const Vec3d center = ball.sphere.center + grid.offset(copy);
+    const auto instance = static_cast<std::int64_t>(lane(hit.instance, static_cast<int>(i)));
+    const Vec3d center = ball.sphere.center + grid.offset(instance);
     centers[0][i] = center.x, centers[1][i] = center.y, centers[2][i] = center.z;
   }
   const RootRay<Real> root(ray);
@@ -127,31 +130,32 @@ SurfacePoint<Real> copied_ball_surface(const Ball& ball, const Copies& grid, con
 }
 
 template <class Real>
-Vec3<Real> texture_colors(const World& world, const Ray<Real>& ray, const Hit<Real>& hit, int part,
-                          Mask<Real> here) {
+Vec3<Real> texture_colors(const World& world, const Ray<Real>& ray, const Hit<Real>& hit,
+                          int primitive, Mask<Real> here) {
   constexpr auto n = static_cast<std::size_t>(lanes<Real>);
-  const Geometry& geometry = world.geometry_of(part);
+  const Geometry& geometry = world.geometry_of(primitive);
   const TextureForm& texture =
-      geometry.textures[static_cast<std::size_t>(geometry.matter_of(part).texture)];
+      geometry.textures[static_cast<std::size_t>(geometry.shading_of(primitive).texture)];
   const bool wants_uv = std::holds_alternative<ImageForm>(texture.kind);
   std::array<std::array<LaneOf<Real>, n>, 3> rgb{};
   const Lines<Real> lines{RootRay<Real>(ray)};
   for (unsigned left = bits(here); left != 0; left &= left - 1) {
     const int i = std::countr_zero(left);
     const auto at = static_cast<std::size_t>(i);
-    const auto copy = static_cast<std::int64_t>(lane(hit.copy, i));
+    const auto instance = static_cast<std::int64_t>(lane(hit.instance, i));
     const Line line = lines[at];
     const Vec3d p = line.at(lane(hit.t, i));
-    const Affine map = to_object(geometry, geometry.part(part), copy);
+    const Affine map = to_object(geometry, geometry.primitive(primitive), instance);
     const Vec2d uv =
-        wants_uv ? uv_at(world, p, part, static_cast<int>(lane(hit.element, i)), copy) : Vec2d{};
+        wants_uv ? uv_at(world, p, primitive, static_cast<int>(lane(hit.element, i)), instance)
+                 : Vec2d{};
     // The point is off its surface along the ray, by the rounding of t and of what t is made of.
     const double reach = std::max(
         {std::fabs(p.x), std::fabs(p.y), std::fabs(p.z), static_cast<double>(lane(hit.t, i))});
     const double blur = 4e-6 * reach * length(map.vector(line.direction));
     const Vec3d color = color_at(texture, map.point(p), uv, blur);
-    const double parts[] = {color.x, color.y, color.z};
-    for (std::size_t k = 0; k < 3; ++k) rgb[k][at] = static_cast<LaneOf<Real>>(parts[k]);
+    const double primitives[] = {color.x, color.y, color.z};
+    for (std::size_t k = 0; k < 3; ++k) rgb[k][at] = static_cast<LaneOf<Real>>(primitives[k]);
   }
   return {load<Real>(rgb[0].data()), load<Real>(rgb[1].data()), load<Real>(rgb[2].data())};
 }
@@ -159,14 +163,14 @@ Vec3<Real> texture_colors(const World& world, const Ray<Real>& ray, const Hit<Re
 #define TIA_SURFACES(Real)                                                                       \
   template Vec3<Real> texture_colors(const World&, const Ray<Real>&, const Hit<Real>&, int,      \
                                      Mask<Real>);                                                \
-  template SurfacePoint<Real> copied_ball_surface(const Ball&, const Copies&, const Ray<Real>&,  \
-                                                  const Hit<Real>&);                             \
+  template SurfacePoint<Real> copied_ball_surface(const Ball&, const InstanceGrid&,              \
+                                                  const Ray<Real>&, const Hit<Real>&);           \
   template SurfacePoint<Real> surface_by_lanes(const World&, const Ray<Real>&, const Hit<Real>&, \
                                                int, Mask<Real>);
 TIA_SURFACES(Wide)
 TIA_SURFACES(float)
 TIA_SURFACES(double)
 #undef TIA_SURFACES
-template SurfacePoint<Wide> surface_in_eights(const Part&, const Ray<Wide>&, const Wide&);
+template SurfacePoint<Wide> surface_in_eights(const Primitive&, const Ray<Wide>&, const Wide&);
 
 }  // namespace tia

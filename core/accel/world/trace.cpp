@@ -13,14 +13,15 @@ namespace {
 // The distance that double finds by the plane of the triangle that is hit, where the mesh is so
 // large beside it that an offset from the surface (offset_of) is lost in what float keeps of it;
 // else, and where the triangle is seen edge on, the one that is there.
-double settled_distance(const Geometry& geometry, const Part& part, const Line& line,
-                        std::size_t triangle, std::int64_t copy, double t) {
-  const MeshIndex& mesh = *geometry.meshes[static_cast<std::size_t>(part.mesh)];
-  const Affine map = to_object(geometry, part, copy);
-  const Vec3d way = map.vector(line.direction) * (1 / mesh.unit);
-  const double rate = 1 / length(way);
+double settled_distance(const Geometry& geometry, const Primitive& primitive, const Line& line,
+                        std::size_t triangle, std::int64_t instance, double t) {
+  const MeshIndex& mesh = *geometry.meshes[static_cast<std::size_t>(primitive.mesh)];
+  const Affine map = to_object(geometry, primitive, instance);
+  const Vec3d direction = map.vector(line.direction) * (1 / mesh.unit);
+  const double rate = 1 / length(direction);
   if (!(t < large_mesh * rate)) return t;
-  const double exact = mesh.plane_distance(triangle, {mesh.measured(map.point(line.origin)), way});
+  const double exact =
+      mesh.plane_distance(triangle, {mesh.measured(map.point(line.origin)), direction});
   return exact > 0 && std::fabs(exact - t) < 0x1p-12 * rate ? exact : t;
 }
 
@@ -29,9 +30,9 @@ template <class Real>
 void settle_distances(const World& world, const Ray<Real>& ray, Mask<Real> active, Hit<Real>& hit) {
   if (world.of_objects->meshes.empty()) return;
   const Hit<Real> found = hit;
-  for_each_winner(found, active, [&](int part, Mask<Real> here) {
-    const Geometry& geometry = world.geometry_of(part);
-    const Part& own = geometry.part(part);
+  for_each_winner(found, active, [&](int primitive, Mask<Real> here) {
+    const Geometry& geometry = world.geometry_of(primitive);
+    const Primitive& own = geometry.primitive(primitive);
     if (own.mesh < 0) return;
     if (own.space == 0 && !own.placed) {
       const MeshIndex& mesh = *geometry.meshes[static_cast<std::size_t>(own.mesh)];
@@ -47,7 +48,7 @@ void settle_distances(const World& world, const Ray<Real>& ray, Mask<Real> activ
       at = static_cast<LaneOf<Real>>(settled_distance(
           geometry, own, lines[static_cast<std::size_t>(i)],
           static_cast<std::size_t>(lane(found.element, i)),
-          static_cast<std::int64_t>(lane(found.copy, i)), static_cast<double>(at)));
+          static_cast<std::int64_t>(lane(found.instance, i)), static_cast<double>(at)));
     }
     hit.t = select(here, load<Real>(t.data()), hit.t);
   });
@@ -70,25 +71,25 @@ Hit<Real> closest_hit(const World& world, const Ray<Real>& ray, Mask<Real> activ
 }
 
 template <class Real>
-Mask<Real> occluded(const World& world, const Ray<Real>& ray, const Real& t_max, const Lamp& lamp,
-                    Mask<Real> active, WorkCounter& work) {
-  AnyHit<Real> query{t_max, lamp.part, lamp.copy};
+Mask<Real> occluded(const World& world, const Ray<Real>& ray, const Real& t_max,
+                    const WorldLight& light, Mask<Real> active, WorkCounter& work) {
+  AnyHit<Real> query{t_max, light.primitive, light.instance};
   search(world, ray, active, query, work);
   return query.blocked();
 }
 
 namespace {
 
-// Goes from surface to surface, the lamp's own left out, as far as t_max and as long as lanes want
+// Goes from surface to surface, the light's own left out, as far as t_max and as long as lanes want
 // to: visit(hit, lanes) tells which of them do. The offset behind each surface is as far as a
 // shadow ray's in front of its own.
 template <class Real, class Visit>
-void walk(const World& world, const Ray<Real>& ray, const Real& t_max, const Lamp& lamp,
+void walk(const World& world, const Ray<Real>& ray, const Real& t_max, const WorldLight& light,
           Mask<Real> going, WorkCounter& work, Visit visit) {
   Real done(0);
   while (any(going)) {
     const Vec3<Real> from = ray.at(done);
-    const Nearest<Real> query{{}, lamp.part, lamp.copy};
+    const Nearest<Real> query{{}, light.primitive, light.instance};
     const Hit<Real> hit = nearest<Real>(world, {from, ray.direction}, going, query, work);
     const Real t = done + hit.t;
     going = visit(hit, going && t < t_max);
@@ -100,8 +101,8 @@ void walk(const World& world, const Ray<Real>& ray, const Real& t_max, const Lam
 template <class Real>
 Real transmissions(const World& world, const Hit<Real>& hit, Mask<Real> met) {
   Real share(0);
-  for_each_winner(hit, met, [&](int part, Mask<Real> here) {
-    share = select(here, lift<Real>(world.matter_of(part).transmission), share);
+  for_each_winner(hit, met, [&](int primitive, Mask<Real> here) {
+    share = select(here, lift<Real>(world.shading_of(primitive).transmission), share);
   });
   return share;
 }
@@ -109,25 +110,25 @@ Real transmissions(const World& world, const Hit<Real>& hit, Mask<Real> met) {
 }  // namespace
 
 template <class Real>
-Real transmitted(const World& world, const Ray<Real>& ray, const Real& t_max, const Lamp& lamp,
-                 Mask<Real> active, WorkCounter& work) {
+Real transmitted(const World& world, const Ray<Real>& ray, const Real& t_max,
+                 const WorldLight& light, Mask<Real> active, WorkCounter& work) {
   Real share(1);
   const auto take = [&](const Hit<Real>& hit, Mask<Real> met) -> Mask<Real> {
     share = select(met, share * transmissions(world, hit, met), share);
     return met && share > Real(0);
   };
-  walk(world, ray, t_max, lamp, active, work, take);
+  walk(world, ray, t_max, light, active, work, take);
   return share;
 }
 
-Blocker first_blocker(const World& world, const Ray<float>& ray, float t_max, const Lamp& lamp,
-                      bool transparent, WorkCounter& work) {
+Blocker first_blocker(const World& world, const Ray<float>& ray, float t_max,
+                      const WorldLight& light, bool transparent, WorkCounter& work) {
   Blocker blocking;
-  walk(world, ray, t_max, lamp, true, work, [&](const Hit<float>& hit, bool met) {
+  walk(world, ray, t_max, light, true, work, [&](const Hit<float>& hit, bool met) {
     if (!met) return false;
-    const int part = static_cast<int>(hit.part);
-    if (transparent && world.matter_of(part).transmission == 1) return true;
-    blocking = {part, static_cast<std::int64_t>(hit.copy)};
+    const int primitive = static_cast<int>(hit.primitive);
+    if (transparent && world.shading_of(primitive).transmission == 1) return true;
+    blocking = {primitive, static_cast<std::int64_t>(hit.instance)};
     return false;
   });
   return blocking;
@@ -135,12 +136,12 @@ Blocker first_blocker(const World& world, const Ray<float>& ray, float t_max, co
 
 // ---- the three scalars ----------------------------------------------------------------------
 
-#define TIA_TRACE(Real)                                                                           \
-  template Hit<Real> closest_hit(const World&, const Ray<Real>&, Mask<Real>, WorkCounter&);       \
-  template Mask<Real> occluded(const World&, const Ray<Real>&, const Real&, const Lamp&,          \
-                               Mask<Real>, WorkCounter&);                                         \
-  template Real transmitted(const World&, const Ray<Real>&, const Real&, const Lamp&, Mask<Real>, \
-                            WorkCounter&);
+#define TIA_TRACE(Real)                                                                        \
+  template Hit<Real> closest_hit(const World&, const Ray<Real>&, Mask<Real>, WorkCounter&);    \
+  template Mask<Real> occluded(const World&, const Ray<Real>&, const Real&, const WorldLight&, \
+                               Mask<Real>, WorkCounter&);                                      \
+  template Real transmitted(const World&, const Ray<Real>&, const Real&, const WorldLight&,    \
+                            Mask<Real>, WorkCounter&);
 TIA_TRACE(Wide)
 TIA_TRACE(float)
 TIA_TRACE(double)

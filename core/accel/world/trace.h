@@ -25,16 +25,16 @@ Hit<Real> closest_ball(const World& world, const std::vector<int>& balls, const 
     const Real t = intersect(ball.sphere, root_ray);
     const auto nearer = t < nearest.t;
     nearest.t = select(nearer, t, nearest.t);
-    nearest.part = select(nearer, Real(static_cast<float>(ball.part)), nearest.part);
+    nearest.primitive = select(nearer, Real(static_cast<float>(ball.primitive)), nearest.primitive);
   }
   return nearest;
 }
 
-/// Whether anything but the lamp's own ball stands between the ray's origin and t_max; of lanes
+/// Whether anything but the light's own ball stands between the ray's origin and t_max; of lanes
 /// that are not active it says nothing. Errors: what the work's report throws.
 template <class Real>
-Mask<Real> occluded(const World& world, const Ray<Real>& ray, const Real& t_max, const Lamp& lamp,
-                    Mask<Real> active, WorkCounter& work);
+Mask<Real> occluded(const World& world, const Ray<Real>& ray, const Real& t_max,
+                    const WorldLight& light, Mask<Real> active, WorkCounter& work);
 
 /// How far a ray starts from its surface: 1e-4 at the thesis' distances, in proportion to the
 /// distance elsewhere, so that scenes of other scales have neither acne nor leaks.
@@ -44,30 +44,32 @@ Real offset_of(const Real& t, const Vec3<Real>& p) {
   return Real(5e-6F) * max_of(t, extent);
 }
 
-/// The share of a lamp's light that goes straight from t_max to the ray's origin through all that
+/// The share of a light's light that goes straight from t_max to the ray's origin through all that
 /// transmits: each surface on the way takes its own. Errors: as occluded's.
 template <class Real>
-Real transmitted(const World& world, const Ray<Real>& ray, const Real& t_max, const Lamp& lamp,
-                 Mask<Real> active, WorkCounter& work);
+Real transmitted(const World& world, const Ray<Real>& ray, const Real& t_max,
+                 const WorldLight& light, Mask<Real> active, WorkCounter& work);
 
-/// Blocker: what stands between a point and a lamp: a part, which copy of it, -1: nothing.
+/// Blocker: what stands between a point and a light: a primitive, which instance of it, -1:
+/// nothing.
 struct Blocker {
-  int part = -1;
-  std::int64_t copy = 0;
+  int primitive = -1;
+  std::int64_t instance = 0;
 };
-/// What takes of a lamp's light first on the way from the ray's origin to t_max.
+/// What takes of a light's light first on the way from the ray's origin to t_max.
 /// Where shadows are transparent, what lets all light through takes none. Errors: as occluded's.
-Blocker first_blocker(const World& world, const Ray<float>& ray, float t_max, const Lamp& lamp,
-                      bool transparent, WorkCounter& work);
+Blocker first_blocker(const World& world, const Ray<float>& ray, float t_max,
+                      const WorldLight& light, bool transparent, WorkCounter& work);
 
 /// The same as occluded in a world of few balls.
 template <class Real>
 Mask<Real> occluded_by_balls(const World& world, const Ray<Real>& ray, const Real& t_max,
-                             const Lamp& lamp) {
+                             const WorldLight& light) {
   const RootRay<Real> root_ray(ray);
   Mask<Real> blocked(false);
   for (const Ball& ball : world.balls)
-    if (ball.part != lamp.part) blocked = blocked | (intersect(ball.sphere, root_ray) < t_max);
+    if (ball.primitive != light.primitive)
+      blocked = blocked | (intersect(ball.sphere, root_ray) < t_max);
   return blocked;
 }
 
@@ -91,26 +93,28 @@ struct SurfacePoint {
 struct Normals {
   Vec3d n, ng;
 };
-/// A part's at a point of it, in double, in world space.
-Normals normals_at(const World& world, const Vec3d& p, int part, int element, std::int64_t copy);
-/// A part's surface coordinates at a point of it.
-Vec2d uv_at(const World& world, const Vec3d& p, int part, int element, std::int64_t copy);
+/// A primitive's at a point of it, in double, in world space.
+Normals normals_at(const World& world, const Vec3d& p, int primitive, int element,
+                   std::int64_t instance);
+/// A primitive's surface coordinates at a point of it.
+Vec2d uv_at(const World& world, const Vec3d& p, int primitive, int element, std::int64_t instance);
 
-/// The colours that a part's texture has where the lanes of `here` hit it. Domain: a part that has
-/// one.
+/// The colours that a primitive's texture has where the lanes of `here` hit it. Domain: a primitive
+/// that has one.
 template <class Real>
-Vec3<Real> texture_colors(const World& world, const Ray<Real>& ray, const Hit<Real>& hit, int part,
-                          Mask<Real> here);
+Vec3<Real> texture_colors(const World& world, const Ray<Real>& ray, const Hit<Real>& hit,
+                          int primitive, Mask<Real> here);
 
 /// The lanes of `here` one by one, not turned to the viewer.
 template <class Real>
 SurfacePoint<Real> surface_by_lanes(const World& world, const Ray<Real>& ray, const Hit<Real>& hit,
-                                    int part, Mask<Real> here);
+                                    int primitive, Mask<Real> here);
 
-/// Eight lanes at a time. Domain: a part in the world's own space, hit where its normals go in
+/// Eight lanes at a time. Domain: a primitive in the world's own space, hit where its normals go in
 /// eights (normals_go_in_eights); other lanes come out meaningless.
 template <class Real>
-SurfacePoint<Real> surface_in_eights(const Part& part, const Ray<Real>& ray, const Real& t);
+SurfacePoint<Real> surface_in_eights(const Primitive& primitive, const Ray<Real>& ray,
+                                     const Real& t);
 
 /// A normal turned to the viewer by the cosine between the surface's own and the ray. Where a thing
 /// is too small for a normal the cosine is NaN, and the way back along the ray takes its place.
@@ -149,22 +153,23 @@ SurfacePoint<Real> flat_surface(const Flat& flat, const Ray<Real>& ray, const Re
   const Vec3<Real> n = lift<Real>(flat.plane.frame.n);
   return {{narrow<Real>(p.x), narrow<Real>(p.y), narrow<Real>(p.z)}, n, n, {}};
 }
-/// A ball of a group that the world itself repeats, each lane on its own copy.
+/// A ball of a group that the world itself repeats, each lane on its own instance.
 template <class Real>
-SurfacePoint<Real> copied_ball_surface(const Ball& ball, const Copies& grid, const Ray<Real>& ray,
-                                       const Hit<Real>& hit);
+SurfacePoint<Real> copied_ball_surface(const Ball& ball, const InstanceGrid& grid,
+                                       const Ray<Real>& ray, const Hit<Real>& hit);
 
-/// Of any part, not turned to the viewer: by the packet where its kind allows, else lane by lane.
+/// Of any primitive, not turned to the viewer: by the packet where its kind allows, else lane by
+/// lane.
 template <class Real>
 SurfacePoint<Real> outward_surface(const World& world, const Ray<Real>& ray, const Hit<Real>& hit,
-                                   int part, Mask<Real> here) {
-  const Geometry& geometry = world.geometry_of(part);
-  const Part& own = geometry.part(part);
+                                   int primitive, Mask<Real> here) {
+  const Geometry& geometry = world.geometry_of(primitive);
+  const Primitive& own = geometry.primitive(primitive);
   if (own.space == 0 && own.flat >= 0)
     return flat_surface(geometry.flats[static_cast<std::size_t>(own.flat)], ray, hit.t);
   if (own.space != 0 && own.ball >= 0) {
-    const int number = geometry.space(own.space).copies;
-    const Copies& grid = geometry.copies[static_cast<std::size_t>(number)];
+    const int number = geometry.space(own.space).instances;
+    const InstanceGrid& grid = geometry.instances[static_cast<std::size_t>(number)];
     const Ball& ball = geometry.balls[static_cast<std::size_t>(own.ball)];
     if (grid.outside == 0) return copied_ball_surface(ball, grid, ray, hit);
   }
@@ -173,21 +178,21 @@ SurfacePoint<Real> outward_surface(const World& world, const Ray<Real>& ray, con
     if (own.space == 0 && !aside && normals_go_in_eights(own))
       return surface_in_eights(own, ray, hit.t);
   }
-  return surface_by_lanes(world, ray, hit, part, here);
+  return surface_by_lanes(world, ray, hit, primitive, here);
 }
 
-/// Domain: lanes outside `here`, whose rays have not hit `part`, come out meaningless.
+/// Domain: lanes outside `here`, whose rays have not hit `primitive`, come out meaningless.
 template <class Real>
-SurfacePoint<Real> surface(const World& world, const Ray<Real>& ray, const Hit<Real>& hit, int part,
-                           Mask<Real> here) {
-  const Geometry& geometry = world.geometry_of(part);
-  const Part& own = geometry.part(part);
+SurfacePoint<Real> surface(const World& world, const Ray<Real>& ray, const Hit<Real>& hit,
+                           int primitive, Mask<Real> here) {
+  const Geometry& geometry = world.geometry_of(primitive);
+  const Primitive& own = geometry.primitive(primitive);
   if (own.space == 0 && own.ball >= 0) {
     const Ball& ball = geometry.balls[static_cast<std::size_t>(own.ball)];
     const BallPoint<Real> at = ball_surface(ball, ray, hit.t);
     return {at.p, at.n, at.n, at.front};
   }
-  SurfacePoint<Real> at = outward_surface(world, ray, hit, part, here);
+  SurfacePoint<Real> at = outward_surface(world, ray, hit, primitive, here);
   const Real cosine = dot(at.ng, ray.direction);
   at.n = turned(at.n, cosine, ray.direction);
   at.ng = turned(at.ng, cosine, ray.direction);
@@ -195,15 +200,15 @@ SurfacePoint<Real> surface(const World& world, const Ray<Real>& ray, const Hit<R
   return at;
 }
 
-/// Calls f(part, mask) once for each part that lanes have hit: a packet rarely sees more than two,
-/// so what depends on the part alone is found once for all lanes.
+/// Calls f(primitive, mask) once for each primitive that lanes have hit: a packet rarely sees more
+/// than two, so what depends on the primitive alone is found once for all lanes.
 template <class Real, class F>
 void for_each_winner(const Hit<Real>& hit, Mask<Real> active, F f) {
   Mask<Real> left = active && hit.t < Real(infinity);
   while (const unsigned lanes_left = bits(left)) {
-    const auto part = static_cast<int>(lane(hit.part, std::countr_zero(lanes_left)));
-    const Mask<Real> here = left && hit.part == Real(static_cast<float>(part));
-    f(part, here);
+    const auto primitive = static_cast<int>(lane(hit.primitive, std::countr_zero(lanes_left)));
+    const Mask<Real> here = left && hit.primitive == Real(static_cast<float>(primitive));
+    f(primitive, here);
     left = left && !here;
   }
 }

@@ -16,9 +16,9 @@ namespace tia {
 struct World {
   SharedGeometry of_objects;
   Vec3d origin{};      ///< in the scene's coordinates: of_objects->origin
-  Geometry of_lights;  ///< the surfaces of luminous lights; their parts follow the objects'
-  std::vector<Lamp> lamps;
-  /// Where few_balls: all of them, a part each, in order.
+  Geometry of_lights;  ///< the surfaces of luminous lights; their primitives follow the objects'
+  std::vector<WorldLight> lights;
+  /// Where few_balls: all of them, a primitive each, in order.
   std::vector<Ball> balls;
   Constant background;
   int objects = 0;                   ///< how many; the luminous lights are the last
@@ -26,14 +26,14 @@ struct World {
   bool few_balls = false;      ///< so few, plain and lit from points, that they are tried in turn
   std::size_t degenerate = 0;  ///< triangles without area, which nothing meets
 
-  /// All that rays can meet, in the order of the parts.
+  /// All that rays can meet, in the order of the primitives.
   std::array<const Geometry*, 2> geometries() const { return {of_objects.get(), &of_lights}; }
-  /// The one that a part is of.
-  const Geometry& geometry_of(int part) const {
-    return part < of_lights.first_part ? *of_objects : of_lights;
+  /// The one that a primitive is of.
+  const Geometry& geometry_of(int primitive) const {
+    return primitive < of_lights.first_primitive ? *of_objects : of_lights;
   }
-  const Part& part(int i) const { return geometry_of(i).part(i); }
-  const Matter& matter_of(int i) const { return geometry_of(i).matter_of(i); }
+  const Primitive& primitive(int i) const { return geometry_of(i).primitive(i); }
+  const ShadingParameters& shading_of(int i) const { return geometry_of(i).shading_of(i); }
 };
 
 /// Domain: a scene that read_scene has passed. Errors: Stopped once that is asked for.

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/input/codec.h"
-#include "core/input/placement.h"
+#include "core/input/transform_steps.h"
 #include "core/shapes/composite/csg.h"
 #include "core/shapes/formula/implicit.h"
 #include "core/shapes/simple/box.h"
@@ -56,7 +56,7 @@ struct Blended {
   static constexpr std::string_view schema_name = "blended";
   /// THE LIST of what has a distance field (blend.cpp).
   std::variant<Sphere, Box, Cylinder, Capsule, Torus, Implicit, Blend> shape;
-  Placement transform;
+  TransformSteps transform;
 
   template <class Visitor>
   static void fields(Visitor&& visit) {

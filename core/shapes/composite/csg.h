@@ -39,7 +39,7 @@ struct Csg {
 /// Boundary: where a line enters or leaves a solid, and whose surface is there.
 struct Boundary {
   double t = 0;
-  int part = 0, element = 0;
+  int primitive = 0, element = 0;
 };
 
 /// Spans: a line's boundaries, ascending: in, out, in, out, ... An infinite t has no surface.

@@ -13,13 +13,13 @@ std::int64_t number_of(const Voxels& v, const Cell& cell) {
   return cell[0] + v.size[0] * (cell[1] + std::int64_t{v.size[1]} * cell[2]);
 }
 Cell cell_at(const Voxels& v, std::size_t element) {
-  const Occupied& list = v.occupied;
+  const VoxelList& list = v.occupied;
   return {list.number(element, 0), list.number(element, 1), list.number(element, 2)};
 }
 
 /// Calls f(element, first, count, byte) for each run that is filled. Domain: a list of runs.
 template <class F>
-void for_each_run(const Occupied& list, F f) {
+void for_each_run(const VoxelList& list, F f) {
   std::int64_t first = 0;
   for (std::size_t i = 0; i < list.size(); ++i) {
     const int count = list.number(i, 0);
@@ -62,7 +62,7 @@ CellRange filled_range(const Voxels& v) {
 
 std::vector<std::uint8_t> bytes_of(const Voxels& v) {
   std::vector<std::uint8_t> cells(static_cast<std::size_t>(cells_of(v)));
-  const Occupied& list = v.occupied;
+  const VoxelList& list = v.occupied;
   if (list.in_runs()) {
     for_each_run(list, [&](std::int64_t first, int count, std::uint8_t byte) {
       std::fill_n(cells.begin() + first, count, byte);
@@ -96,7 +96,7 @@ std::string integers(int from, int to) {
 
 // Runs that end within the grid.
 void check_runs(const Voxels& v, const Place& at, Faults& faults) {
-  const Occupied& list = v.occupied;
+  const VoxelList& list = v.occupied;
   std::int64_t left = cells_of(v);
   for (std::size_t i = 0; i < list.size(); ++i) {
     const int count = list.number(i, 0);
@@ -125,7 +125,7 @@ bool check_index(const Voxels& v, std::size_t element, const Place& at, Faults& 
 
 // Cells within the grid, none of two materials.
 void check_cells(const Voxels& v, const Place& at, Faults& faults) {
-  const Occupied& list = v.occupied;
+  const VoxelList& list = v.occupied;
   std::vector<std::uint8_t> seen;
   if (list.has_materials()) seen.resize(static_cast<std::size_t>(cells_of(v)));
   for (std::size_t i = 0; i < list.size() && !faults.full(); ++i) {
@@ -187,7 +187,7 @@ VoxelsForm prepare(const Voxels& v) {
   form.filled = filled_range(v);
   form.origin = v.origin;
   form.cell = edges(v);
-  const Occupied& list = v.occupied;
+  const VoxelList& list = v.occupied;
   for (std::size_t i = 0; list.has_materials() && i < list.size(); ++i)
     form.materials = std::max(form.materials, list.material(i));
   return form;

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/shapes/crossing.h"
-#include "core/shapes/voxels/occupied.h"
+#include "core/shapes/voxels/voxel_list.h"
 
 namespace tia {
 
@@ -21,7 +21,7 @@ struct Voxels {
   std::array<int, 3> size{1, 1, 1};
   Vec3d origin{};
   std::variant<double, Vec3d> cell = 1.0;
-  Occupied occupied;
+  VoxelList occupied;
 
   template <class Visitor>
   static void fields(Visitor&& visit) {

@@ -131,7 +131,7 @@ def installed_peers():
     peers = [PovRay(), Tachyon()]
     for peer in peers:
         if not peer.installed:
-            print(f"{peer.name} is not installed: it takes no part.", file=sys.stderr)
+            print(f"{peer.name} is not installed: it takes no primitive.", file=sys.stderr)
     return [peer for peer in peers if peer.installed]
 
 

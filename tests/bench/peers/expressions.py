@@ -87,7 +87,7 @@ def parsed(text, values=None):
 
 def with_values(tree, values):
     if isinstance(tree, tuple):
-        return (tree[0], *(with_values(part, values) for part in tree[1:]))
+        return (tree[0], *(with_values(primitive, values) for primitive in tree[1:]))
     return float(values[tree]) if tree in values else tree
 
 
@@ -100,10 +100,10 @@ def folded(tree):
     """The tree with what is a number computed."""
     if not isinstance(tree, tuple):
         return tree
-    parts = [folded(part) for part in tree[1:]]
-    if all(isinstance(part, float) for part in parts):
-        return float(evaluator((tree[0], *parts), ())())
-    return (tree[0], *parts)
+    primitives = [folded(primitive) for primitive in tree[1:]]
+    if all(isinstance(primitive, float) for primitive in primitives):
+        return float(evaluator((tree[0], *primitives), ())())
+    return (tree[0], *primitives)
 
 
 # ---- as Python ------------------------------------------------------------------------------
@@ -113,15 +113,15 @@ def python_text(tree):
         return f"({tree!r})"
     if isinstance(tree, str):
         return tree
-    word, *parts = tree
-    parts = [python_text(part) for part in parts]
+    word, *primitives = tree
+    primitives = [python_text(primitive) for primitive in primitives]
     if word == "neg":
-        return f"(-{parts[0]})"
+        return f"(-{primitives[0]})"
     if word in BINDS or word == "^":
-        return f"({parts[0]} {'**' if word == '^' else word} {parts[1]})"
+        return f"({primitives[0]} {'**' if word == '^' else word} {primitives[1]})"
     if word not in FUNCTIONS:
         raise CannotExpress(f"the function {word}")
-    return f"{word}({', '.join(parts)})"
+    return f"{word}({', '.join(primitives)})"
 
 
 def evaluator(tree, names):
@@ -145,14 +145,14 @@ def pov_text(tree):
     word, *operands = tree
     if word in ("^", "pow"):
         return pov_power(*operands)
-    parts = [pov_text(part) for part in operands]
+    primitives = [pov_text(primitive) for primitive in operands]
     if word == "neg":
-        return f"(-{parts[0]})"
+        return f"(-{primitives[0]})"
     if word in BINDS:
-        return f"({parts[0]} {word} {parts[1]})"
+        return f"({primitives[0]} {word} {primitives[1]})"
     if word not in FUNCTIONS:
         raise CannotExpress(f"the function {word}")
-    return f"{POV_WORDS.get(word, word)}({', '.join(parts)})"
+    return f"{POV_WORDS.get(word, word)}({', '.join(primitives)})"
 
 
 def pov_power(base, exponent):
@@ -185,19 +185,19 @@ def polynomial(tree):
         return {(0, 0, 0): tree}
     if tree in ("x", "y", "z"):
         return {tuple(int(tree == axis) for axis in "xyz"): 1.0}
-    word, *parts = tree
-    if word == "^" and isinstance(parts[1], float) and parts[1] in range(0, 33):
+    word, *primitives = tree
+    if word == "^" and isinstance(primitives[1], float) and primitives[1] in range(0, 33):
         result = {(0, 0, 0): 1.0}
-        for _ in range(int(parts[1])):
-            result = product(result, polynomial(parts[0]))
+        for _ in range(int(primitives[1])):
+            result = product(result, polynomial(primitives[0]))
         return result
-    if word == "/" and isinstance(parts[1], float):
-        return product(polynomial(parts[0]), {(0, 0, 0): 1 / parts[1]})
+    if word == "/" and isinstance(primitives[1], float):
+        return product(polynomial(primitives[0]), {(0, 0, 0): 1 / primitives[1]})
     if word == "neg":
-        return product(polynomial(parts[0]), {(0, 0, 0): -1.0})
+        return product(polynomial(primitives[0]), {(0, 0, 0): -1.0})
     if word not in ("+", "-", "*"):
         raise CannotExpress(f"{word} in a polynomial")
-    a, b = map(polynomial, parts)
+    a, b = map(polynomial, primitives)
     return product(a, b) if word == "*" else total(a, b, 1 if word == "+" else -1)
 
 

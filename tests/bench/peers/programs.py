@@ -96,7 +96,7 @@ class Peer:
         return read_ppm(Path(self.folder, self.picture_file).read_bytes())
 
     def shown_part(self, picture):
-        """The part of Tia's picture that this program's shows."""
+        """The primitive of Tia's picture that this program's shows."""
         return picture
 
 

@@ -1,4 +1,4 @@
-"""Draws what a ray costs against the number of primitives: small multiples, by gnuplot."""
+"""SamplerState what a ray costs against the number of primitives: small multiples, by gnuplot."""
 
 import re
 import subprocess

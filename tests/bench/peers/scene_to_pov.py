@@ -4,7 +4,7 @@ whose vectors are all given here: points stay as they are, and formulas, too."""
 from formulas_to_pov import formula
 from primitives import FORMULAS, CannotExpress, primitives, rgb
 from vectors import dot, scaled, unit
-from views import eye, lamps
+from views import eye, lights
 
 
 def vector(v):
@@ -24,12 +24,12 @@ def camera(scene, aspect):
             f"right {vector(scaled(e.right, height * aspect))} }}")
 
 
-def light(lamp):
+def light(light):
     """A point; a luminous ball is seen besides and casts no shadow."""
-    text = f"light_source {{ {vector(lamp.position)}, rgb {color(lamp.color)} }}"
-    if lamp.radius > 0:
-        text += (f"\nsphere {{ {vector(lamp.position)}, {lamp.radius:.9g} "
-                 f"pigment {{ rgb {color(lamp.color)} }} "
+    text = f"light_source {{ {vector(light.position)}, rgb {color(light.color)} }}"
+    if light.radius > 0:
+        text += (f"\nsphere {{ {vector(light.position)}, {light.radius:.9g} "
+                 f"pigment {{ rgb {color(light.color)} }} "
                  "finish { ambient 0 emission 1 diffuse 0 } no_shadow }")
     return text
 
@@ -51,11 +51,11 @@ def mesh(fields):
     """POV-Ray's word for meshes, and its lists."""
     def listed(name, items):
         return f"{name} {{ {len(items)}, {', '.join(items)} }}"
-    parts = [listed("vertex_vectors", [vector(p) for p in fields["positions"]])]
+    primitives = [listed("vertex_vectors", [vector(p) for p in fields["positions"]])]
     if fields["normals"]:
-        parts.append(listed("normal_vectors", [vector(n) for n in fields["normals"]]))
-    parts.append(listed("face_indices", ["<{}, {}, {}>".format(*t) for t in fields["indices"]]))
-    return "mesh2", " ".join(parts)
+        primitives.append(listed("normal_vectors", [vector(n) for n in fields["normals"]]))
+    primitives.append(listed("face_indices", ["<{}, {}, {}>".format(*t) for t in fields["indices"]]))
+    return "mesh2", " ".join(primitives)
 
 
 def shape(kind, f, share=1):
@@ -87,7 +87,7 @@ def to_pov(scene, aspect, share=1):
     lines = ["#version 3.7;",
              f"global_settings {{ assumed_gamma 1 max_trace_level {depth + 1} adc_bailout 0 }}",
              f"background {{ rgb {color(rgb(scene.get('background', 0)))} }}",
-             camera(scene, aspect), *map(light, lamps(scene))]
+             camera(scene, aspect), *map(light, lights(scene))]
     names = {}
     for p in surfaces:
         look = texture(p.material)

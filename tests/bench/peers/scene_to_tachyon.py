@@ -8,7 +8,7 @@ same size these are the centres of Tia's, but for those of the first column and 
 
 from primitives import CannotExpress, primitives, rgb
 from vectors import scaled, subtract, unit
-from views import eye, lamps
+from views import eye, lights
 
 OPTIONS = ["-fullshade", "-shade_phong", "-trans_vmd", "-shadow_filter_on"]
 POINT = 1e-6  # the radius of a light that is not to be seen
@@ -33,10 +33,10 @@ def camera(scene, width, height):
             f"  UPDIR {vector(e.up)}\nEND_CAMERA")
 
 
-def light(lamp):
+def light(light):
     """A point is a very small ball: Tachyon shows its lights."""
-    return (f"LIGHT CENTER {vector(lamp.position)} RAD {lamp.radius or POINT:.9g} "
-            f"COLOR {color(lamp.color)}")
+    return (f"LIGHT CENTER {vector(light.position)} RAD {light.radius or POINT:.9g} "
+            f"COLOR {color(light.color)}")
 
 
 def texture(m):
@@ -117,7 +117,7 @@ def to_tachyon(scene, width, height):
     """A whole scene file; light is linear as it comes."""
     surfaces = primitives(scene)
     lines = ["BEGIN_SCENE", camera(scene, width, height),
-             f"BACKGROUND {color(rgb(scene.get('background', 0)))}", *map(light, lamps(scene))]
+             f"BACKGROUND {color(rgb(scene.get('background', 0)))}", *map(light, lights(scene))]
     names = {}
     for p in surfaces:
         look = texture(p.material)

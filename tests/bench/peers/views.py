@@ -8,21 +8,21 @@ from vectors import cross, scaled, subtract, unit
 
 
 @dataclass
-class Lamp:
+class WorldLight:
     """A light that shines from one point; a luminous ball where it has a radius."""
     position: tuple
     color: tuple
     radius: float
 
 
-def lamps(scene):
+def lights(scene):
     """All of a scene's lights."""
     found = []
     for light in scene.get("lights", []):
         if light["type"] not in ("point", "sphere") or set(light) & {"fade_distance", "samples"}:
             raise CannotExpress(f"a light like {light}")
         color = scaled(rgb(light.get("color", 1)), light.get("intensity", 1))
-        found.append(Lamp(tuple(light["position"]), color, light.get("radius", 0)))
+        found.append(WorldLight(tuple(light["position"]), color, light.get("radius", 0)))
     return found
 
 

@@ -29,17 +29,18 @@ struct Options {
 };
 
 std::vector<std::string> split(const std::string& text, char at) {
-  std::vector<std::string> parts{""};
+  std::vector<std::string> primitives{""};
   for (const char c : text) {
-    if (c == at) parts.emplace_back();
-    else parts.back() += c;
+    if (c == at) primitives.emplace_back();
+    else primitives.back() += c;
   }
-  return parts;
+  return primitives;
 }
 
 std::vector<int> numbers(const std::string& text) {
   std::vector<int> all;
-  for (const std::string& part : split(text, ',')) all.push_back(std::max(1, std::stoi(part)));
+  for (const std::string& primitive : split(text, ','))
+    all.push_back(std::max(1, std::stoi(primitive)));
   return all;
 }
 
@@ -137,13 +138,13 @@ void print_all(const Options& options) {
 }
 
 void print_only(const Options& options) {
-  const std::vector<std::string> parts = split(options.only, ':');
-  if (parts.size() != 3) throw std::invalid_argument("no case " + options.only);
-  const Geometry geometry = kind_of(parts[0]).make(numbers(parts[1]).front());
+  const std::vector<std::string> primitives = split(options.only, ':');
+  if (primitives.size() != 3) throw std::invalid_argument("no case " + options.only);
+  const Geometry geometry = kind_of(primitives[0]).make(numbers(primitives[1]).front());
   Indexes indexes;
   build(indexes, geometry, 1, options.threads.front(), options.isa);
   for (const RaySet& rays : make_rays(indexes.tia->world())) {
-    if (ray_kind_names[static_cast<std::size_t>(rays.kind)] != parts[2]) continue;
+    if (ray_kind_names[static_cast<std::size_t>(rays.kind)] != primitives[2]) continue;
     for (Tracer& tracer : tracers_of(indexes)) {
       if (tracer.name != options.side) continue;
       tracer.answers.assign(rays.size(), infinity);

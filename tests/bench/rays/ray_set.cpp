@@ -5,7 +5,7 @@
 #include "core/accel/world/trace.h"
 #include "core/math/rng.h"
 #include "core/math/warp.h"
-#include "core/render/patch.h"
+#include "core/render/pixel_tile.h"
 #include "tests/bench/rays/geometry.h"
 
 namespace tia::bench {
@@ -35,7 +35,7 @@ struct Start {
   Vec3f p, n;
 };
 Start start_of(const World& world, const Ray<float>& ray, const Hit<float>& hit) {
-  const SurfacePoint<float> at = surface(world, ray, hit, static_cast<int>(hit.part), true);
+  const SurfacePoint<float> at = surface(world, ray, hit, static_cast<int>(hit.primitive), true);
   return {at.p + at.ng * offset_of(hit.t, at.p), at.ng};
 }
 

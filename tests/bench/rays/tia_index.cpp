@@ -30,13 +30,13 @@ TiaIndex::TiaIndex(const Geometry& geometry, Pool& pool) {
 
 void TiaIndex::trace(const RaySet& rays, Answers& answers) const {
   WorkCounter work;
-  const Lamp& lamp = world_->lamps.front();
+  const WorldLight& light = world_->lights.front();
   for (std::size_t i = 0; i < rays.size(); i += Wide::size) {
     const Wide t_max = load<Wide>(&rays.t_max[i]);
     const Mask<Wide> active = t_max >= Wide(0);
     if (!any(active)) continue;
     const Ray<Wide> ray{vector_at<Wide>(rays.origin, i), vector_at<Wide>(rays.direction, i)};
-    const Wide t = rays.any_hit() ? select(occluded<Wide>(*world_, ray, t_max, lamp, active, work),
+    const Wide t = rays.any_hit() ? select(occluded<Wide>(*world_, ray, t_max, light, active, work),
                                            Wide(0), Wide(infinity))
                                   : closest_hit<Wide>(*world_, ray, active, work).t;
     store(t, &answers[i]);

@@ -9,7 +9,7 @@
 
 namespace tia::test {
 
-inline Object object_of(const Shape& shape, const Placement& transform = {}) {
+inline Object object_of(const Shape& shape, const TransformSteps& transform = {}) {
   return {"", shape, transform, {}};
 }
 
@@ -19,8 +19,8 @@ inline World world_of(const std::vector<Object>& objects) {
   return compile(scene);
 }
 
-inline Placement random_placement(Random& random, double scale) {
-  Placement placement;
+inline TransformSteps random_placement(Random& random, double scale) {
+  TransformSteps placement;
   const int steps = random.below(4);
   for (int i = 0; i < steps; ++i) {
     const int kind = random.below(4);
@@ -128,7 +128,8 @@ inline Geometry without_index(Geometry geometry) {
     }
     mesh = std::make_shared<const MeshIndex>(std::move(plain));
   }
-  for (Copies& copies : geometry.copies) copies.box = {{-1e30, -1e30, -1e30}, {1e30, 1e30, 1e30}};
+  for (InstanceGrid& instances : geometry.instances)
+    instances.box = {{-1e30, -1e30, -1e30}, {1e30, 1e30, 1e30}};
   return geometry;
 }
 inline World without_index(World world) {
@@ -170,13 +171,16 @@ Ray<Real> ray_in(const Ray<double>& ray) {
 
 /// Rays of floats as one packet.
 inline Ray<Wide> packed(const std::vector<Ray<float>>& rays) {
-  std::array<std::array<float, Wide::size>, 6> parts{};
+  std::array<std::array<float, Wide::size>, 6> primitives{};
   for (std::size_t k = 0; k < Wide::size; ++k) {
     const auto& [o, d] = rays[k % rays.size()];
     const std::array<float, 6> all{o.x, o.y, o.z, d.x, d.y, d.z};
-    for (std::size_t part = 0; part < 6; ++part) parts[part][k] = all[part];
+    for (std::size_t primitive = 0; primitive < 6; ++primitive)
+      primitives[primitive][k] = all[primitive];
   }
-  const auto at = [&](std::size_t part) { return Wide::load_unaligned(parts[part].data()); };
+  const auto at = [&](std::size_t primitive) {
+    return Wide::load_unaligned(primitives[primitive].data());
+  };
   return {{at(0), at(1), at(2)}, {at(3), at(4), at(5)}};
 }
 
@@ -186,11 +190,11 @@ Hit<Real> hit_of(const World& world, const Ray<Real>& ray) {
   return closest_hit(world, ray, iota<Real>() >= Real(0), work);
 }
 inline Hit<float> lane_of(const Hit<Wide>& hit, int k) {
-  return {lane(hit.t, k), lane(hit.part, k), lane(hit.element, k), lane(hit.copy, k)};
+  return {lane(hit.t, k), lane(hit.primitive, k), lane(hit.element, k), lane(hit.instance, k)};
 }
 template <class Real>
 std::array<double, 4> all_of(const Hit<Real>& hit) {
-  return {double(hit.t), double(hit.part), double(hit.element), double(hit.copy)};
+  return {double(hit.t), double(hit.primitive), double(hit.element), double(hit.instance)};
 }
 
 }  // namespace tia::test

@@ -77,7 +77,7 @@ std::vector<std::uint8_t> filtered(const Image8& image) {
 }
 
 TEST(Film, ScanlineFilmHoldsTheDisplayFilmsRowsFiltered) {
-  const DisplayRule rule{Shown::normal, Transfer::linear};
+  const DisplayRule rule{FeatureDisplay::normal, Transfer::linear};
   for (const auto& [width, height] : {std::pair{1, 1}, {1, 40}, {22, 3}, {101, 67}, {400, 33}}) {
     const Image light = random_light(width, height, 112);
     DisplayFilm codes(width, height, rule);
@@ -107,7 +107,7 @@ TEST(Film, ScanlinesAreTheSameHoweverManyThreadsPutTheirBlocks) {
   const std::vector<std::uint8_t> expected = filtered(codes.image());
   Pool pool(5);
   for (int turn = 0; turn < 20; ++turn) {
-    ScanlineFilm film(333, 217, {Shown::light, Transfer::srgb});
+    ScanlineFilm film(333, 217, {FeatureDisplay::light, Transfer::srgb});
     pool.for_each(static_cast<int>(blocks.size()), 5, {},
                   [&](int i) { film.put(blocks[static_cast<std::size_t>(i)]); });
     EXPECT_TRUE(std::equal(expected.begin(), expected.end(), film.scanlines().data()));

@@ -3,7 +3,7 @@
 
 #include "core/input/codec.h"
 #include "core/input/numbers.h"
-#include "core/input/placement.h"
+#include "core/input/transform_steps.h"
 #include "tests/core/faults.h"
 #include "tests/core/schema/corpus.h"
 
@@ -66,7 +66,7 @@ struct Node {
   static constexpr std::string_view schema_name = "node";
   std::variant<Leaf, Branch> kind;
   std::string name;
-  Placement transform;
+  TransformSteps transform;
   Numbers<float> heights;
   Numbers<std::uint32_t> marks;
   std::optional<std::variant<std::string, Leaf>> fruit;
@@ -156,7 +156,7 @@ struct Before {
 struct After {
   Numbers<float> new_list;
   double a = 1;
-  Placement new_transform;
+  TransformSteps new_transform;
   template <class Visitor>
   static void fields(Visitor&& visit) {
     visit("0", &After::new_list, Spec{});

@@ -1,4 +1,4 @@
-#include "core/input/placement.h"
+#include "core/input/transform_steps.h"
 
 #include <gtest/gtest.h>
 
@@ -11,8 +11,8 @@ namespace {
 using enum FaultKind;
 using test::Expected;
 
-Placement read_placement(const std::string& json) {
-  Placement out;
+TransformSteps read_placement(const std::string& json) {
+  TransformSteps out;
   Faults faults;
   read_value(parse_json(json), Place{}.at("transform"), Spec{}, faults, out);
   faults.raise();
@@ -22,12 +22,12 @@ const auto expect_placement_refused =
     test::refusal_by([](const std::string& json) { read_placement(json); });
 Vec3d moved(const char* json, const Vec3d& p) { return read_placement(json).affine().point(p); }
 
-TEST(Placement, WithoutStepsIsTheIdentity) {
-  EXPECT_EQ(read_placement("[]"), Placement{});
-  EXPECT_EQ(Placement{}.affine(), Affine{});
+TEST(TransformSteps, WithoutStepsIsTheIdentity) {
+  EXPECT_EQ(read_placement("[]"), TransformSteps{});
+  EXPECT_EQ(TransformSteps{}.affine(), Affine{});
 }
 
-TEST(Placement, EachStepDoesWhatItSays) {
+TEST(TransformSteps, EachStepDoesWhatItSays) {
   EXPECT_EQ(moved(R"([{"translate":[1,2,3]}])", {10, 20, 30}), (Vec3d{11, 22, 33}));
   EXPECT_EQ(moved(R"([{"scale":2}])", {1, 2, 3}), (Vec3d{2, 4, 6}));
   EXPECT_EQ(moved(R"([{"scale":[2,-1,0.5]}])", {1, 2, 3}), (Vec3d{2, -2, 1.5}));
@@ -40,7 +40,7 @@ TEST(Placement, EachStepDoesWhatItSays) {
             (Vec3d{18, 7, 9}));
 }
 
-TEST(Placement, FirstStepAppliesFirst) {
+TEST(TransformSteps, FirstStepAppliesFirst) {
   EXPECT_EQ(moved(R"([{"translate":[1,0,0]},{"scale":2}])", {1, 1, 1}), (Vec3d{4, 2, 2}));
   EXPECT_EQ(moved(R"([{"scale":2},{"translate":[1,0,0]}])", {1, 1, 1}), (Vec3d{3, 2, 2}));
   EXPECT_EQ(moved(R"([{"rotate_degrees":[90,90,0]}])", {0, 1, 0}),
@@ -48,10 +48,10 @@ TEST(Placement, FirstStepAppliesFirst) {
 }
 
 // Each step on its own, one after the other, is what the product does at once.
-TEST(Placement, IsTheProductOfItsSteps) {
+TEST(TransformSteps, IsTheProductOfItsSteps) {
   test::Random random(3);
   for (int i = 0; i < 200; ++i) {
-    Placement placement;
+    TransformSteps placement;
     const Vec3d start = random.point(5);
     Vec3d p = start;
     for (int step = random.below(6); step > 0; --step) {
@@ -67,7 +67,7 @@ TEST(Placement, IsTheProductOfItsSteps) {
   }
 }
 
-TEST(Placement, IsWrittenAsItWasGiven) {
+TEST(TransformSteps, IsWrittenAsItWasGiven) {
   for (const char* text :
        {R"([{"translate":[1,2,3]},{"scale":2},{"scale":[2,2,2]},{"rotate_degrees":[0,0,450]}])",
         R"([{"matrix":[[1,2,3,4],[0,1,0,5],[0,0,1,6],[0,0,0,1]]}])", "[]"})
@@ -75,7 +75,7 @@ TEST(Placement, IsWrittenAsItWasGiven) {
   EXPECT_NE(read_placement(R"([{"scale":2}])"), read_placement(R"([{"scale":[2,2,2]}])"));
 }
 
-TEST(Placement, StepsHaveExactlyOneKnownKey) {
+TEST(TransformSteps, StepsHaveExactlyOneKnownKey) {
   const char* keys = "one of translate, rotate_degrees, scale, matrix";
   expect_placement_refused("[{}]", {{missing, "/transform/0", "", keys}});
   expect_placement_refused(R"([{"scale":2},{"rotate":[0,0,90]}])",
@@ -90,7 +90,7 @@ TEST(Placement, StepsHaveExactlyOneKnownKey) {
   expect_placement_refused("{}", {{wrong_type, "/transform", "{}", "an array"}});
 }
 
-TEST(Placement, NumbersOfAStepAreRefusedAtTheirPlaces) {
+TEST(TransformSteps, NumbersOfAStepAreRefusedAtTheirPlaces) {
   expect_placement_refused(
       R"([{"scale":0},{"scale":[1,0,2]},{"translate":[1,2]},{"scale":"x"}])",
       {{out_of_range, "/transform/0/scale", "0", "to 1000000000, not 0"},
@@ -103,7 +103,7 @@ TEST(Placement, NumbersOfAStepAreRefusedAtTheirPlaces) {
        {out_of_range, "/transform/1/translate/0", "2000000000", "to 1000000000"}});
 }
 
-TEST(Placement, MatricesHaveFourRowsOfFourAndTheLastIsFixed) {
+TEST(TransformSteps, MatricesHaveFourRowsOfFourAndTheLastIsFixed) {
   const auto matrix = [](const char* rows) {
     return std::string(R"([{"matrix":[)").append(rows).append("]}]");
   };
@@ -118,7 +118,7 @@ TEST(Placement, MatricesHaveFourRowsOfFourAndTheLastIsFixed) {
                            {{out_of_range, "/transform/0/matrix/3", "[0,0,0.5,1]", "[0,0,0,1]"}});
 }
 
-TEST(Placement, MapsThatCannotBeUndoneAreRefused) {
+TEST(TransformSteps, MapsThatCannotBeUndoneAreRefused) {
   const auto matrix = [](const char* rows) {
     return std::string(R"([{"matrix":[)").append(rows).append(",[0,0,0,1]]}]");
   };
@@ -135,7 +135,7 @@ TEST(Placement, MapsThatCannotBeUndoneAreRefused) {
                            {{out_of_range, "/transform/1/scale", "1e-10", "by 1e-9 to 1e9"}});
 }
 
-TEST(Placement, StepsMayNotScaleTooFarTogether) {
+TEST(TransformSteps, StepsMayNotScaleTooFarTogether) {
   EXPECT_NO_THROW(read_placement(R"([{"scale":1e6},{"scale":1e3}])"));
   EXPECT_NO_THROW(read_placement(R"([{"scale":1e9},{"scale":1e-9},{"scale":1e9}])"));
   expect_placement_refused(R"([{"scale":1e6},{"scale":1e4}])",

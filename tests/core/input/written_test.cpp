@@ -1,5 +1,5 @@
 // Schemas of objects that code writes member by member.
-#include "core/input/written.h"
+#include "core/input/object_schema.h"
 
 #include <gtest/gtest.h>
 

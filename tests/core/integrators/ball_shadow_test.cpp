@@ -30,7 +30,7 @@ struct Ellipse {
   }
 };
 
-// What sends the light: a lamp at a place, or infinitely far on the way there.
+// What sends the light: a light at a place, or infinitely far on the way there.
 struct Sender {
   Vec3d place;
   bool far = false;
@@ -72,8 +72,8 @@ struct BallOnPlane {
 
  private:
   // How far the edge may be off. A shadow ray starts 5e-6 of its place above the surface and passes
-  // as far beside the lamp; the edge moves farther the more its rays slant and the nearer the ball
-  // is to the lamp.
+  // as far beside the light; the edge moves farther the more its rays slant and the nearer the ball
+  // is to the light.
   double slack(const Vec3d& rim, const Sender& sender) const {
     const Vec3d to = sender.to(rim);
     const double cosine = dot(normalize(to), frame.n);
@@ -91,14 +91,14 @@ TEST(BallShadow, LampStraightAboveCastsTheCircleOfTheTangents) {
   for (int i = 0; i < 100; ++i) {
     BallOnPlane stage(random);
     const double gap = stage.radius * random.in(1.2, 8), top = stage.height + gap;
-    const Vec3d lamp = stage.frame.n * top;
-    stage.scene.lights = {point_light(lamp)};
+    const Vec3d light = stage.frame.n * top;
+    stage.scene.lights = {point_light(light)};
     const double reach = top * stage.radius / std::sqrt(gap * gap - stage.radius * stage.radius);
-    stage.expect_shadow(circle({}, reach, stage.frame), {lamp});
+    stage.expect_shadow(circle({}, reach, stage.frame), {light});
   }
 }
 
-// The circle of 3-4-5: r 3, 5 below the lamp, the tangents 4 long; the plane 8 below it.
+// The circle of 3-4-5: r 3, 5 below the light, the tangents 4 long; the plane 8 below it.
 TEST(BallShadow, PythagoreanTangentsGiveARoundNumber) {
   Scene scene;
   scene.objects = {object(Plane{{0, 0, 0}, {0, 1, 0}}, Finish{}), ball({0, 3.25, 0}, 3)};
@@ -123,20 +123,20 @@ TEST(BallShadow, LampAsideCastsTheEllipseThatCutsTheTangentCone) {
     const double phi = random.in(0, 0.9) * (pi / 2 - alpha);
     const double turn = random.in(0, 2 * pi);
     const Vec3d aside = stage.frame.u * std::cos(turn) + stage.frame.v * std::sin(turn);
-    const Vec3d lamp =
+    const Vec3d light =
         stage.center() + (stage.frame.n * std::cos(phi) + aside * std::sin(phi)) * distance;
-    const double top = dot(lamp, stage.frame.n);
+    const double top = dot(light, stage.frame.n);
     const double most = top * std::tan(phi + alpha);
     if (most > 30) continue;
-    stage.scene.lights = {point_light(lamp)};
+    stage.scene.lights = {point_light(light)};
     const double least = top * std::tan(phi - alpha);
     const double product = std::cos(phi + alpha) * std::cos(phi - alpha);
-    const Vec3d foot = lamp - stage.frame.n * top;
+    const Vec3d foot = light - stage.frame.n * top;
     const double b = top * std::sin(alpha) / std::sqrt(product);
     EXPECT_NEAR((most - least) / 2, top * std::sin(alpha) * std::cos(alpha) / product, 1e-9 * most);
     stage.expect_shadow({foot - aside * ((most + least) / 2), aside * ((most - least) / 2),
                          cross(stage.frame.n, aside) * b},
-                        {lamp});
+                        {light});
   }
 }
 

@@ -1,4 +1,4 @@
-// What a finish and a lamp make of a point, by closed forms at random angles, places and numbers.
+// What a finish and a light make of a point, by closed forms at random angles, places and numbers.
 #include <gtest/gtest.h>
 
 #include "tests/core/random_scene.h"
@@ -32,7 +32,7 @@ Vec3f color_from(const Scene& scene, const Vec3d& way) {
   return tree(scene, way * 3.0, -way)->color;
 }
 
-// Phong's: the cosine between the lamp and the mirrored ray, at slanting views too, where it is
+// Phong's: the cosine between the light and the mirrored ray, at slanting views too, where it is
 // neither n.l nor Blinn's n.h. Source: Phong, "Illumination for computer generated pictures", 1975.
 TEST(Highlight, IsThePowerOfTheCosineToTheMirroredRayFromEverySide) {
   Random random(450);
@@ -80,7 +80,7 @@ TEST(Spot, FollowsItsFormulaAtAnyAxisAndAngles) {
     spot.falloff_degrees = random.in(spot.radius_degrees + 5, 180);
     spot.tightness = random.chance(0.5) ? 0 : random.in(0.2, 20);
     Scene scene = scene_of_floor(Finish{});
-    scene.lights = {lamp_of(spot)};
+    scene.lights = {light_of(spot)};
     const Vec3d way = normalize(-*spot.position);
     const double c = dot(way, normalize(spot.point_at - *spot.position));
     const double inner = std::cos(spot.radius_degrees * pi / 180);
@@ -103,7 +103,7 @@ TEST(Spot, EdgesStandAtTheirAngles) {
     spot.radius_degrees = random.in(5, 40);
     spot.falloff_degrees = random.chance(0.3) ? spot.radius_degrees : random.in(45, 70);
     Scene scene = scene_of_floor(Finish{});
-    scene.lights = {lamp_of(spot)};
+    scene.lights = {light_of(spot)};
     const auto strength = [&](double angle) {
       const double x = spot.position->y * std::tan(angle);
       return double(tree(scene, {x, 1, 0}, {0, -1, 0})->color.x) / std::cos(angle);
@@ -159,7 +159,7 @@ TEST(Fading, DimsHighlightsToo) {
 
 // ---- sums ---------------------------------------------------------------------------------------
 
-// Scattered light of k equal lamps is that of one of k times the intensity: bit for bit where k is
+// Scattered light of k equal lights is that of one of k times the intensity: bit for bit where k is
 // a power of two, for x + x and 2 x are the same float.
 TEST(Superposition, TwoEqualLampsAreOneOfTwiceTheIntensityBitForBit) {
   Random random(454);
@@ -168,12 +168,12 @@ TEST(Superposition, TwoEqualLampsAreOneOfTwiceTheIntensityBitForBit) {
     finish.color = random_color(random);
     finish.brilliance = random.in(0.5, 3);
     Scene scene = scene_of_floor(finish);
-    const Light lamp = point_light(above(random, 0.1) * random.in(1, 9), random_color(random));
+    const Light light = point_light(above(random, 0.1) * random.in(1, 9), random_color(random));
     const Vec3d eye = above(random, 0.1);
-    scene.lights = {lamp};
+    scene.lights = {light};
     scene.lights[0].intensity = 2;
     const Vec3f one = color_from(scene, eye);
-    scene.lights = {lamp, lamp};
+    scene.lights = {light, light};
     EXPECT_GT(one.x + one.y + one.z, 0.0F);
     EXPECT_EQ(color_from(scene, eye), one);
   }
@@ -191,14 +191,14 @@ TEST(Superposition, PictureOfManyLampsIsTheSumOfTheirPictures) {
     }
     scene.background = {};
     scene.key_light.reset();
-    std::vector<Light> lamps;
+    std::vector<Light> lights;
     for (int k = 0; k < 4; ++k)
-      lamps.push_back(point_light(random.point(20), random_color(random)));
-    scene.lights = lamps;
+      lights.push_back(point_light(random.point(20), random_color(random)));
+    scene.lights = lights;
     const Image all = picture(scene, 60, 40, at_depth(3)).image;
     std::vector<double> sum(all.rgb.size());
-    for (const Light& lamp : lamps) {
-      scene.lights = {lamp};
+    for (const Light& light : lights) {
+      scene.lights = {light};
       const Image one = picture(scene, 60, 40, at_depth(3)).image;
       for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += double(one.rgb[k]);
     }

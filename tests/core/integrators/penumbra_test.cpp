@@ -15,8 +15,8 @@ struct BallUnderLamp {
   double big, top, small, low;
   Scene scene;
 
-  BallUnderLamp(double lamp_radius, double lamp_height, double radius, double height, int samples)
-      : big(lamp_radius), top(lamp_height), small(radius), low(height) {
+  BallUnderLamp(double light_radius, double light_height, double radius, double height, int samples)
+      : big(light_radius), top(light_height), small(radius), low(height) {
     Light light = sphere_light({0, top, 0}, big);
     std::get<SphereLight>(light.kind).samples = samples;
     scene.lights = {light};
@@ -53,8 +53,9 @@ TEST(Penumbra, UmbraAndPenumbraEndAtTheTangents) {
   }
 }
 
-// Beyond the tip of the umbra the ball covers the middle of the lamp, and of the cone of the lamp's
-// directions the share of its own: (1 - cos(b)) / (1 - cos(a)), sin(a) = R / top, sin(b) = r / low.
+// Beyond the tip of the umbra the ball covers the middle of the light, and of the cone of the
+// light's directions the share of its own: (1 - cos(b)) / (1 - cos(a)), sin(a) = R / top, sin(b) =
+// r / low.
 TEST(Penumbra, RingAroundAFarBallIsTheDifferenceOfTheCones) {
   Random random(461);
   for (int i = 0; i < 25; ++i) {
@@ -66,7 +67,7 @@ TEST(Penumbra, RingAroundAFarBallIsTheDifferenceOfTheCones) {
   }
 }
 
-// Elsewhere: the share of the lamp's directions that miss the ball, even over the solid angle,
+// Elsewhere: the share of the light's directions that miss the ball, even over the solid angle,
 // counted on a lattice in double.
 TEST(Penumbra, IsTheShareOfTheLampsSolidAngleThatIsSeen) {
   Random random(462);
@@ -108,7 +109,7 @@ TEST(Penumbra, HalfPlaneCoversAQuadInProportion) {
     scene.lights = {light};
     scene.objects = {object(Plane{{0, 0, 0}, {0, 1, 0}}, Finish{}),
                      object(Box{{0, low, -99}, {99, low + 1e-3, 99}}, dark())};
-    // From x the edge at (0, low) is seen before the lamp's x + (0 - x) top / low.
+    // From x the edge at (0, low) is seen before the light's x + (0 - x) top / low.
     const double x = random.in(-1.2, 1.2) * half * low / (top - low);
     const double cut = std::clamp((x - x * top / low + half) / (2 * half), 0.0, 1.0);
     const auto node = tree(scene, {x, low / 2, 0}, {0, -1, 0});

@@ -34,7 +34,7 @@ RayCounts rays(const Scene& scene, int depth, Scalar scalar = Scalar::wide, int 
 
 TEST(RayCounts, OneShadowRayForEachPlaceOfALightThatIsBeforeTheSurface) {
   Scene scene = from_above({floor_object({})});
-  // Beside the view, lest the lamps themselves be seen.
+  // Beside the view, lest the lights themselves be seen.
   Light soft = sphere_light({20, 4, 0}, 0.1), quad;
   std::get<SphereLight>(soft.kind).samples = 7;
   QuadLight shape;
@@ -63,8 +63,8 @@ TEST(RayCounts, PlateTakesTwoRefractedRaysAndWithFresnelOneMirroredAtEachFace) {
     for (const int depth : {2, 5})
       EXPECT_EQ(rays(plain, depth, scalar),
                 (RayCounts{.primary = pixel_count, .refraction = 2 * pixel_count}));
-    // One is mirrored before the plate; inside each face parts the ray in one that leaves and one
-    // that stays. To the depth d these are d refracted and 1 + (d - 1) mirrored ones.
+    // One is mirrored before the plate; inside each face primitives the ray in one that leaves and
+    // one that stays. To the depth d these are d refracted and 1 + (d - 1) mirrored ones.
     const Scene parted = from_above({plate(glass(1.5)), floor_object(dark())});
     for (int depth = 1; depth <= 6; ++depth)
       EXPECT_EQ(rays(parted, depth, scalar), (RayCounts{.primary = pixel_count,

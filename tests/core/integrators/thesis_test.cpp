@@ -122,9 +122,9 @@ TEST(Thesis, LuminousObjectLightsLikeALightAtItsCentre) {
 
 TEST(Thesis, LuminousBallIsSeenInItsColourTimesIntensity) {
   Scene scene;
-  Light lamp = sphere_light({0, 0, -5}, 1, {0.25, 0.5, 1});
-  lamp.intensity = 2;
-  scene.lights = {lamp};
+  Light light = sphere_light({0, 0, -5}, 1, {0.25, 0.5, 1});
+  light.intensity = 2;
+  scene.lights = {light};
   EXPECT_EQ(light_along(scene, {0, 0, 0}, {0, 0, -1}), (Vec3f{0.5F, 1, 2}));
   scene.lights = {point_light({0, 0, -5})};  // a point is never seen
   EXPECT_EQ(light_along(scene, {0, 0, 0}, {0, 0, -1}), (Vec3f{0, 0, 0}));
@@ -160,12 +160,12 @@ TEST(Thesis, LanesThatAreNotActiveAreNotCounted) {
   const World world = compile(scene);
   const View view = view_of(scene.camera, 640, 480);
   for (int active = 0; active <= lanes<Wide>; ++active) {
-    BallScope scope{world, {0, 1, 2}};
+    FewBallsView world_view{world, {0, 1, 2}};
     const Wide x = Wide(320.0F) + iota<Wide>();
-    whitted(scope, view.ray(x, Wide(100.0F)), iota<Wide>() < Wide(static_cast<float>(active)),
-            Draws<Wide>{});
-    EXPECT_EQ(scope.rays.primary, active);
-    EXPECT_EQ(scope.rays.shadow, active);  // the ball's upper front: all towards the light
+    whitted(world_view, view.ray(x, Wide(100.0F)), iota<Wide>() < Wide(static_cast<float>(active)),
+            SamplerState<Wide>{});
+    EXPECT_EQ(world_view.rays.primary, active);
+    EXPECT_EQ(world_view.rays.shadow, active);  // the ball's upper front: all towards the light
   }
 }
 

@@ -96,7 +96,7 @@ TEST(Checker, TransformIsUndone) {
   Random random(312);
   const std::string steps =
       R"([{"scale":[2,0.5,-3]},{"rotate_degrees":[20,30,40]},{"translate":[4,5,6]}])";
-  Placement placement;
+  TransformSteps placement;
   Faults faults;
   read_value(parse_json(steps), Place{}, Spec{}, faults, placement);
   const TextureForm plain = texture_form(R"({"type":"checker","scale":0.7})");

@@ -85,14 +85,14 @@ TEST(Philox, NeighbouringCountersAndSeedsAreIndependent) {
                            {{0, 0, 0, 0}, 1},
                            {{0, 0, 0, 0}, 1LL << 52}}) {
     std::vector<int> pairs(256);
-    constexpr std::uint32_t draws = 32768;
-    for (std::uint32_t i = 0; i < draws; ++i) {
+    constexpr std::uint32_t sampler_state = 32768;
+    for (std::uint32_t i = 0; i < sampler_state; ++i) {
       const Words counter{2 * (i & 127U), 2 * (i >> 7U), 0, 0};
       Words next = counter;
       for (std::size_t k = 0; k < 4; ++k) next[k] += step.counter[k];
       ++pairs[drawn(counter, 4)[0] >> 28U << 4U | drawn(next, 4 + step.seed)[0] >> 28U];
     }
-    EXPECT_LT(std::fabs(surprise(pairs, draws / 256.0)), 5);
+    EXPECT_LT(std::fabs(surprise(pairs, sampler_state / 256.0)), 5);
   }
 }
 

@@ -47,9 +47,9 @@ TEST(SquareToDisc, SquaresOfEqualRadiusAndAngleFollowTheConcentricFormula) {
 TEST(SquareToDisc, IsUniform) {
   // 8 rings of equal area times 8 sectors; chi-squared of 64 cells: 63 +- 11.2, here +- 5 sigma.
   Random random(74);
-  constexpr int draws = 64'000;
+  constexpr int sampler_state = 64'000;
   std::array<int, 64> counts{};
-  for (int i = 0; i < draws; ++i) {
+  for (int i = 0; i < sampler_state; ++i) {
     const double u = random.unit();
     const auto p = square_to_disc(u, random.unit());
     const int ring = std::min(7, static_cast<int>(8 * (p.x * p.x + p.y * p.y)));

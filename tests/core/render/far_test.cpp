@@ -142,10 +142,10 @@ TEST(Far, WorldsOfMovedLightsShareTheirOrigin) {
     for (Light& light : scene.lights) light.move_to(random_offset(random), {});
     const World with = compile(scene, shared), alone = compile(scene);
     EXPECT_EQ(with.origin, alone.origin);
-    ASSERT_EQ(with.lamps.size(), alone.lamps.size());
-    for (std::size_t k = 0; k < with.lamps.size(); ++k) {
-      EXPECT_EQ(with.lamps[k].middle.exact, alone.lamps[k].middle.exact);
-      EXPECT_LT(length(with.lamps[k].middle.exact + with.origin - *scene.lights[k].place()), 1e-8);
+    ASSERT_EQ(with.lights.size(), alone.lights.size());
+    for (std::size_t k = 0; k < with.lights.size(); ++k) {
+      EXPECT_EQ(with.lights[k].middle.exact, alone.lights[k].middle.exact);
+      EXPECT_LT(length(with.lights[k].middle.exact + with.origin - *scene.lights[k].place()), 1e-8);
     }
   }
 }

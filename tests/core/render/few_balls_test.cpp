@@ -127,7 +127,7 @@ TEST(FewBalls, TheThesisIsWhittedWithItsSettingsFixed) {
   }
 }
 
-// Inside of balls, at their surfaces, and at the lamps.
+// Inside of balls, at their surfaces, and at the lights.
 TEST(FewBalls, SoAreThoseFromPlacesThatAreHardToTell) {
   for (const std::uint64_t seed : seeds(300, 30)) {
     SCOPED_TRACE(seed);

@@ -46,10 +46,10 @@ int different(const Image& a, const Image& b) {
 }
 
 // The whole world and its camera carried along by a map that keeps angles.
-Scene carried(Scene scene, const Placement& by) {
+Scene carried(Scene scene, const TransformSteps& by) {
   const Affine map = by.affine();
   for (Object& object : scene.objects.edit())
-    for (const Placement::Step& step : by.steps) object.transform.steps.push_back(step);
+    for (const TransformSteps::Step& step : by.steps) object.transform.steps.push_back(step);
   for (Light& light : scene.lights) light.move_to(map.point(*light.place()), {});
   scene.camera.location = map.point(scene.camera.location);
   scene.camera.look_at = map.point(*scene.camera.look_at);
@@ -61,7 +61,7 @@ TEST(Invariance, AWorldMovedTurnedOrScaledWithItsCameraLooksTheSame) {
   const Image before = picture(furnished_scene(), picture_width, picture_height).image;
   test::Random random(90);
   for (int i = 0; i < 24; ++i) {
-    Placement by;
+    TransformSteps by;
     if (i % 3 == 0) by.steps.push_back(RotateDegrees{random.point(180)});
     if (i % 3 == 1) by.steps.push_back(Scale{random.chance(0.5) ? 1e3 : 1e-3});
     if (i % 3 == 2) by.steps.push_back(Translate{random.point(100)});

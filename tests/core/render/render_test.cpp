@@ -209,7 +209,7 @@ Scene scaled(Scene scene, double factor) {
   }
   const auto scale_light = [&](Light& light) {
     if (light.place()) light.move_to(*light.place() * factor, {});
-    if (auto* lamp = std::get_if<SphereLight>(&light.kind)) lamp->radius *= factor;
+    if (auto* ball = std::get_if<SphereLight>(&light.kind)) ball->radius *= factor;
   };
   for (Light& light : scene.lights) scale_light(light);
   if (scene.key_light) scale_light(*scene.key_light);

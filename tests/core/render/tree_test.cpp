@@ -94,7 +94,7 @@ TEST(Tree, NeitherThreadsNorTilesNorWidthChangeAByte) {
   }
 }
 
-// What takes light of a lamp in that place from the floor, through a clear pane at y = 2.
+// What takes light of a light in that place from the floor, through a clear pane at y = 2.
 std::optional<int> blocker(const char* position, IntegratorName integrator) {
   const Scene scene = read_scene(std::string(R"({
     "objects": [{"type": "plane", "point": [0, 0, 0], "normal": [0, 1, 0]},

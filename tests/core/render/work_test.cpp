@@ -50,7 +50,7 @@ TEST(Work, OfOneRayAloneIsBoundedToo) {
   }
 }
 
-// One of many balls is enough to hide a lamp; which of them is the first takes a search of all.
+// One of many balls is enough to hide a light; which of them is the first takes a search of all.
 TEST(Work, OfTheSearchForABlockerIsBoundedToo) {
   Scene scene = overlapping(500'000);
   scene.objects.push_back(
@@ -88,7 +88,8 @@ TEST(Work, OfCostlySurfacesCountsMore) {
   const auto work_of_first = [](const char* object) {
     const Geometry geometry =
         geometry_of(read_scene(std::string(R"({"objects":[)") + object + "]}"));
-    return geometry.solids.empty() ? geometry.parts.front().work : geometry.solids.front().work;
+    return geometry.solids.empty() ? geometry.primitives.front().work
+                                   : geometry.solids.front().work;
   };
   const int box = work_of_first(R"({"type":"box","min":[0,0,0],"max":[1,1,1]})");
   EXPECT_EQ(box, 1);

@@ -86,7 +86,7 @@ TEST(ObjectLabels, AreInTheOrderOfTheWorldsObjects) {
       const auto hits = all_hits(world, {{10.0 * k, 0.1, 50}, {0, 0, -1}});
       ASSERT_FALSE(hits.empty());
       for (const Meeting& hit : hits) {
-        const int object = world.part(hit.part).object;
+        const int object = world.primitive(hit.primitive).object;
         EXPECT_EQ(object, k);  // the order in which the leaves grew
         const ObjectLabel& label = labels[static_cast<std::size_t>(object)];
         if (label.name.starts_with("/")) {

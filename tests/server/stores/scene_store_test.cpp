@@ -195,7 +195,7 @@ TEST(SceneBytes, CountWhatEachElementMustHold) {
   const std::size_t empty = bytes_of(Scene{});
   const std::size_t least[] = {3000 * sizeof(Object),
                                3000 * sizeof(Object),
-                               3000 * sizeof(Placement::Step),
+                               3000 * sizeof(TransformSteps::Step),
                                100'000 * sizeof(Value),
                                2000 * sizeof(Material),
                                3000 * sizeof(Light),

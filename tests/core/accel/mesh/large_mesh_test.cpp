@@ -30,7 +30,7 @@ Object ground_quad(const Vec3d& middle, double half, double scale) {
     mesh.positions.values.insert(mesh.positions.values.end(), {p.x, p.y, p.z});
   }
   mesh.indices.values = {0, 2, 1, 0, 3, 2};
-  Placement placement;
+  TransformSteps placement;
   placement.steps = {Scale{scale}};
   Object object = object_of(mesh);
   object.transform = placement;

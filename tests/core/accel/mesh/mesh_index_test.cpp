@@ -16,7 +16,7 @@ using namespace test;
 TEST(Mesh, BoxOfTwelveTrianglesIsTheBox) {
   Random random(402);
   const Vec3d half{1, 0.5, 2};
-  Placement place;
+  TransformSteps place;
   place.steps = {RotateDegrees{{10, 20, 30}}, Translate{{1, 2, 3}}};
   Scene scene;
   scene.objects = {object_of(box_mesh(half), place)};
@@ -95,7 +95,7 @@ TEST(Mesh, UvsAreInterpolatedBetweenTheVertices) {
 TEST(Mesh, SmoothNormalOfAMirroredMeshStillPointsOutwards) {
   Mesh ball = ball_mesh(2);
   ball.normals.values = ball.positions.values;
-  Placement mirror;
+  TransformSteps mirror;
   mirror.steps = {Scale{Vec3d{-1, 2, 1}}};
   Scene scene;
   scene.objects = {object_of(ball, mirror)};

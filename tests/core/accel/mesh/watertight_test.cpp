@@ -40,7 +40,7 @@ TEST(Mesh, RaysAtEdgesAndVerticesFromInsideNeverLeak) {
     for (const double scale : {1e-3, 1.0, 1e3}) {
       for (const bool moved : {false, true}) {
         SCOPED_TRACE(closed.name);
-        Placement placement;
+        TransformSteps placement;
         placement.steps = {Scale{scale}};
         if (moved)
           placement.steps = {Scale{Vec3d{2, -0.5, 0.7}}, RotateDegrees{{20, 30, 40}}, Scale{scale},

@@ -167,7 +167,7 @@ TEST(Winding, GeometricNormalIsOnTheSideOfTheInterpolatedOne) {
   for (int i = 0; i < 200; ++i) {
     Mesh mesh = test::mesh_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}});
     give_normals(mesh, [&](const Vec3d&) { return random.direction(); });
-    const Placement place = test::random_placement(random, 1);
+    const TransformSteps place = test::random_placement(random, 1);
     const World world = test::world_of({object_of(mesh, place)});
     int up = 0;
     constexpr int points = 20;
@@ -175,7 +175,7 @@ TEST(Winding, GeometricNormalIsOnTheSideOfTheInterpolatedOne) {
       const double x = random.unit(), y = (1 - x) * random.unit();
       const Normals at = normals_at(world, place.affine().point(Vec3d{x, y, 0}), 0, 0, 0);
       EXPECT_GE(dot(at.n, at.ng), 0);
-      up += dot(at.ng, world.part(0).to_object.row(Vec3d{0, 0, 1})) > 0;
+      up += dot(at.ng, world.primitive(0).to_object.row(Vec3d{0, 0, 1})) > 0;
     }
     both_sides += up > 0 && up < points;
   }

@@ -42,9 +42,9 @@ TEST(Geometry, WorldsOfMovedLightsShareItAndAreAsIfCompiledAlone) {
       const World with = compile(scene, shared), alone = compile(scene);
       EXPECT_EQ(with.of_objects, shared);
       EXPECT_EQ(with.objects, alone.objects);
-      ASSERT_EQ(with.lamps.size(), alone.lamps.size());
-      for (std::size_t k = 0; k < with.lamps.size(); ++k)
-        EXPECT_EQ(with.lamps[k].part, alone.lamps[k].part);
+      ASSERT_EQ(with.lights.size(), alone.lights.size());
+      for (std::size_t k = 0; k < with.lights.size(); ++k)
+        EXPECT_EQ(with.lights[k].primitive, alone.lights[k].primitive);
       for (int k = 0; k < 200; ++k) {
         const Ray<float> ray = ray_in<float>(random_ray(random, 1, with));
         EXPECT_EQ(all_of(hit_of(with, ray)), all_of(hit_of(alone, ray)));
@@ -60,14 +60,14 @@ TEST(Geometry, OfLightsStandsBehindThatOfObjects) {
                   quad_light({4, 0, 0})};
   const World world = compile(scene);
   const auto part_below = [&](const Vec3f& p) {
-    return hit_of(world, Ray<float>{p, {0, -1, 0}}).part;
+    return hit_of(world, Ray<float>{p, {0, -1, 0}}).primitive;
   };
   EXPECT_EQ(part_below({9, 5, 0}), 1) << "a ball where a light is";
   EXPECT_EQ(part_below({0.1F, 5, 0.2F}), 0) << "a face in a light's plane";
   EXPECT_EQ(part_below({4.5F, 5, 0.2F}), 4) << "the first of two lights";
-  EXPECT_EQ(world.part(4).object, 4);
+  EXPECT_EQ(world.primitive(4).object, 4);
   EXPECT_EQ(world.objects, 6);
-  EXPECT_EQ(world.lamps[2].part, 4);
+  EXPECT_EQ(world.lights[2].primitive, 4);
 }
 
 #if defined(__GLIBC__) && !defined(__SANITIZE_THREAD__) && !defined(__clang__)

@@ -14,17 +14,17 @@ using test::object_of;
 using test::Random;
 using test::world_of;
 
-Placement steps(const std::vector<Placement::Step>& list) { return {list}; }
-Object group(const std::vector<Object>& children, const Placement& place = {}) {
+TransformSteps steps(const std::vector<TransformSteps::Step>& list) { return {list}; }
+Object group(const std::vector<Object>& children, const TransformSteps& place = {}) {
   return object_of(Group{children, {}}, place);
 }
 Object repeated(const std::vector<Object>& children, const Repeat& repeat,
-                const Placement& place = {}) {
+                const TransformSteps& place = {}) {
   return object_of(Group{children, repeat}, place);
 }
 Normals normals_of(const World& world, const Ray<double>& ray, const Hit<double>& hit) {
-  return normals_at(world, ray.at(hit.t), static_cast<int>(hit.part), static_cast<int>(hit.element),
-                    static_cast<std::int64_t>(hit.copy));
+  return normals_at(world, ray.at(hit.t), static_cast<int>(hit.primitive),
+                    static_cast<int>(hit.element), static_cast<std::int64_t>(hit.instance));
 }
 
 // All rays meet both worlds at one place and under one normal.
@@ -136,7 +136,7 @@ TEST(Placed, MirrorKeepsNormalsOutwards) {
 // ---- repeats ----------------------------------------------------------------------------------
 
 std::vector<Object> motif() {
-  Placement place;
+  TransformSteps place;
   place.steps = {RotateDegrees{{10, 20, 30}}, Scale{Vec3d{1, 0.5, 2}}};
   Mesh tetra;
   tetra.positions.values = {0, 0, 0, 0.5, 0, 0, 0, 0.5, 0, 0, 0, 0.5};
@@ -146,37 +146,37 @@ std::vector<Object> motif() {
           object_of(tetra)};
 }
 
-// The repeat's copies, each a group of its own.
+// The repeat's instances, each a group of its own.
 Object written_out(const std::vector<Object>& children, const Repeat& repeat,
-                   const Placement& place) {
-  std::vector<Object> copies;
+                   const TransformSteps& place) {
+  std::vector<Object> instances;
   for (int k = 0; k < repeat.count[2]; ++k)
     for (int j = 0; j < repeat.count[1]; ++j)
       for (int i = 0; i < repeat.count[0]; ++i)
-        copies.push_back(group(
+        instances.push_back(group(
             children, steps({Translate{repeat.step * Vec3d{double(i), double(j), double(k)}}})));
-  return group(copies, place);
+  return group(instances, place);
 }
 
 TEST(Repeat, IsItsCopiesWrittenOut) {
-  const Placement place =
+  const TransformSteps place =
       steps({Scale{Vec3d{1, -0.8, 1.2}}, RotateDegrees{{40, 10, -20}}, Translate{{-2, 1, 0}}});
   for (const Repeat& repeat :
        {Repeat{{4, 3, 2}, {1.5, 1.7, 2.1}}, Repeat{{3, 2, 4}, {-1.5, 1.7, -2.1}},
         Repeat{{1, 1, 1}, {0, 0, 0}}, Repeat{{1, 9, 1}, {0, 0.25, 0}}}) {
-    const World copies = world_of({repeated(motif(), repeat, place)});
-    expect_same_hits(copies, world_of({written_out(motif(), repeat, place)}), 4);
-    EXPECT_EQ(copies.of_objects->parts.size(), 5U) << "one copy in memory";
+    const World instances = world_of({repeated(motif(), repeat, place)});
+    expect_same_hits(instances, world_of({written_out(motif(), repeat, place)}), 4);
+    EXPECT_EQ(instances.of_objects->primitives.size(), 5U) << "one instance in memory";
   }
 }
 
 TEST(Repeat, OfRepeatsIsItsCopiesWrittenOut) {
   const Repeat inner{{2, 3, 1}, {1.1, -1.3, 0}}, outer{{2, 1, 3}, {4, 0, -3}};
-  const Placement place = steps({RotateDegrees{{0, 0, 30}}}), above = steps({Scale{0.5}});
-  const World copies = world_of({repeated({repeated(motif(), inner, place)}, outer, above)});
+  const TransformSteps place = steps({RotateDegrees{{0, 0, 30}}}), above = steps({Scale{0.5}});
+  const World instances = world_of({repeated({repeated(motif(), inner, place)}, outer, above)});
   const World all = world_of({written_out({written_out(motif(), inner, place)}, outer, above)});
-  expect_same_hits(copies, all, 3);
-  EXPECT_EQ(copies.of_objects->parts.size(), 5U);
+  expect_same_hits(instances, all, 3);
+  EXPECT_EQ(instances.of_objects->primitives.size(), 5U);
 }
 
 TEST(Repeat, CopiesOfOneAreNumberedInTheOrderOfXThenYThenZ) {
@@ -186,7 +186,7 @@ TEST(Repeat, CopiesOfOneAreNumberedInTheOrderOfXThenYThenZ) {
       for (int k = 0; k < 2; ++k) {
         const Vec3d center{double(i), 10.0 * j, 100.0 * k};
         const Ray<double> ray{center + Vec3d{0, 0, 0.1}, {0, 0, 1}};
-        EXPECT_EQ(hit_of(world, ray).copy, i + 4 * (j + 3 * k));
+        EXPECT_EQ(hit_of(world, ray).instance, i + 4 * (j + 3 * k));
       }
 }
 
@@ -197,12 +197,12 @@ TEST(Repeat, OfAMillionHitsTheCopyThatStandsThere) {
     const int i = random.below(100), j = random.below(100), k = random.below(100);
     const Vec3d center{double(i), -double(j), double(k)};
     const auto hit = hit_of(world, Ray<double>{center, random.direction()});
-    EXPECT_EQ(hit.copy, i + 100 * (j + 100 * k));
+    EXPECT_EQ(hit.instance, i + 100 * (j + 100 * k));
     EXPECT_NEAR(hit.t, 0.3, 1e-13);
   }
 }
 
-// ---- materials and lamps ----------------------------------------------------------------------
+// ---- materials and lights ----------------------------------------------------------------------
 
 TEST(Placed, ObjectWithoutMaterialTakesItsNearestAncestors) {
   const auto bare = [](double x) { return object_of(Sphere{{x, 0, 0}, 0.25}); };
@@ -216,14 +216,14 @@ TEST(Placed, ObjectWithoutMaterialTakesItsNearestAncestors) {
   const World world = world_of({bare(0), outer, row});
   const auto color = [&](double x) {
     const auto hit = hit_of(world, Ray<double>{{x, 0, 5}, {0, 0, -1}});
-    return world.matter_of(static_cast<int>(hit.part)).albedo.exact;
+    return world.shading_of(static_cast<int>(hit.primitive)).albedo.exact;
   };
   EXPECT_EQ(color(0), (Vec3d{1, 1, 1})) << "the default";
   EXPECT_EQ(color(1), (Vec3d{1, 0, 0})) << "its grandparent's";
   EXPECT_EQ(color(2), (Vec3d{1, 0, 0}));
   EXPECT_EQ(color(3), (Vec3d{0, 0, 1}));
   EXPECT_EQ(color(5), (Vec3d{0, 1, 0}));
-  EXPECT_EQ(color(6), (Vec3d{0, 1, 0})) << "a copy's is the same";
+  EXPECT_EQ(color(6), (Vec3d{0, 1, 0})) << "an instance's is the same";
 }
 
 TEST(Repeat, LuminousBallIsALampForEachCopy) {
@@ -231,12 +231,12 @@ TEST(Repeat, LuminousBallIsALampForEachCopy) {
   const Repeat inner{{2, 1, 1}, {3, 0, 0}}, outer{{1, 2, 1}, {0, 5, 0}};
   const World world = world_of({repeated({repeated({glowing}, inner, steps({Scale{2.0}}))}, outer,
                                          steps({Translate{{0, 0, -7}}}))});
-  ASSERT_EQ(world.lamps.size(), 4U);
+  ASSERT_EQ(world.lights.size(), 4U);
   // Within the inner grid at x = 1 and 4, doubled: 2 and 8; y = 0 and 5; z = -7.
   std::vector<Vec3d> places;
-  for (const Lamp& lamp : world.lamps) {
-    EXPECT_EQ(lamp.color.exact, (Vec3d{1, 2, 3}));
-    places.push_back(lamp.middle.exact);
+  for (const WorldLight& light : world.lights) {
+    EXPECT_EQ(light.color.exact, (Vec3d{1, 2, 3}));
+    places.push_back(light.middle.exact);
   }
   for (const double x : {2.0, 8.0})
     for (const double y : {0.0, 5.0})
@@ -249,9 +249,9 @@ TEST(Repeat, LampsOwnCopyNeverBlocksItAndTheOthersDo) {
   WorkCounter work;
   // From x = -5 along x: the ball at 0, then the one at 1.
   const Ray<float> ray{{-5, 0, 0}, {1, 0, 0}};
-  for (const Lamp& lamp : world.lamps) {
-    const auto distance = static_cast<float>(lamp.middle.exact.x + 5);
-    EXPECT_EQ(occluded(world, ray, distance, lamp, true, work), lamp.middle.exact.x > 0.5);
+  for (const WorldLight& light : world.lights) {
+    const auto distance = static_cast<float>(light.middle.exact.x + 5);
+    EXPECT_EQ(occluded(world, ray, distance, light, true, work), light.middle.exact.x > 0.5);
   }
 }
 

@@ -60,16 +60,16 @@ TEST_P(MixedWorld, OccludedEqualsBruteForceInEveryWidth) {
   Random random(201);
   const Scene scene = test::mixed_scene(random, object_count / 10, GetParam());
   const World world = compile(scene), brute = test::without_index(world);
-  const Lamp lamp;
+  const WorldLight light;
   WorkCounter work;
   int dark = 0, all = 0;
   for (int i = 0; i < 5 * packet_count; ++i) {
     const auto rays = some_rays(random, GetParam(), world);
     const float far = static_cast<float>(random.in(0, 20) * GetParam());
-    const auto wide = occluded(world, test::packed(rays), Wide(far), lamp, WideMask(true), work);
+    const auto wide = occluded(world, test::packed(rays), Wide(far), light, WideMask(true), work);
     for (std::size_t k = 0; k < Wide::size; ++k) {
       const bool expected = hit_of(brute, rays[k]).t < far;
-      ASSERT_EQ(occluded(world, rays[k], far, lamp, true, work), expected);
+      ASSERT_EQ(occluded(world, rays[k], far, light, true, work), expected);
       ASSERT_EQ((bits(wide) >> k & 1U) != 0, expected);
       dark += expected;
       ++all;
@@ -131,7 +131,7 @@ std::vector<Object> all_at_four() {
   mesh.positions.values = {-3, -3, -4, 3, -3, -4, 0, 4, -4};
   mesh.indices.values = {0, 1, 2};
   const Object box = object_of(Box{{-1, -1, -6}, {1, 1, -4}});
-  Placement there;
+  TransformSteps there;
   there.steps = {Translate{{0, 0, -5}}};
   return {test::ball({0, 0, -5}, 1),
           object_of(Csg{Operation::difference, {box, test::ball({9, 0, -5}, 1)}}),
@@ -160,26 +160,26 @@ TEST(Search, AtEqualDistanceTheObjectEarlierInTheSceneWinsWhateverTheirKinds) {
     const Ray<float> middle{{0, 0, 0}, {0, 0, -1}};
     for (const auto& each : {hit_of(world, middle), hit_of(test::without_index(world), middle)}) {
       EXPECT_EQ(each.t, 4);
-      EXPECT_EQ(world.part(static_cast<int>(each.part)).object, 0);
+      EXPECT_EQ(world.primitive(static_cast<int>(each.primitive)).object, 0);
     }
     const bool round_first =
         all_at_four()[0] == scene.objects[0] || all_at_four()[5] == scene.objects[0];
     if (!round_first) {
-      EXPECT_EQ(world.part(static_cast<int>(hit_of(world, ray).part)).object, 0);
+      EXPECT_EQ(world.primitive(static_cast<int>(hit_of(world, ray).primitive)).object, 0);
     }
   }
 }
 
 TEST(Search, AtEqualDistanceTheFirstCopyAndTheFirstTriangleWin) {
-  // Copies that overlap: box 0 spans x in [0, 10], each next one 1 to the right.
+  // InstanceGrid that overlap: box 0 spans x in [0, 10], each next one 1 to the right.
   Scene scene;
   scene.objects = {
       object_of(Group{{object_of(Box{{0, 0, -5}, {10, 1, -4}})}, Repeat{{8, 1, 1}, {1, 0, 0}}})};
   const Hit<float> hit = hit_of(compile(scene), Ray<float>{{9.5F, 0.5F, 0}, {0, 0, -1}});
   EXPECT_EQ(hit.t, 4);
-  EXPECT_EQ(hit.copy, 0);
+  EXPECT_EQ(hit.instance, 0);
   const Hit<float> right = hit_of(compile(scene), Ray<float>{{12.5F, 0.5F, 0}, {0, 0, -1}});
-  EXPECT_EQ(right.copy, 3) << "the copies 3 and on are there";
+  EXPECT_EQ(right.instance, 3) << "the instances 3 and on are there";
   Mesh mesh;  // the same triangle many times
   mesh.positions.values = {-3, -3, -4, 3, -3, -4, 0, 4, -4};
   for (int i = 0; i < 40; ++i) mesh.indices.values.insert(mesh.indices.values.end(), {0U, 1U, 2U});
@@ -206,7 +206,7 @@ TEST(Search, RayInThePlaneOfABoxesFaceMeetsWhatIsThere) {
   for (int i = 1; i < 100; ++i) {
     const Ray<float> ray{{static_cast<float>(i), 0.5F, 0}, {0, 0, -1}};
     EXPECT_EQ(hit_of(triangles, ray).element, 2 * i - 2) << "the first of the two that share it";
-    EXPECT_EQ(hit_of(circles, ray).part, i) << "the first of the two that touch there";
+    EXPECT_EQ(hit_of(circles, ray).primitive, i) << "the first of the two that touch there";
   }
 }
 

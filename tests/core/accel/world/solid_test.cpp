@@ -26,8 +26,8 @@ Object difference_of(const std::vector<Object>& children) {
   return csg(Operation::difference, children);
 }
 
-Placement rotated_by(const Vec3d& degrees) {
-  Placement placement;
+TransformSteps rotated_by(const Vec3d& degrees) {
+  TransformSteps placement;
   placement.steps = {RotateDegrees{degrees}};
   return placement;
 }
@@ -48,7 +48,7 @@ double volume(const Object& solid, double reach, int n = 200) {
   for (int i = 0; i < n * n; ++i) {
     const double x = (i % n + 0.5) * side - reach, y = (i / n + 0.5) * side - reach;
     const Spans& held =
-        spans(geometry.solids[0], geometry.parts, {{x, y, 10 * reach}, {0, 0, -1}}, work);
+        spans(geometry.solids[0], geometry.primitives, {{x, y, 10 * reach}, {0, 0, -1}}, work);
     for (std::size_t k = 0; k + 1 < held.size(); k += 2) sum += held[k + 1].t - held[k].t;
   }
   return sum * side * side;
@@ -148,7 +148,7 @@ TEST(Solid, NestedTwentyDeepHoldsJustWhatTheOperationsKeep) {
     WorkCounter work;
     for (int k = 0; k < 20; ++k) {
       const Ray<double> ray{random.point(3), random.direction()};
-      const Spans& held = spans(geometry.solids[0], geometry.parts, ray, work);
+      const Spans& held = spans(geometry.solids[0], geometry.primitives, ray, work);
       for (double t = -9.987; t < 10; t += 0.0371) {
         bool inside = false, near = false;
         for (const Boundary& each : held) {
@@ -167,9 +167,9 @@ TEST(Solid, HitIsTheFirstBoundaryAheadFromOutsideAndFromInside) {
       world_of({difference_of({object_of(Box{{-2, -2, -2}, {2, 2, 2}}), ball({}, 1)})});
   const auto t_from = [&](double z) { return hit_of(world, Ray<double>{{0, 0, z}, {0, 0, -1}}).t; };
   EXPECT_EQ(t_from(5), 3) << "outside: the face at 2";
-  EXPECT_EQ(t_from(1.5), 0.5) << "in the matter: the hollow's wall at 1";
+  EXPECT_EQ(t_from(1.5), 0.5) << "in the shading: the hollow's wall at 1";
   EXPECT_EQ(t_from(0.25), 1.25) << "in the hollow: its far wall at -1";
-  EXPECT_EQ(t_from(-1.5), 0.5) << "in the matter beyond: the face at -2";
+  EXPECT_EQ(t_from(-1.5), 0.5) << "in the shading beyond: the face at -2";
   EXPECT_EQ(t_from(-3), infinity);
 }
 
@@ -179,12 +179,12 @@ TEST(Solid, CutFaceTurnsToTheViewerAndKeepsItsBallsElementAndNormal) {
   const Ray<double> ray{{0, 0, 5}, {0, 0, -1}};  // into the dent, to its bottom at z = 1
   const auto hit = hit_of(world, ray);
   EXPECT_EQ(hit.t, 4);
-  EXPECT_EQ(surface(world, ray, hit, static_cast<int>(hit.part), true).n, (Vec3d{0, 0, 1}));
+  EXPECT_EQ(surface(world, ray, hit, static_cast<int>(hit.primitive), true).n, (Vec3d{0, 0, 1}));
 }
 
 TEST(Solid, GroupAsOperandIsTheUnionOfItsChildrenInItsPlace) {
   Random random(311);
-  Placement place;
+  TransformSteps place;
   place.steps = {Scale{Vec3d{1, 2, 0.5}}, Translate{{0.2, 0.1, 0}}};
   const Object a = ball({-0.4, 0, 0}, 0.6), b = ball({0.4, 0, 0}, 0.5);
   const Object cube = object_of(Box{{-1, -1, -1}, {1, 1, 1}});
@@ -225,7 +225,7 @@ TEST(Solid, CutFaceShowsTheMaterialOfTheOperandWhoseSurfaceItIs) {
   const World world = world_of({whole});
   const auto color = [&](double x, double y) {
     const auto hit = hit_of(world, Ray<double>{{x, y, 5}, {0, 0, -1}});
-    return world.matter_of(static_cast<int>(hit.part)).albedo.exact;
+    return world.shading_of(static_cast<int>(hit.primitive)).albedo.exact;
   };
   EXPECT_EQ(color(-1.5, -1.5), (Vec3d{1, 0, 0})) << "the cube's face";
   EXPECT_EQ(color(0.1, 0), (Vec3d{0, 1, 0})) << "the dent is the ball's";
@@ -297,8 +297,9 @@ TEST(Solid, MergingIsWorkThatGrowsLittleFasterThanTheBoundaries) {
     std::int64_t done = 0;
     WorkCounter work([&](std::int64_t portion) { done += portion; });
     for (int ray = 0; ray < 2 * WorkCounter::portion / n + 2; ++ray)
-      EXPECT_EQ(spans(geometry.solids[0], geometry.parts, {{-5, 0, 0}, {1, 0, 0}}, work).size(),
-                std::size_t(2 * n));
+      EXPECT_EQ(
+          spans(geometry.solids[0], geometry.primitives, {{-5, 0, 0}, {1, 0, 0}}, work).size(),
+          std::size_t(2 * n));
     const double per_ray =
         static_cast<double>(done) / static_cast<double>(2 * WorkCounter::portion / n + 2);
     EXPECT_GT(per_ray, n * std::log2(n) / 4) << n;  // a quarter of 2 n, at each of the levels
@@ -310,7 +311,8 @@ TEST(Solid, ARayThroughManyOperandsCanBeEnded) {
   const World world = world_of({row_of_balls(20'000)});
   const Geometry& geometry = *world.of_objects;
   WorkCounter work([](std::int64_t) { throw Stopped(); });
-  EXPECT_THROW(spans(geometry.solids[0], geometry.parts, {{-5, 0, 0}, {1, 0, 0}}, work), Stopped);
+  EXPECT_THROW(spans(geometry.solids[0], geometry.primitives, {{-5, 0, 0}, {1, 0, 0}}, work),
+               Stopped);
 }
 
 }  // namespace

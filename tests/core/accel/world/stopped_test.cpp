@@ -1,4 +1,4 @@
-// A scene's building ends when it is told to: each part of it asks for itself.
+// A scene's building ends when it is told to: each primitive of it asks for itself.
 #include "core/input/stopped.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-// Voxels in the world: their numbered materials wherever parts are told apart, alone, in solids, in
-// groups and in pictures.
+// Voxels in the world: their numbered materials wherever primitives are told apart, alone, in
+// solids, in groups and in pictures.
 #include <gtest/gtest.h>
 
 #include "core/accel/world/all_hits.h"
@@ -78,10 +78,10 @@ TEST(VoxelsWorld, CellsWearTheMaterialsOfTheirNumbers) {
       ASSERT_EQ(got.t < 1e9, expected.t < 1e9);
       if (!(got.t < 1e9)) continue;
       ASSERT_NEAR(got.t, expected.t, 1e-12);
-      const int part = static_cast<int>(got.part);
-      EXPECT_EQ(voxels.matter_of(part).albedo.exact,
-                boxes.matter_of(static_cast<int>(expected.part)).albedo.exact);
-      EXPECT_EQ(voxels.part(part).object, 0);
+      const int primitive = static_cast<int>(got.primitive);
+      EXPECT_EQ(voxels.shading_of(primitive).albedo.exact,
+                boxes.shading_of(static_cast<int>(expected.primitive)).albedo.exact);
+      EXPECT_EQ(voxels.primitive(primitive).object, 0);
       ++hits;
     }
   }
@@ -114,7 +114,7 @@ TEST(VoxelsWorld, CellsWithoutNumbersWearTheObjectsMaterial) {
   const World world = compile(scene_of({voxels_of(v)}));
   const Hit<double> hit = hit_of(world, Ray<double>{{0.5, 0.5, 9}, {0, 0, -1}});
   EXPECT_EQ(hit.t, 8);
-  EXPECT_EQ(world.matter_of(static_cast<int>(hit.part)).albedo.exact, (Vec3d{0.5, 0.5, 0.5}));
+  EXPECT_EQ(world.shading_of(static_cast<int>(hit.primitive)).albedo.exact, (Vec3d{0.5, 0.5, 0.5}));
 }
 
 TEST(VoxelsWorld, ThePartsOfOneObjectAreOneObject) {
@@ -123,7 +123,7 @@ TEST(VoxelsWorld, ThePartsOfOneObjectAreOneObject) {
       compile(scene_of({random_model(random, 0.5).voxels, sphere_of({20, 0, 0}, 1)}));
   EXPECT_EQ(world.objects, 2);
   const Hit<double> hit = hit_of(world, Ray<double>{{20, 0, 9}, {0, 0, -1}});
-  EXPECT_EQ(world.part(static_cast<int>(hit.part)).object, 1);
+  EXPECT_EQ(world.primitive(static_cast<int>(hit.primitive)).object, 1);
 }
 
 TEST(VoxelsWorld, AllHitsNameEachCellsMaterial) {
@@ -137,7 +137,7 @@ TEST(VoxelsWorld, AllHitsNameEachCellsMaterial) {
   const std::vector<int> numbers{1, 1, 2, 3};
   for (std::size_t i = 0; i < 4; ++i) {
     EXPECT_EQ(hits[i].t, at[i]);
-    EXPECT_EQ(hits[i].part, numbers[i]);
+    EXPECT_EQ(hits[i].primitive, numbers[i]);
     EXPECT_EQ(hits[i].normal, (Vec3d{i % 2 == 0 ? -1.0 : 1.0, 0, 0}));
   }
 }
@@ -176,8 +176,8 @@ TEST(VoxelsWorld, InSolidsTheyAreTheUnionOfTheirCells) {
       ASSERT_EQ(a.size(), b.size());
       for (std::size_t n = 0; n < a.size(); ++n) {
         EXPECT_NEAR(a[n].t, b[n].t, 1e-11);
-        EXPECT_EQ(voxels.matter_of(a[n].part).albedo.exact,
-                  expected.matter_of(b[n].part).albedo.exact);
+        EXPECT_EQ(voxels.shading_of(a[n].primitive).albedo.exact,
+                  expected.shading_of(b[n].primitive).albedo.exact);
         EXPECT_NEAR(dot(a[n].normal, b[n].normal), 1, 1e-12);
         ++hits;
       }
@@ -199,7 +199,7 @@ TEST(VoxelsWorld, CopiesOfAGroupWearTheirMaterialsToo) {
   for (int i = 0; i < 6; ++i) {
     const Hit<double> hit = hit_of(world, Ray<double>{{i + 0.5, 0.5, 9}, {0, 0, -1}});
     ASSERT_EQ(hit.t, 8);
-    EXPECT_EQ(world.matter_of(static_cast<int>(hit.part)).albedo.exact,
+    EXPECT_EQ(world.shading_of(static_cast<int>(hit.primitive)).albedo.exact,
               i % 2 == 0 ? (Vec3d{1, 0, 0}) : (Vec3d{0, 0, 1}));
   }
 }
@@ -220,7 +220,7 @@ TEST(VoxelsWorld, PlacedOnesAreFoundAsFarAsTheRayWants) {
     if (!(t < 1e9)) continue;
     for (const double share : {0.5, 0.999, 1.001, 2.0}) {
       WorkCounter work;
-      const bool is = any(occluded(world, ray, t * share, Lamp{}, true, work));
+      const bool is = any(occluded(world, ray, t * share, WorldLight{}, true, work));
       EXPECT_EQ(is, share > 1);
       (is ? blocked : open) += 1;
     }

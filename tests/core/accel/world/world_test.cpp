@@ -34,8 +34,8 @@ TEST(World, HoldsTheObjectsInOrderThenTheLuminousLights) {
   for (int i = 0; i < 5; ++i) {
     const auto n = static_cast<double>(i + 1);
     EXPECT_EQ(world.balls[static_cast<std::size_t>(i)].sphere, (Sphere{{n, 0, 0}, n}));
-    EXPECT_EQ(world.balls[static_cast<std::size_t>(i)].part, i);
-    EXPECT_EQ(world.part(i).object, i);
+    EXPECT_EQ(world.balls[static_cast<std::size_t>(i)].primitive, i);
+    EXPECT_EQ(world.primitive(i).object, i);
   }
   EXPECT_EQ(world.background.exact, (Vec3d{0.1, 0.2, 0.3}));
 }
@@ -48,11 +48,11 @@ TEST(World, HasALampForEachLightThatShines) {
   scene.lights[0].intensity = 2;
   scene.key_light = Light{PointLight{}, {1, 1, 1}, 1};  // without a place: none
   const World world = compile(scene);
-  ASSERT_EQ(world.lamps.size(), 3U);
-  const auto expect = [&](std::size_t i, const Vec3d& position, const Vec3d& color, int part) {
-    EXPECT_EQ(world.lamps[i].middle.exact, position) << i;
-    EXPECT_EQ(world.lamps[i].color.exact, color) << i;
-    EXPECT_EQ(world.lamps[i].part, part) << i;
+  ASSERT_EQ(world.lights.size(), 3U);
+  const auto expect = [&](std::size_t i, const Vec3d& position, const Vec3d& color, int primitive) {
+    EXPECT_EQ(world.lights[i].middle.exact, position) << i;
+    EXPECT_EQ(world.lights[i].color.exact, color) << i;
+    EXPECT_EQ(world.lights[i].primitive, primitive) << i;
   };
   expect(0, {2, 0, 0}, {0, 0, 0.5}, 1);
   expect(1, {9, 0, 0}, {2, 4, 6}, -1);
@@ -69,10 +69,10 @@ TEST(World, MaterialIsNamedOrOwnOrTheDefault) {
   scene.objects[0].material = "red";
   scene.objects[2].material.reset();
   const World world = compile(scene);
-  EXPECT_EQ(world.matter_of(0).albedo.exact, (Vec3d{0.5, 0, 0}));
-  EXPECT_EQ(world.matter_of(1).albedo.exact, (Vec3d{0, 0.25, 0}));
-  EXPECT_EQ(world.matter_of(1).emission.exact, (Vec3d{0, 0, 2}));
-  EXPECT_EQ(world.matter_of(2).albedo.exact, (Vec3d{1, 1, 1}));
+  EXPECT_EQ(world.shading_of(0).albedo.exact, (Vec3d{0.5, 0, 0}));
+  EXPECT_EQ(world.shading_of(1).albedo.exact, (Vec3d{0, 0.25, 0}));
+  EXPECT_EQ(world.shading_of(1).emission.exact, (Vec3d{0, 0, 2}));
+  EXPECT_EQ(world.shading_of(2).albedo.exact, (Vec3d{1, 1, 1}));
 }
 
 // ---- closest_hit, occluded --------------------------------------------------------------------
@@ -93,7 +93,7 @@ TEST(World, ClosestHitIsTheNearestOfAllObjects) {
         }
       const Hit<double> hit = closest_ball(world, all_balls(world), ray);
       EXPECT_EQ(hit.t, nearest);
-      EXPECT_EQ(hit.part, object);
+      EXPECT_EQ(hit.primitive, object);
       hits += object >= 0;
     }
   }
@@ -105,19 +105,19 @@ TEST(World, AtEqualDistanceTheEarlierObjectWins) {
   scene.objects = {ball({9, 9, 9}, 1), ball({0, 0, -5}, 1), ball({0, 0, -5}, 1),
                    ball({0, 0, -6}, 2)};  // all three start at z = -4
   const World world = compile(scene);
-  EXPECT_EQ(closest_ball(world, all_balls(world), Ray<float>{{0, 0, 0}, {0, 0, -1}}).part, 1);
-  EXPECT_EQ(closest_ball(world, all_balls(world), Ray<double>{{0, 0, 0}, {0, 0, -1}}).part, 1);
+  EXPECT_EQ(closest_ball(world, all_balls(world), Ray<float>{{0, 0, 0}, {0, 0, -1}}).primitive, 1);
+  EXPECT_EQ(closest_ball(world, all_balls(world), Ray<double>{{0, 0, 0}, {0, 0, -1}}).primitive, 1);
   const Wide zero(0), minus(-1);
   const Hit<Wide> hit =
       closest_ball(world, all_balls(world), Ray<Wide>{{zero, zero, zero}, {zero, zero, minus}});
-  for (int k = 0; k < lanes<Wide>; ++k) EXPECT_EQ(lane(hit.part, k), 1);
+  for (int k = 0; k < lanes<Wide>; ++k) EXPECT_EQ(lane(hit.primitive, k), 1);
 }
 
 TEST(World, ClosestHitTriesOnlyTheCandidates) {
   Scene scene;
   scene.objects = {ball({0, 0, -5}, 1), ball({0, 0, -10}, 1)};
   const World world = compile(scene);
-  EXPECT_EQ(closest_ball(world, {1}, Ray<float>{{0, 0, 0}, {0, 0, -1}}).part, 1);
+  EXPECT_EQ(closest_ball(world, {1}, Ray<float>{{0, 0, 0}, {0, 0, -1}}).primitive, 1);
   EXPECT_EQ(closest_ball(world, {}, Ray<float>{{0, 0, 0}, {0, 0, -1}}).t, infinity);
 }
 
@@ -126,13 +126,13 @@ TEST(World, OccludedMeansAnyHitBeforeTheDistanceButOnesOwn) {
   scene.objects = {ball({0, 0, -5}, 1), ball({0, 0, -10}, 1)};
   const World world = compile(scene);
   const Ray<float> ray{{0, 0, 0}, {0, 0, -1}};
-  const Lamp point;
-  Lamp first;
-  first.part = 0;
+  const WorldLight point;
+  WorldLight first;
+  first.primitive = 0;
   WorkCounter work;
-  const auto dark = [&](const Ray<float>& way, float distance, const Lamp& lamp) {
-    const bool by_list = occluded_by_balls(world, way, distance, lamp);
-    EXPECT_EQ(occluded(world, way, distance, lamp, true, work), by_list);
+  const auto dark = [&](const Ray<float>& way, float distance, const WorldLight& light) {
+    const bool by_list = occluded_by_balls(world, way, distance, light);
+    EXPECT_EQ(occluded(world, way, distance, light, true, work), by_list);
     return by_list;
   };
   EXPECT_TRUE(dark(ray, 20, point));
@@ -148,17 +148,17 @@ TEST(World, OccludedMeansAnyHitBeforeTheDistanceButOnesOwn) {
 
 TEST(World, EachWinnerAmongTheLanesIsVisitedOnce) {
   Hit<Wide> hit;
-  hit.part = iota<Wide>() - select(iota<Wide>() < Wide(2), Wide(0), Wide(1));  // 0 1 1 2 ..
+  hit.primitive = iota<Wide>() - select(iota<Wide>() < Wide(2), Wide(0), Wide(1));  // 0 1 1 2 ..
   const WideMask found = iota<Wide>() > Wide(0);
   hit.t = select(found, Wide(1), Wide(infinity));
   unsigned covered = 0;
   int visits = 0;
-  for_each_winner(hit, WideMask(true), [&](int part, WideMask mask) {
+  for_each_winner(hit, WideMask(true), [&](int primitive, WideMask mask) {
     EXPECT_EQ(covered & bits(mask), 0U);
     covered |= bits(mask);
     for (int k = 0; k < lanes<Wide>; ++k) {
       const bool chosen = ((bits(mask) >> static_cast<unsigned>(k)) & 1U) != 0;
-      EXPECT_TRUE(!chosen || lane(hit.part, k) == static_cast<float>(part));
+      EXPECT_TRUE(!chosen || lane(hit.primitive, k) == static_cast<float>(primitive));
     }
     ++visits;
   });
@@ -172,7 +172,7 @@ TEST(World, SurfaceFacesTheViewer) {
   const World world = compile(scene);
   const auto seen = [&](const Ray<double>& ray, const std::vector<int>& objects) {
     const Hit<double> hit = closest_ball(world, objects, ray);
-    return surface(world, ray, hit, static_cast<int>(hit.part), true);
+    return surface(world, ray, hit, static_cast<int>(hit.primitive), true);
   };
   const Ray<double> out{{0, 0, 0}, {0, 0, -1}}, in{{0, 0, 9}, {0, 0, -1}};
   EXPECT_EQ(seen(out, {0, 1}).p, (Vec3d{0, 0, -2}));

@@ -9,7 +9,7 @@ namespace {
 
 using namespace test;
 
-Blended placed(const auto& shape, std::vector<Placement::Step> steps = {}) {
+Blended placed(const auto& shape, std::vector<TransformSteps::Step> steps = {}) {
   return {shape, {std::move(steps)}};
 }
 Blend blend_of(Operation operation, double radius, std::vector<Blended> children) {
@@ -137,7 +137,7 @@ void expect_itself(const Kind& kind, Random& random) {
       blend_of(Operation::union_, 0.3,
                {placed(kind, {Scale{scale}, RotateDegrees{{20, 30, 40}}, Translate{moved}})}));
   const Affine place =
-      Placement{{Scale{scale}, RotateDegrees{{20, 30, 40}}, Translate{moved}}}.affine();
+      TransformSteps{{Scale{scale}, RotateDegrees{{20, 30, 40}}, Translate{moved}}}.affine();
   for (int i = 0; i < rounds(30); ++i) {
     const Vec3d from = random.vector(4, 6), d = normalize(random.point(0.8) - from);
     std::vector<double> expected;

@@ -44,7 +44,7 @@ Spans merged(Operation operation, const Spans& a, const Spans& b, double same = 
 
 std::vector<std::pair<double, int>> ends(const Spans& spans) {
   std::vector<std::pair<double, int>> list;
-  for (const Boundary& each : spans) list.emplace_back(each.t, each.part);
+  for (const Boundary& each : spans) list.emplace_back(each.t, each.primitive);
   return list;
 }
 using Ends = std::vector<std::pair<double, int>>;
@@ -76,9 +76,9 @@ TEST(Csg, MergedSpansAscendInPairsAndTakeTheirSurfacesFromTheOperands) {
         if (k > 0) {
           ASSERT_LT(result[k - 1].t, result[k].t);
         }
-        const Spans& own = result[k].part < 100 ? a : b;
+        const Spans& own = result[k].primitive < 100 ? a : b;
         const auto same = [&](const Boundary& each) {
-          return each.t == result[k].t && each.part == result[k].part &&
+          return each.t == result[k].t && each.primitive == result[k].primitive &&
                  each.element == result[k].element;
         };
         ASSERT_TRUE(std::any_of(own.begin(), own.end(), same));

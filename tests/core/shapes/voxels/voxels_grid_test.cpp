@@ -14,7 +14,7 @@ TEST(Voxels, AllFourFormsGiveTheSameGrid) {
     std::vector<int> filled;
     for (std::size_t k = 0; k < all_cells(size).size(); ++k) filled.push_back(random.below(2));
     filled[static_cast<std::size_t>(random.below(static_cast<int>(filled.size())))] = 1;
-    Occupied lengths{1, {0}}, runs{2, {}}, cells{3, {}}, numbered{4, {}};
+    VoxelList lengths{1, {0}}, runs{2, {}}, cells{3, {}}, numbered{4, {}};
     for (std::size_t k = 0, length = 0; k < filled.size(); k += length) {
       for (length = 0; k + length < filled.size() && filled[k + length] == filled[k];) ++length;
       const int count = static_cast<int>(length);
@@ -34,7 +34,7 @@ TEST(Voxels, AllFourFormsGiveTheSameGrid) {
     const VoxelsForm expected = prepare(v);
     const std::vector<std::uint8_t> bytes(filled.begin(), filled.end());
     EXPECT_EQ(expected.grid->cells, bytes);
-    for (const Occupied& other : {lengths, runs, numbered}) {
+    for (const VoxelList& other : {lengths, runs, numbered}) {
       v.occupied = other;
       const VoxelsForm form = prepare(v);
       EXPECT_EQ(form.grid->cells, bytes);

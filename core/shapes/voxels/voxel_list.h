@@ -1,4 +1,4 @@
-// Occupied: which cells of a grid are filled, as a scene lists them: cell by cell or in runs. What
+// VoxelList: which cells of a grid are filled, as a scene lists them: cell by cell or in runs. What
 // grid it is the list does not know (voxels.h).
 #pragma once
 
@@ -15,12 +15,12 @@ inline constexpr int most_cell_material = 255;
 /// The most cells that a grid has.
 inline constexpr int most_cells = 1 << 24;
 
-/// Occupied: a list whose elements are all of one form, in JSON
+/// VoxelList: a list whose elements are all of one form, in JSON
 ///   n             a run of n cells, by turns empty and filled, an empty one first
 ///   [n, m]        a run of n cells of material m, 0: empty
 ///   [i, j, k]     a filled cell
 ///   [i, j, k, m]  a filled cell of material m
-struct Occupied {
+struct VoxelList {
   int width = 0;                      ///< how many numbers an element has: 1 to 4; 0: none yet
   std::vector<std::int32_t> numbers;  ///< of all elements in turn
 
@@ -34,15 +34,15 @@ struct Occupied {
   bool has_materials() const { return width % 2 == 0; }
   /// Of an element of a list that has them.
   int material(std::size_t element) const { return number(element, width - 1); }
-  bool operator==(const Occupied&) const = default;
+  bool operator==(const VoxelList&) const = default;
 };
 
 /// Errors: the place of what is no element, or of another form than the first is.
 template <>
-struct Codec<Occupied> {
+struct Codec<VoxelList> {
   static void read(const Value& v, const Place& at, const Spec& spec, Faults& faults,
-                   Occupied& out);
-  static Value write(const Occupied& v);
+                   VoxelList& out);
+  static Value write(const VoxelList& v);
   static Value schema(const Spec&);
   static std::string allowed(const Spec&);
 };

@@ -55,16 +55,16 @@ struct Matrix {
   bool operator==(const Matrix&) const = default;
 };
 
-/// Placement: steps that move a shape, the first step first. They are kept as written, so that
+/// TransformSteps: steps that move a shape, the first step first. They are kept as written, so that
 /// canonical text repeats them.
-struct Placement {
+struct TransformSteps {
   static constexpr std::string_view schema_name = "transform";
   using Step = std::variant<Translate, RotateDegrees, Scale, Matrix>;
   std::vector<Step> steps;
 
   /// The product of all steps. Once read, it has an inverse.
   Affine affine() const;
-  bool operator==(const Placement&) const = default;
+  bool operator==(const TransformSteps&) const = default;
 };
 
 /// Whether a map can be computed with: it scales every axis by 1e-9 to 1e9, and the unit cube
@@ -72,10 +72,10 @@ struct Placement {
 bool is_usable(const Affine& map);
 
 template <>
-struct Codec<Placement> {
+struct Codec<TransformSteps> {
   static void read(const Value& v, const Place& at, const Spec& spec, Faults& faults,
-                   Placement& out);
-  static Value write(const Placement& v);
+                   TransformSteps& out);
+  static Value write(const TransformSteps& v);
   static Value schema(const Spec&, Definitions& named);
   static std::string allowed(const Spec&);
 };

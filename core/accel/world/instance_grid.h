@@ -1,4 +1,5 @@
-// Copies: a grid of copies of a space, and the way of rays through it: an index without memory.
+// InstanceGrid: a grid of instances of a space, and the way of rays through it: an index without
+// memory.
 #pragma once
 
 #include <algorithm>
@@ -11,47 +12,47 @@
 
 namespace tia {
 
-/// Copies. Space/units: `to_group` leads from the space where the group stands to its own.
-struct Copies {
+/// InstanceGrid. Space/units: `to_group` leads from the space where the group stands to its own.
+struct InstanceGrid {
   Affine to_group;
   Repeat repeat;
-  Aabb box;         ///< of one copy
+  Aabb box;         ///< of one instance
   int inside = 0;   ///< the space that is repeated
   int outside = 0;  ///< the space where the group stands
-  float slack = 0;  ///< by how much boxes of copies grow, so that float holds all of them
+  float slack = 0;  ///< by how much boxes of instances grow, so that float holds all of them
 
-  /// Of copies that fill a box: beyond all roundings of their coordinates.
+  /// Of instances that fill a box: beyond all roundings of their coordinates.
   static float slack_of(const Aabb& all);
-  /// Which one along x, y and z the copy of that number is: x runs fastest, then y.
+  /// Which one along x, y and z the instance of that number is: x runs fastest, then y.
   std::array<int, 3> place(std::int64_t number) const;
   /// Where it stands.
   Vec3d offset(std::int64_t number) const;
 };
 
-/// Part of a grid: the copies with from <= i < to along each axis.
-struct CopyRange {
+/// InstanceRange: part of a grid, the instances with from <= i < to along each axis.
+struct InstanceRange {
   std::array<int, 3> from, to;
 
   int count(std::size_t axis) const { return to[axis] - from[axis]; }
   /// The axis along which there are most, weighed by the step.
   std::size_t longest(const Vec3d& step) const;
-  /// The box around the range's copies.
-  Box32 box(const Copies& grid) const;
+  /// The box around the range's instances.
+  Box32 box(const InstanceGrid& grid) const;
 };
 
-/// Calls visit(number, lanes) for each copy whose box lanes of `active` enter before t_max, roughly
-/// from near to far, by halving the grid.
+/// Calls visit(number, lanes) for each instance whose box lanes of `active` enter before t_max,
+/// roughly from near to far, by halving the grid.
 template <class Real, class Visit>
-void traverse(const Copies& grid, const BoxRay<Real>& ray, Mask<Real> active, const Real& t_max,
-              WorkCounter& work, Visit visit) {
+void traverse(const InstanceGrid& grid, const BoxRay<Real>& ray, Mask<Real> active,
+              const Real& t_max, WorkCounter& work, Visit visit) {
   constexpr std::size_t deepest = 3 * 25;  // halvings of three counts up to 2^24
   const Repeat& repeat = grid.repeat;
   const double steps[] = {repeat.step.x, repeat.step.y, repeat.step.z};
-  std::array<CopyRange, deepest + 1> stack;
+  std::array<InstanceRange, deepest + 1> stack;
   std::size_t top = 0;
   stack[top++] = {{0, 0, 0}, repeat.count};
   while (top > 0) {
-    const CopyRange range = stack[--top];
+    const InstanceRange range = stack[--top];
     work.test();
     const Mask<Real> entered = active && ray.enters(range.box(grid), t_max);
     if (!any(entered)) continue;
@@ -61,7 +62,7 @@ void traverse(const Copies& grid, const BoxRay<Real>& ray, Mask<Real> active, co
       visit(i + repeat.count[0] * (j + repeat.count[1] * k), entered);
       continue;
     }
-    CopyRange near = range, far = range;
+    InstanceRange near = range, far = range;
     near.to[axis] = far.from[axis] = range.from[axis] + range.count(axis) / 2;
     if (ray.backwards(static_cast<int>(axis)) != (steps[axis] < 0)) std::swap(near, far);
     stack[top++] = far;

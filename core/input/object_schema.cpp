@@ -1,11 +1,11 @@
-#include "core/input/written.h"
+#include "core/input/object_schema.h"
 
 namespace tia {
 
-Value object_schema(std::vector<WrittenMember> members) {
+Value object_schema(std::vector<SchemaMember> members) {
   Value::Object properties;
   Value::Array required;
-  for (WrittenMember& member : members) {
+  for (SchemaMember& member : members) {
     Value::Object property = std::move(*member.schema.as<Value::Object>());
     if (!member.about.empty()) property.emplace_back("description", member.about);
     properties.emplace_back(member.name, std::move(property));

@@ -1,4 +1,4 @@
-#include "core/shapes/voxels/occupied.h"
+#include "core/shapes/voxels/voxel_list.h"
 
 #include <array>
 
@@ -23,7 +23,7 @@ int width_of(const Value& element) {
                                                                    : 0;
 }
 
-void read_element(const Value& element, const Place& at, Faults& faults, Occupied& to) {
+void read_element(const Value& element, const Place& at, Faults& faults, VoxelList& to) {
   for (int k = 0; k < to.width; ++k) {
     const auto index = static_cast<std::size_t>(k);
     const auto* list = element.as<Value::Array>();
@@ -34,12 +34,12 @@ void read_element(const Value& element, const Place& at, Faults& faults, Occupie
 
 }  // namespace
 
-void Codec<Occupied>::read(const Value& v, const Place& at, const Spec& spec, Faults& faults,
-                           Occupied& out) {
+void Codec<VoxelList>::read(const Value& v, const Place& at, const Spec& spec, Faults& faults,
+                            VoxelList& out) {
   const auto* list = v.as<Value::Array>();
   if (list == nullptr || list->empty()) return detail::wrong_type(v, at, allowed(spec), faults);
   const std::size_t before = faults.count();
-  Occupied read;
+  VoxelList read;
   read.width = width_of(list->front());
   read.numbers.reserve(list->size() * static_cast<std::size_t>(read.width));
   for (std::size_t i = 0; i < list->size() && !faults.full(); ++i) {
@@ -56,7 +56,7 @@ void Codec<Occupied>::read(const Value& v, const Place& at, const Spec& spec, Fa
   if (faults.count() == before) out = std::move(read);
 }
 
-Value Codec<Occupied>::write(const Occupied& v) {
+Value Codec<VoxelList>::write(const VoxelList& v) {
   Value::Array list;
   list.reserve(v.size());
   for (std::size_t i = 0; i < v.size(); ++i) {
@@ -71,7 +71,7 @@ Value Codec<Occupied>::write(const Occupied& v) {
   return list;
 }
 
-Value Codec<Occupied>::schema(const Spec&) {
+Value Codec<VoxelList>::schema(const Spec&) {
   Value::Array lists;
   for (int width = 1; width <= 4; ++width) {
     Value::Array numbers;
@@ -86,7 +86,7 @@ Value Codec<Occupied>::schema(const Spec&) {
   return Value::Object{{"oneOf", lists}};
 }
 
-std::string Codec<Occupied>::allowed(const Spec&) {
+std::string Codec<VoxelList>::allowed(const Spec&) {
   return "a list of run lengths, by turns empty and filled, of runs [count, material], of cells "
          "[i, j, k] or of cells [i, j, k, material]";
 }

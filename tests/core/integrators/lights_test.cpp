@@ -1,4 +1,4 @@
-// What lamps do to a surface, by closed forms: highlights, brilliance, spots, fading, areas.
+// What lights do to a surface, by closed forms: highlights, brilliance, spots, fading, areas.
 #include <gtest/gtest.h>
 
 #include "tests/core/tree.h"
@@ -69,7 +69,7 @@ TEST(Lamps, DirectionalLightHasOneCosineEverywhere) {
     Vec3d way = random.direction();
     way.y = -std::fabs(way.y);
     Floor floor;
-    floor.scene.lights = {lamp_of(DirectionalLight{way * 7.0})};
+    floor.scene.lights = {light_of(DirectionalLight{way * 7.0})};
     const double x = random.in(-9, 9);
     EXPECT_NEAR(double(floor.at(x, random.in(-9, 9)).x), -way.y / length(way), 1e-6);
   }
@@ -85,7 +85,7 @@ TEST(Lamps, SpotIsFullInsideNoneOutsideAndSmoothInCosineBetween) {
   for (const double tightness : {0.0, 3.0}) {
     spot.tightness = tightness;
     Floor floor;
-    floor.scene.lights = {lamp_of(spot)};
+    floor.scene.lights = {light_of(spot)};
     for (const double degrees : {0.0, 10.0, 19.9, 25.0, 30.0, 35.0, 39.9, 40.1, 60.0}) {
       const double angle = degrees * pi / 180, c = std::cos(angle);
       const double s = std::clamp((c - outer) / (inner - outer), 0.0, 1.0);
@@ -100,7 +100,7 @@ TEST(Lamps, SpotOfEqualAnglesHasAHardEdge) {
   spot.position = Vec3d{0, 1, 0};
   spot.radius_degrees = spot.falloff_degrees = 45;
   Floor floor;
-  floor.scene.lights = {lamp_of(spot)};
+  floor.scene.lights = {light_of(spot)};
   EXPECT_NEAR(double(floor.at(0.99).x), 1 / std::hypot(0.99, 1), 1e-6);
   EXPECT_EQ(floor.at(1.01).x, 0.0F);
 }
@@ -144,7 +144,7 @@ TEST(Lamps, LightsAddUp) {
 // ---- areas --------------------------------------------------------------------------------------
 
 // A ball of radius r at height h under a luminous ball of radius R at height H: on the floor the
-// umbra is where no line to the lamp misses the ball, the penumbra where one hits it. Both edges
+// umbra is where no line to the light misses the ball, the penumbra where one hits it. Both edges
 // lie on lines that touch both balls; in the plane through their centres the inner tangents bound
 // the penumbra, the outer ones the umbra. Source: similar triangles.
 TEST(Lamps, UmbraAndPenumbraOfABallEndWhereTangentsMeetTheFloor) {
@@ -154,7 +154,7 @@ TEST(Lamps, UmbraAndPenumbraOfABallEndWhereTangentsMeetTheFloor) {
   light.position = Vec3d{0, top, 0};
   light.radius = big;
   light.samples = 256;
-  floor.scene.lights = {lamp_of(light)};
+  floor.scene.lights = {light_of(light)};
   floor.scene.objects.push_back(ball({0, low, 0}, small, matte({0, 0, 0})));
   // A tangent's angle to the axis: sin = (r - R) / gap for the outer, (r + R) / gap for the inner.
   // It meets the axis r / sin above the ball's centre.
@@ -181,7 +181,7 @@ TEST(Lamps, QuadOfManyPlacesConvergesToItsMeanCosine) {
   quad.v = {0, 0, 2};
   quad.samples = 1024;
   Floor floor;
-  floor.scene.lights = {lamp_of(quad)};
+  floor.scene.lights = {light_of(quad)};
   double mean = 0;
   constexpr int n = 400;
   for (int i = 0; i < n; ++i)
@@ -200,7 +200,7 @@ TEST(Lamps, BallLightOfManyPlacesIsTheMeanCosineOfItsCone) {
   light.radius = 1.5;
   light.samples = 1024;
   Floor floor;
-  floor.scene.lights = {lamp_of(light)};
+  floor.scene.lights = {light_of(light)};
   const auto node = tree(floor.scene, {0, 1, 0}, {0, -1, 0});
   EXPECT_NEAR(double(node->color.x), (1 + std::cos(std::asin(0.5))) / 2, 2e-3);
 }
@@ -211,7 +211,7 @@ TEST(Lamps, LuminousQuadIsSeenMirroredAndBlocksOthersButNotItself) {
   quad.u = {2, 0, 0};
   quad.v = {0, 0, 2};
   Floor floor;
-  floor.scene.lights = {lamp_of(quad, {0.5, 0.25, 1})};
+  floor.scene.lights = {light_of(quad, {0.5, 0.25, 1})};
   expect_near(tree(floor.scene, {0, 1, 0}, {0, 1, 0})->color, {0.5, 0.25, 1}, 1e-7);
   expect_near(tree(floor.scene, {0.2, 1, 0.2}, {0, -1, 0})->color,
               Vec3d{0.5, 0.25, 1} * (2 / std::sqrt(4.08)), 1e-6);
@@ -223,7 +223,7 @@ TEST(Lamps, LuminousQuadIsSeenMirroredAndBlocksOthersButNotItself) {
 TEST(Lamps, SkyIsSeenWhereRaysLeaveAndLightsNothing) {
   Floor floor;
   floor.scene.background = {1, 0, 0};
-  Light sky = lamp_of(SkyLight{}, {0.2, 0.4, 0.8});
+  Light sky = light_of(SkyLight{}, {0.2, 0.4, 0.8});
   sky.intensity = 0.5;
   floor.scene.lights = {sky};
   expect_near(tree(floor.scene, {0, 1, 0}, {0, 1, 0})->color, {0.1, 0.2, 0.4}, 1e-7);

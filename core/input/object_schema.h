@@ -8,8 +8,8 @@
 
 namespace tia {
 
-/// WrittenMember: one member of such an object.
-struct WrittenMember {
+/// SchemaMember: one member of such an object.
+struct SchemaMember {
   std::string_view name;
   Value schema;
   std::string_view about = "";
@@ -17,7 +17,7 @@ struct WrittenMember {
 };
 
 /// The schema of an object of these members and no others.
-Value object_schema(std::vector<WrittenMember> members);
+Value object_schema(std::vector<SchemaMember> members);
 /// Of an integer that is not below `least`.
 Value count_schema(int least = 0);
 /// Of a list whose elements obey `items`, and of what is null or obeys `schema`.

@@ -1,4 +1,4 @@
-#include "core/input/placement.h"
+#include "core/input/transform_steps.h"
 
 #include <cmath>
 
@@ -16,7 +16,7 @@ Affine Matrix::affine() const {
   return {column(0), column(1), column(2), column(3)};
 }
 
-Affine Placement::affine() const {
+Affine TransformSteps::affine() const {
   Affine product;
   for (const Step& step : steps)
     product = std::visit([](const auto& is) { return is.affine(); }, step) * product;
@@ -56,7 +56,7 @@ struct Codec<MatrixRows> {
 
 namespace {
 
-using Step = Placement::Step;
+using Step = TransformSteps::Step;
 
 std::string one_step() {
   return "one of " + listed({Translate::key, RotateDegrees::key, Scale::key, Matrix::key});
@@ -110,12 +110,12 @@ Value kind_schema(Definitions& named) {
 
 }  // namespace
 
-void Codec<Placement>::read(const Value& v, const Place& at, const Spec& spec, Faults& faults,
-                            Placement& out) {
+void Codec<TransformSteps>::read(const Value& v, const Place& at, const Spec& spec, Faults& faults,
+                                 TransformSteps& out) {
   const auto* list = detail::read_array(v, at, spec, faults);
   if (list == nullptr) return;
   const std::size_t before = faults.count();
-  Placement placement;
+  TransformSteps placement;
   placement.steps.reserve(detail::places<Step>(*list));
   for (std::size_t i = 0; i < list->size() && !faults.full(); ++i)
     read_step((*list)[i], at.at(i), faults, placement.steps.emplace_back());
@@ -124,7 +124,7 @@ void Codec<Placement>::read(const Value& v, const Place& at, const Spec& spec, F
   if (faults.count() == before) out = std::move(placement);
 }
 
-Value Codec<Placement>::write(const Placement& v) {
+Value Codec<TransformSteps>::write(const TransformSteps& v) {
   Value::Array steps;
   for (const Step& step : v.steps)
     steps.push_back(std::visit(
@@ -135,13 +135,13 @@ Value Codec<Placement>::write(const Placement& v) {
   return steps;
 }
 
-Value Codec<Placement>::schema(const Spec&, Definitions& named) {
+Value Codec<TransformSteps>::schema(const Spec&, Definitions& named) {
   const Value step = Value::Object{
       {"oneOf", Value::Array{kind_schema<Translate>(named), kind_schema<RotateDegrees>(named),
                              kind_schema<Scale>(named), kind_schema<Matrix>(named)}}};
   return Value::Object{{"type", "array"}, {"items", step}};
 }
 
-std::string Codec<Placement>::allowed(const Spec& spec) { return detail::array_text(spec); }
+std::string Codec<TransformSteps>::allowed(const Spec& spec) { return detail::array_text(spec); }
 
 }  // namespace tia

@@ -1,4 +1,5 @@
-// Part: a surface with one material, in its place; what all kinds of shapes become for the tracer.
+// Primitive: a surface with one material, in its place; what all kinds of shapes become for the
+// tracer.
 #pragma once
 
 #include <cmath>
@@ -11,19 +12,20 @@
 
 namespace tia {
 
-/// Part. Space/units: `to_object` leads from the space that the part stands in to its own.
-struct Part {
-  Form form;  ///< for a mesh part, of no meaning
+/// Primitive. Space/units: `to_object` leads from the space that the primitive stands in to its
+/// own.
+struct Primitive {
+  Form form;  ///< for a mesh primitive, of no meaning
   Affine to_object{};
-  Vec3d middle{};         ///< of its bounds in its own space; 0 where they are infinite
-  int mesh = -1;          ///< the geometry's mesh that it is instead of a form; -1: none
-  int ball = -1;          ///< the geometry's ball that it is as well; -1: none
-  int flat = -1;          ///< the geometry's flat that it is as well; -1: none
-  int matter = 0;         ///< the geometry's matter that it wears
-  int object = 0;         ///< the object that it belongs to, counted from 0 in the scene's order
-  int space = 0;          ///< the space of the geometry that it stands in
-  int numbers = 0;        ///< how many parts after it are its own, one for each numbered material
-                          ///< (material_number); -1: it is one of those
+  Vec3d middle{};   ///< of its bounds in its own space; 0 where they are infinite
+  int mesh = -1;    ///< the geometry's mesh that it is instead of a form; -1: none
+  int ball = -1;    ///< the geometry's ball that it is as well; -1: none
+  int flat = -1;    ///< the geometry's flat that it is as well; -1: none
+  int shading = 0;  ///< the geometry's shading that it wears
+  int object = 0;   ///< the object that it belongs to, counted from 0 in the scene's order
+  int space = 0;    ///< the space of the geometry that it stands in
+  int numbers = 0;  ///< how many primitives after it are its own, one for each numbered material
+                    ///< (material_number); -1: it is one of those
   bool inverted = false;  ///< whether it cuts a solid, whose outside is then its inside
   bool placed = false;    ///< whether to_object does anything
   int work = 1;           ///< what trying a ray on it costs (WorkCounter)
@@ -34,18 +36,18 @@ namespace detail {
 /// Calls f(form, line, shift, length): the line as the form wants it, whose parameter s is the
 /// given line's t = (s + shift) / length. Returns: what f does.
 template <class F>
-auto with_own_line(const Part& part, const Line& line, F f) {
-  const Vec3d origin = part.to_object.point(line.origin);
-  const Vec3d way = part.to_object.vector(line.direction);
+auto with_own_line(const Primitive& primitive, const Line& line, F f) {
+  const Vec3d origin = primitive.to_object.point(line.origin);
+  const Vec3d way = primitive.to_object.vector(line.direction);
   const double length = tia::length(way);
   const Vec3d unit = way * (1 / length);
-  const double shift = dot(part.middle - origin, unit);
+  const double shift = dot(primitive.middle - origin, unit);
   const Line own{origin + unit * shift, unit};
-  return std::visit([&](const auto& form) { return f(form, own, shift, length); }, part.form);
+  return std::visit([&](const auto& form) { return f(form, own, shift, length); }, primitive.form);
 }
 
-/// How far along its own line a part is searched: a t beyond the limit may be no longer so once it
-/// is rounded, and then order in the scene decides.
+/// How far along its own line a primitive is searched: a t beyond the limit may be no longer so
+/// once it is rounded, and then order in the scene decides.
 template <class Real>
 Real search_limit(const Real& t_max, const Real& shift, const Real& length) {
   constexpr double slack = 1e-6, rounding = 0x1p-50;
@@ -74,25 +76,25 @@ struct OnGivenLine {
 
 }  // namespace detail
 
-/// Calls emit(t, element) for each crossing of the line with the part's surface, or with its
+/// Calls emit(t, element) for each crossing of the line with the primitive's surface, or with its
 /// bracket (emit_root).
-/// Domain: a part that is no mesh; a line of any direction but 0.
-/// Returns: the work that it did beyond part.work; so do the two below.
+/// Domain: a primitive that is no mesh; a line of any direction but 0.
+/// Returns: the work that it did beyond primitive.work; so do the two below.
 template <class Emit>
-std::int64_t crossings(const Part& part, const Line& line, Emit emit) {
+std::int64_t crossings(const Primitive& primitive, const Line& line, Emit emit) {
   return detail::with_own_line(
-      part, line, [&](const auto& form, const Line& own, double shift, double n) {
+      primitive, line, [&](const auto& form, const Line& own, double shift, double n) {
         const detail::OnGivenLine<Emit> out{emit, shift, n};
         return detail::work_of_call([&] { return crossings(form, own, out); });
       });
 }
 
-/// Calls emit(t, element) where the line enters and leaves the part as a solid, in pairs.
-/// Domain: a part whose form is solid.
+/// Calls emit(t, element) where the line enters and leaves the primitive as a solid, in pairs.
+/// Domain: a primitive whose form is solid.
 template <class Emit>
-std::int64_t spans(const Part& part, const Line& line, Emit emit) {
+std::int64_t spans(const Primitive& primitive, const Line& line, Emit emit) {
   return detail::with_own_line(
-      part, line, [&]<class F>(const F& form, const Line& own, double shift, double n) {
+      primitive, line, [&]<class F>(const F& form, const Line& own, double shift, double n) {
         const detail::OnGivenLine<Emit> out{emit, shift, n};
         if constexpr (HasSpans<F>)
           return detail::work_of_call([&] { return spans(form, own, out); });
@@ -100,22 +102,22 @@ std::int64_t spans(const Part& part, const Line& line, Emit emit) {
       });
 }
 
-/// The part that an element of a part belongs to, itself or the one of its material.
-inline int part_of(const Part& part, int number, int element) {
-  if (part.numbers == 0) return number;
+/// The primitive that an element of a primitive belongs to, itself or the one of its material.
+inline int primitive_of(const Primitive& primitive, int number, int element) {
+  if (primitive.numbers == 0) return number;
   return number + std::visit(
                       [&]<class F>(const F& form) {
                         if constexpr (NumbersMaterials<F>) return material_number(form, element);
                         else return 0;
                       },
-                      part.form);
+                      primitive.form);
 }
 
-/// The part's first crossing with t > 0. One beyond t_max need not be found.
-inline FirstCrossing nearest_crossing(const Part& part, const Line& line, double t_max) {
+/// The primitive's first crossing with t > 0. One beyond t_max need not be found.
+inline FirstCrossing nearest_crossing(const Primitive& primitive, const Line& line, double t_max) {
   FirstCrossing nearest;
   detail::with_own_line(
-      part, line, [&]<class F>(const F& form, const Line& own, double shift, double n) {
+      primitive, line, [&]<class F>(const F& form, const Line& own, double shift, double n) {
         if constexpr (FindsFirstCrossing<F>) {
           nearest = first_crossing(form, own, -shift, detail::search_limit(t_max, shift, n));
           nearest.at.t = (nearest.at.t + shift) / n;
@@ -131,33 +133,33 @@ inline FirstCrossing nearest_crossing(const Part& part, const Line& line, double
   return nearest;
 }
 
-/// Whether a part's normals at its element 0 are found for eight points at once.
-inline bool normals_go_in_eights(const Part& part) {
+/// Whether a primitive's normals at its element 0 are found for eight points at once.
+inline bool normals_go_in_eights(const Primitive& primitive) {
   const auto go = []<class F>(const F&) { return HasEightNormals<F>; };
-  return part.mesh < 0 && std::visit(go, part.form);
+  return primitive.mesh < 0 && std::visit(go, primitive.form);
 }
-/// In the part's own space. Domain: a part whose normals go in eights.
-inline Vec3<Octet> normals_of_eight(const Part& part, const Vec3<Octet>& p) {
+/// In the primitive's own space. Domain: a primitive whose normals go in eights.
+inline Vec3<Octet> normals_of_eight(const Primitive& primitive, const Vec3<Octet>& p) {
   return std::visit(
       [&]<class F>(const F& form) {
         if constexpr (HasEightNormals<F>) return normals(form, p);
         else return p;
       },
-      part.form);
+      primitive.form);
 }
 
-/// Whether a part's first crossings are found for eight lines at once.
-inline bool goes_in_eights(const Part& part) {
-  return std::visit([]<class F>(const F&) { return FindsEightFirstCrossings<F>; }, part.form);
+/// Whether a primitive's first crossings are found for eight lines at once.
+inline bool goes_in_eights(const Primitive& primitive) {
+  return std::visit([]<class F>(const F&) { return FindsEightFirstCrossings<F>; }, primitive.form);
 }
-/// nearest_crossing of eight lines, the same to the bit. Domain: a part that goes in eights.
-inline EightCrossings nearest_crossings(const Part& part, const EightLines& given) {
+/// nearest_crossing of eight lines, the same to the bit. Domain: a primitive that goes in eights.
+inline EightCrossings nearest_crossings(const Primitive& primitive, const EightLines& given) {
   const Ray<Octet>& line = given.line;
-  const Vec3<Octet> origin = part.to_object.point(line.origin);
-  const Vec3<Octet> way = part.to_object.vector(line.direction);
+  const Vec3<Octet> origin = primitive.to_object.point(line.origin);
+  const Vec3<Octet> way = primitive.to_object.vector(line.direction);
   const Octet length = tia::length(way);
   const Vec3<Octet> unit = way * (Octet(1.0) / length);
-  const Octet shift = dot(static_cast<Vec3<Octet>>(part.middle) - origin, unit);
+  const Octet shift = dot(static_cast<Vec3<Octet>>(primitive.middle) - origin, unit);
   const EightLines own{{origin + unit * shift, unit},
                        -shift,
                        detail::search_limit(given.before, shift, length),
@@ -172,7 +174,7 @@ inline EightCrossings nearest_crossings(const Part& part, const EightLines& give
         }
         return found;
       },
-      part.form);
+      primitive.form);
 }
 
 }  // namespace tia

@@ -5,15 +5,15 @@
 #include <array>
 
 #include "core/film/image.h"
-#include "core/integrators/path.h"
+#include "core/integrators/ray_path.h"
 #include "core/math/lanes.h"
 
 namespace tia {
 
-/// Patch: the pixels of one packet, as near to a square as its lanes allow: rays that stay together
-/// meet fewer boxes.
+/// PixelTile: the pixels of one packet, as near to a square as its lanes allow: rays that stay
+/// together meet fewer boxes.
 template <class Real>
-struct Patch {
+struct PixelTile {
   static constexpr int width = lanes<Real> >= 4 ? 4 : 1, height = lanes<Real> / width;
   static_assert(Block::size % width == 0 && Block::size % height == 0);
 
@@ -24,11 +24,11 @@ struct Patch {
   static Real row() {
     return by_lane([](int lane) { return lane / width; });
   }
-  /// Tells the draws each lane's pixel; (x, y) is the first one's.
-  static void number(int x, int y, Draws<Real>& draws) {
+  /// Tells the sampler state each lane's pixel; (x, y) is the first one's.
+  static void number(int x, int y, SamplerState<Real>& sampler_state) {
     for (int i = 0; i < lanes<Real>; ++i) {
-      draws.x[static_cast<std::size_t>(i)] = static_cast<std::uint32_t>(x + i % width);
-      draws.y[static_cast<std::size_t>(i)] = static_cast<std::uint32_t>(y + i / width);
+      sampler_state.x[static_cast<std::size_t>(i)] = static_cast<std::uint32_t>(x + i % width);
+      sampler_state.y[static_cast<std::size_t>(i)] = static_cast<std::uint32_t>(y + i / width);
     }
   }
   /// Stores the lanes where a plane of the block has their pixels; `corner` is the first one's.

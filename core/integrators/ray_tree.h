@@ -11,11 +11,11 @@
 
 #include "core/input/errors.h"
 #include "core/input/fields.h"
-#include "core/integrators/scope.h"
+#include "core/integrators/world_view.h"
 
 namespace tia {
 
-/// TermName: the terms of a ray's light; diffuse and specular come lamp by lamp.
+/// TermName: the terms of a ray's light; diffuse and specular come light by light.
 enum class TermName { background, emission, ambient, diffuse, specular, reflection, refraction };
 template <>
 struct Names<TermName> {
@@ -23,16 +23,16 @@ struct Names<TermName> {
       "background", "emission", "ambient", "diffuse", "specular", "reflection", "refraction"};
 };
 
-/// LampNote: what a lamp is to a point. The way is that to its middle.
-struct LampNote {
-  int lamp = -1;  ///< which of the world's; -1: none
+/// LightRecord: what a light is to a point. The way is that to its middle.
+struct LightRecord {
+  int light = -1;  ///< which of the world's; -1: none
   Incoming<float> from{};
   float n_dot_l = 0;
   float visible = 0;  ///< the share of its places that are seen; none below the horizon is
   float fade = 1;
-  std::optional<int> blocker{};  ///< the part that takes light first on the way, -1: none; nothing
-                                 ///< where all is seen or none of it casts a shadow ray
-  std::int64_t blocker_copy = 0;
+  std::optional<int> blocker{};  ///< the primitive that takes light first on the way, -1: none;
+                                 ///< nothing where all is seen or none of it casts a shadow ray
+  std::int64_t blocker_instance = 0;
 };
 
 struct RayNode;
@@ -42,7 +42,7 @@ struct Term {
   TermName name = TermName::background;
   float weight = 1;
   Vec3f value{};
-  LampNote light{};
+  LightRecord light{};
   std::unique_ptr<RayNode> node{};  ///< of a mirrored or refracted ray
 };
 
@@ -57,30 +57,30 @@ struct RayNode {
   Vec3f transmittance{1, 1, 1};  ///< what the medium that it came through has left of that
 };
 
-/// NoNotes: what a picture takes down: nothing.
-struct NoNotes {
-  static constexpr bool taken = false;
+/// NoRecorder: what a picture takes down: nothing.
+struct NoRecorder {
+  static constexpr bool records = false;
   void begin(const auto&...) {}
   void term(const auto&...) {}
   void child(const auto&...) {}
   void end(const auto&...) {}
 };
 
-/// NoteLimit: is asked before a ray or a term is taken down, so that no tree outgrows its answer.
-/// Errors: what these throw where there is no room for it.
-struct NoteLimit {
+/// RayTreeLimit: is asked before a ray or a term is taken down, so that no tree outgrows its
+/// answer. Errors: what these throw where there is no room for it.
+struct RayTreeLimit {
   std::function<void(const Hit<float>&)> ray;
-  std::function<void(TermName, const LampNote&)> term;
+  std::function<void(TermName, const LightRecord&)> term;
 };
 
-/// Notes: takes down every term of a single ray and of those that it makes. A ray begins, has its
-/// terms, among them children that begin and end, and ends. Errors: the limit's.
-class Notes {
+/// RayTreeRecorder: takes down every term of a single ray and of those that it makes. A ray begins,
+/// has its terms, among them children that begin and end, and ends. Errors: the limit's.
+class RayTreeRecorder {
  public:
-  static constexpr bool taken = true;
-  LampNote light{};  ///< whose terms come next
+  static constexpr bool records = true;
+  LightRecord light{};  ///< whose terms come next
 
-  explicit Notes(const NoteLimit& limit) : limit_(limit) {}
+  explicit RayTreeRecorder(const RayTreeLimit& limit) : limit_(limit) {}
 
   void begin(const Ray<float>& ray, int depth, const Hit<float>& hit, const Vec3f& point,
              const Vec3f& normal) {
@@ -112,7 +112,7 @@ class Notes {
   std::unique_ptr<RayNode> take() { return std::move(ended_); }
 
  private:
-  const NoteLimit& limit_;
+  const RayTreeLimit& limit_;
   std::vector<std::unique_ptr<RayNode>> open_;
   std::unique_ptr<RayNode> ended_;
 };

@@ -8,8 +8,8 @@ namespace tia {
 /// Whether any of it is light.
 inline bool emits(const Vec3d& light) { return light.x > 0 || light.y > 0 || light.z > 0; }
 
-/// Matter: what shading needs of a material. Linear RGB.
-struct Matter {
+/// ShadingParameters: what shading needs of a material. Linear RGB.
+struct ShadingParameters {
   Constant albedo;    ///< diffuse * color, the colour of a texture left out
   Constant ambient;   ///< what it sends back of the light from everywhere, that colour left out
   Constant emission;  ///< light of its own
@@ -20,7 +20,7 @@ struct Matter {
   bool fresnel = false;
   int texture = -1;  ///< which of the geometry's gives its points their colours; -1: none
 
-  bool operator==(const Matter&) const = default;
+  bool operator==(const ShadingParameters&) const = default;
 };
 
 }  // namespace tia
