@@ -14,11 +14,14 @@ function(embed_folder target folder)
   set(entries "")
   set(embedded "")
   set(index 0)
-  # Puts a file into the blobs as begin_N and end_N.
+  # Puts a file into the blobs as begin_N and end_N. They are global, for of local ones GNU's linker
+  # for arm64 takes the start of their section.
   macro(embed path)
     math(EXPR index "${index} + 1")
     list(APPEND embedded "${path}")
     string(APPEND blobs
+      "    \".global tia_asset_${index}, tia_asset_${index}_end\\n\"\n"
+      "    \".hidden tia_asset_${index}, tia_asset_${index}_end\\n\"\n"
       "    \"tia_asset_${index}: .incbin \\\"${path}\\\"\\n\"\n"
       "    \"tia_asset_${index}_end: .byte 0\\n\"\n")
     string(APPEND symbols

@@ -21,6 +21,7 @@ missing_packages() {
     [ "$section" = "$1" ] || continue
     case $kind in
       command) command -v "$probe" >/dev/null || echo "$package" ;;
+      file) [ -e "$probe" ] || echo "$package" ;;
       header) headers+="$package $probe"$'\n' ;;
       clang-header) clang_headers+="$package $probe"$'\n' ;;
     esac

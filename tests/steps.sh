@@ -15,6 +15,7 @@ steps=(
   'portable   | full   |                  | another compiler builds it, for any x86-64 processor'
   'same-bytes | full   | release portable | both draw the same bytes'
   'old        | full   | release portable | processors without AVX get a message, or the same bytes'
+  'arm64      | full   |                  | a processor of another kind draws the same bytes'
   'asan       | full   | release          | no wrong address, no leak, no undefined behaviour in all the tests'
   'coverage   | full   | asan             | the tests run nearly every line of core and server'
   'fuzz       | full   | asan             | whatever the bytes, no reader breaks'
@@ -83,9 +84,10 @@ if setarch -R true 2>/dev/null; then fixed_addresses=(setarch -R); fi
 
 # googletest PRESET PROGRAM: as many shares of the tests at once as there are processors.
 googletest() { in_shares "$(nproc)" googletest "$@"; }
+emulator=()  # that it runs in
 googletest_share() {
   GTEST_TOTAL_SHARDS=$shares GTEST_SHARD_INDEX=$1 timeout 900 \
-    "${fixed_addresses[@]}" "build/$2/tests/$3"
+    "${fixed_addresses[@]}" "${emulator[@]}" "build/$2/tests/$3"
 }
 googletest_count() {
   local total good skipped
@@ -168,14 +170,14 @@ step_same_bytes() {
   same_picture lens.pfm shapes --samples 3 --camera '{"aperture": 1, "focus_distance": 12}'
   same_picture parallel.pfm shapes \
     --camera '{"projection": "orthographic", "height": 9, "fov_degrees": null}'
-  stated_hashes
+  stated_hashes build/portable/tia
 }
 
-# stated_hashes: portable draws the whole gallery, at the hashes that the tests hold release to.
+# stated_hashes PROGRAM...: draws the whole gallery, at the hashes that the tests hold release to.
 stated_hashes() {
   local name
   for name in $(sed -nE 's/^[0-9a-f]+  (.*)\.pfm$/\1/p' tests/golden/gallery.sha256); do
-    build/portable/tia render "$name" --width 160 --height 120 -o "$scratch/$name.pfm" || true
+    "$@" render "$name" --width 160 --height 120 -o "$scratch/$name.pfm" || true
     if grep " $name.pfm" tests/golden/gallery.sha256 | (cd "$scratch" && sha256sum -c); then pass
     else fail "same bytes: the gallery's $name"; fi
   done
@@ -188,6 +190,26 @@ same_picture() {
     "build/$preset/tia" render "${@:2}" --width 320 --height 240 -o "$scratch/$preset-$1" || true
   done
   if cmp "$scratch/release-$1" "$scratch/portable-$1"; then pass; else fail "same bytes: $1"; fi
+}
+
+# ARM64_TESTS=1 builds and runs the tracer's tests, too, which takes a quarter of an hour.
+step_arm64() {
+  local -a emulator=(qemu-aarch64)
+  if ! install_foreign arm64; then
+    echo "Not run: this system has no packages for arm64." && return
+  fi
+  build arm64 -- tia || return 0
+  stated_hashes "${emulator[@]}" build/arm64/tia
+  [ -n "${ARM64_TESTS:-}" ] || return 0
+  build arm64 -- core_tests && googletest arm64 core_tests
+}
+
+# install_foreign ARCHITECTURE: the packages of that section, beside the system's own.
+install_foreign() {
+  local sudo=()
+  if [ -z "$(missing_packages "$1")" ]; then return; fi
+  [ "$(id -u)" = 0 ] || sudo=(sudo)
+  "${sudo[@]}" dpkg --add-architecture "$1" && install_missing "$1"
 }
 
 # On a processor without AVX release says so and exits 2; portable renders the same bytes.
@@ -209,8 +231,10 @@ step_old() {
 
 # ---- what watches the program ---------------------------------------------------------------------
 
+# Watched soaks need not be long: what a hundred rounds do not show, a thousand do not either.
 # The tests are those that release has compiled: what is watched are the libraries.
 step_asan() {
+  local -x SOAK=0.5
   build asan -DTIA_TESTS_OF="$ROOT/build/release" -- core_tests server_tests memory_tests \
     {request,scene,query,formula,picture}_fuzz || return 0
   local -x LLVM_PROFILE_FILE=$ROOT/build/asan/counts/%4m.profraw
@@ -232,6 +256,7 @@ step_coverage() {
 
 # Who watches threads must see both sides of what passes between them: the tests' own as well.
 step_tsan() {
+  local -x SOAK=0.5
   build tsan -- server_tests || return 0
   TSAN_OPTIONS="suppressions=$ROOT/tests/tsan.supp" googletest tsan server_tests
 }

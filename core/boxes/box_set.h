@@ -34,10 +34,10 @@ using Eight = Registers<FloatRegister, box_registers>;
 
 inline Eight load(const BoxSet::Floats& from) { return Eight::load_unaligned(from.data()); }
 inline Eight least_of(const Eight& a, const Eight& b) {
-  return Eight::map([](const auto& x, const auto& y) { return xsimd::min(x, y); }, a, b);
+  return Eight::map([](const auto& x, const auto& y) { return min_of(x, y); }, a, b);
 }
 inline Eight greatest_of(const Eight& a, const Eight& b) {
-  return Eight::map([](const auto& x, const auto& y) { return xsimd::max(x, y); }, a, b);
+  return Eight::map([](const auto& x, const auto& y) { return max_of(x, y); }, a, b);
 }
 /// As bits, where one number is at most the other of the boxes that there are.
 inline unsigned at_most(const Eight& a, const Eight& b, const BoxSet& boxes) {

@@ -6,6 +6,23 @@
 
 #include <xsimd/xsimd.hpp>
 
+#if defined(__aarch64__)
+// xsimd estimates float quotients and roots, as processors before these had to. These have IEEE's.
+namespace xsimd::kernel {
+template <>
+inline batch<float, neon64> div<neon64>(const batch<float, neon64>& a,
+                                        const batch<float, neon64>& b,
+                                        requires_arch<neon>) noexcept {
+  return vdivq_f32(a, b);
+}
+template <>
+inline batch<float, neon64> sqrt<neon64>(const batch<float, neon64>& a,
+                                         requires_arch<neon>) noexcept {
+  return vsqrtq_f32(a);
+}
+}  // namespace xsimd::kernel
+#endif
+
 namespace tia {
 
 #if defined(__AVX2__)
