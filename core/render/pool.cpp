@@ -125,8 +125,10 @@ class Pool::Lone : public Courtesy {
  private:
   void take_turn() {
     std::unique_lock lock(pool_.mutex_);
-    if (!job_.caller.called.wait(lock, stop_, [&] { return job_.caller.job != nullptr; }))
-      throw Stopped();
+    while (job_.caller.job == nullptr) {
+      if (stop_.stop_requested()) throw Stopped();
+      pool_.wait(job_.caller, lock, stop_, [&] { return job_.caller.job != nullptr; });
+    }
     since_ = pool_.clock_();
     Turns::begin(job_, since_);
     at_work_ = true;
@@ -180,11 +182,13 @@ void Pool::for_each(int count, int max_threads, const std::stop_token& stop,
   turns_.enter(job, clock_());
   call_hands();
   const auto has_news = [&] { return hand.job != nullptr || job.is_over(); };
-  while (hand.called.wait(lock, stop, has_news) && !job.is_over()) {
-    work(hand, lock);
+  while (!job.is_over() && !stop.stop_requested()) {
+    wait(hand, lock, stop, has_news);
+    if (hand.job != nullptr) work(hand, lock);
     call_hands();
   }
-  job.next = count;  // it may have been stopped while nobody was at work
+  if (hand.job != nullptr) unseat(hand);  // called when it had been stopped
+  job.next = count;                       // it may have been stopped while nobody was at work
   dismiss_idle(job);
   call_hands();
   hand.called.wait(lock, [&] { return job.hands == 0; });
@@ -247,6 +251,14 @@ void Pool::work(Hand& hand, std::unique_lock<std::mutex>& lock) {
   if (job.has_tasks()) return;
   dismiss_idle(job);
   if (job.is_over()) job.caller.called.notify_one();
+}
+
+// Until there is news, or for a while: those at work grow old without telling, which may make room.
+template <class News>
+void Pool::wait(Hand& hand, std::unique_lock<std::mutex>& lock, const std::stop_token& stop,
+                const News& news) {
+  constexpr std::chrono::milliseconds while_nothing_is_told{10};
+  if (!hand.called.wait_for(lock, stop, while_nothing_is_told, news)) call_hands();
 }
 
 Pool::Job* Pool::next_job() const { return static_cast<Job*>(turns_.next(clock_())); }

@@ -51,6 +51,9 @@ class Pool {
 
   void serve(Hand& hand, const std::stop_token& ending);
   void work(Hand& hand, std::unique_lock<std::mutex>& lock);
+  template <class News>
+  void wait(Hand& hand, std::unique_lock<std::mutex>& lock, const std::stop_token& stop,
+            const News& news);
   Job* next_job() const;
   void seat(Hand& hand, Job& job);
   void unseat(Hand& hand);

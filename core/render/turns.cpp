@@ -106,6 +106,22 @@ void Turns::resume(Turn& job) {
   job.service.before = job.flow.place;
 }
 
+// How many hands beyond the threads there may be for a job to have its first. The second is for a
+// client without any, whom another's young ones must not keep out.
+int Turns::extra_hands(const Turn& job, Nanoseconds now) {
+  if (job.hands > 0 || !job.is_young(now)) return 0;
+  const auto has_none = [](const Turn* each) { return each->hands == 0; };
+  return std::ranges::all_of(job.client->jobs, has_none) ? 2 : 1;
+}
+
+// Whether no job at work has had more, by a slice. It may be one that does not look for others.
+bool Turns::has_had_most(const Turn& job, Nanoseconds now) const {
+  for (const ClientJobs& client : clients_)
+    for (const Turn* each : client.jobs)
+      if (each != &job && each->service.awake > 0 && ahead(*each, job, now) > slice) return false;
+  return true;
+}
+
 Turn* Turns::next(Nanoseconds now) const {
   bool old_at_work = false;
   for (const ClientJobs& client : clients_)
@@ -113,8 +129,7 @@ Turn* Turns::next(Nanoseconds now) const {
       old_at_work = old_at_work || (job->service.awake > 0 && !job->is_young(now));
   Turn* next = nullptr;
   for_each_candidate([&](Turn& job) {
-    const bool extra = old_at_work && job.hands == 0 && job.is_young(now);
-    if (hands_ >= threads_ + (extra ? 1 : 0)) return;
+    if (hands_ >= threads_ + (old_at_work ? extra_hands(job, now) : 0)) return;
     if (next == nullptr || ahead(job, *next, now) < 0) next = &job;
   });
   return next;
@@ -122,7 +137,7 @@ Turn* Turns::next(Nanoseconds now) const {
 
 bool Turns::stays(const Turn& job, Nanoseconds now) const {
   if (!job.has_tasks() || is_parked(job)) return false;
-  if (hands_ > threads_ && !job.is_young(now)) return false;
+  if (hands_ > threads_ && !job.is_young(now) && has_had_most(job, now)) return false;
   bool stays = true;
   for_each_candidate([&](const Turn& other) {
     if (&other != &job && ahead(job, other, now) > slice) stays = false;

@@ -82,15 +82,15 @@ struct ClientJobs {
 /// below rises by at least 1/2n of all service among a client's jobs, 1/4n among clients, so that
 /// each job gets half of an even share or more, and each client a quarter. Among clients less is
 /// kept for the old ones, for who asks for one thing after the other is new each time: somebody
-/// who drags a lamp beside a flood.
+/// who drags a light beside a flood.
 /// No job, or client, is owed more than `arrears` when another begins: few threads save up no claim
 /// to all.
-/// At most `threads` hands at once, and one more at times: a young job, still within its credit,
-/// that has no hand does not wait for the end of an older one's task; the next hand of an old job
-/// to end one leaves.
-/// Source: Kleinrock, "Queueing Systems" vol. 2 (1976), ch. 4 (foreground-background); the start of
-/// new jobs after Goyal, Vin, Cheng, "Start-time fair queueing" (1996), which also has the two
-/// levels.
+/// At most `threads` hands at once, and up to two more at times: a young job, still within its
+/// credit, that has no hand does not wait for the end of an older one's task: one such job, and one
+/// of a client who has no hand at all. Then the old job that has had most leaves when it next
+/// looks. Source: Kleinrock, "Queueing Systems" vol. 2 (1976), ch. 4 (foreground-background); the
+/// start of new jobs after Goyal, Vin, Cheng, "Start-time fair queueing" (1996), which also has the
+/// two levels.
 class Turns {
  public:
   static constexpr Nanoseconds look = 250'000, slice = 2'000'000, credit = 50'000'000,
@@ -119,6 +119,8 @@ class Turns {
 
  private:
   ClientJobs& client_of(const Turn& job, Nanoseconds now);
+  static int extra_hands(const Turn& job, Nanoseconds now);
+  bool has_had_most(const Turn& job, Nanoseconds now) const;
   template <class Action>
   void for_each_candidate(const Action& action) const;
 

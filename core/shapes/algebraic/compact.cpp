@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "core/input/stopped.h"
 #include "core/math/interval.h"
 #include "core/shapes/algebraic/nested_polynomial.h"
 
@@ -48,6 +49,7 @@ class Definite {
   void search(std::size_t axis, double u, double v, double half) {
     constexpr int most_squares = 2048;
     if (!(least_ > 0)) return;
+    give_way();
     const Interval<double> one(1.0), a{u - half, u + half}, b{v - half, v + half};
     using Box3 = Vec3<Interval<double>>;
     const Box3 square = axis == 0 ? Box3{one, a, b} : axis == 1 ? Box3{b, one, a} : Box3{a, b, one};
@@ -100,6 +102,7 @@ Aabb tightened(const NestedPolynomial& polynomial, const Aabb& box) {
   const auto& [x, y, z] = knots;
   Aabb held;
   for (std::size_t at = 0; at < parts * parts * parts; at += 8) {
+    give_way();
     const std::size_t i = at % parts, j = at / parts % parts, k = at / (parts * parts);
     const Vec3<Interval<Octet>> eight{
         {Octet::load_unaligned(&x[i]), Octet::load_unaligned(&x[i + 1])},

@@ -281,6 +281,19 @@ TEST(Turns, WhoAsksForOneThingAfterTheOtherHardlyNoticesAFlood) {
   EXPECT_GE(drawn, 500 * 8 / 10);
 }
 
+// Tasks during which nobody looks for others, each of a new job: the place of the one who looks
+// must not be what they take again and again.
+TEST(Turns, LongTasksOfAClientThatAsksAgainLeaveAnotherAQuarterOfAnEvenShare) {
+  for (const int at_once : {2, 4, 8}) {
+    Play play(2);
+    const Play::Job& victim = play.come(endless, ms, 64, 1);
+    for (int i = 0; i < at_once; ++i) play.come(1, 750 * ms, 64, 2);
+    const Nanoseconds start = play.now(), time = 60'000 * ms;
+    while (play.run(start + time) != nullptr) play.come(1, 750 * ms, 64, 2);
+    EXPECT_GE(victim.had, time / 4) << at_once;
+  }
+}
+
 TEST(Turns, AStreamOfOneClientLeavesTheOthersAQuarterOfAnEvenShare) {
   Play play(2);
   const Play::Job& big = play.come(endless, ms, 64, 1);
