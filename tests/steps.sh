@@ -15,11 +15,11 @@ steps=(
   'portable   | full   |                  | another compiler builds it, for any x86-64 processor'
   'same-bytes | full   | release portable | both draw the same bytes'
   'old        | full   | release portable | processors without AVX get a message, or the same bytes'
-  'arm64      | full   |                  | a processor of another kind draws the same bytes'
   'asan       | full   | release          | no wrong address, no leak, no undefined behaviour in all the tests'
   'coverage   | full   | asan             | the tests run nearly every line of core and server'
   'fuzz       | full   | asan             | whatever the bytes, no reader breaks'
   'tsan       | full   |                  | no data race in the server'
+  'arm64      | full   |                  | a processor of another kind draws the same bytes'
 )
 is_build() { [[ $1 =~ ^(release|portable|asan)$ ]]; }
 
@@ -193,6 +193,7 @@ same_picture() {
 }
 
 # ARM64_TESTS=1 builds and runs the tracer's tests, too, which takes a quarter of an hour.
+# The last step, for its packages may renew headers of the system that other builds have compiled.
 step_arm64() {
   local -a emulator=(qemu-aarch64)
   if ! install_foreign arm64; then
