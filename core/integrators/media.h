@@ -73,9 +73,9 @@ Medium<Real> medium_around(const Interface<Real>* last, Mask<Real> here, Mask<Re
                                        static_cast<float>(lane(object, i)),
                                        static_cast<float>(lane(instance, i)));
     if (in == nullptr) continue;
-    const Real* primitives[] = {&in->inside.ior, &in->inside.absorption.x, &in->inside.absorption.y,
-                                &in->inside.absorption.z};
-    for (std::size_t k = 0; k < 4; ++k) found[k][at] = lane(*primitives[k], i);
+    const Real* parts[] = {&in->inside.ior, &in->inside.absorption.x, &in->inside.absorption.y,
+                           &in->inside.absorption.z};
+    for (std::size_t k = 0; k < 4; ++k) found[k][at] = lane(*parts[k], i);
   }
   return {load<Real>(found[0].data()),
           {load<Real>(found[1].data()), load<Real>(found[2].data()), load<Real>(found[3].data())}};

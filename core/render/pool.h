@@ -29,8 +29,8 @@ class Pool {
 
   /// Calls task(0) … task(count - 1), each once, in no order, on at most `max_threads` threads;
   /// inside of another task in turn, on the thread of that one; inside of lone work with all
-  /// threads, as that work's next job. `flow` is the request that it
-  /// belongs to; null: one of its own. Tasks find the caller's task_context.
+  /// threads, as that work's next job. `flow` is the request that it belongs to; null: one of its
+  /// own. Tasks find the caller's task_context.
   /// Errors: Stopped between tasks once `stop` is requested; whatever a task throws.
   void for_each(int count, int max_threads, const std::stop_token& stop,
                 const std::function<void(int)>& task, Flow* flow = nullptr);

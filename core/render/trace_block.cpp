@@ -16,7 +16,7 @@ template <class Real, class AnyWorldView>
 class Tracer {
  public:
   Tracer(const Shot& shot, int x0, int y0, const Block& block)
-      : eye(shot.view), shot_(shot), world_view_{scope_of(shot, x0, y0, block)} {}
+      : eye(shot.view), shot_(shot), world_view_{world_view_of(shot, x0, y0, block)} {}
 
   Vec3<Real> light(const Ray<Real>& ray, Mask<Real> active,
                    const SamplerState<Real>& sampler_state) {
@@ -34,7 +34,7 @@ class Tracer {
     shot_.meter.add_work(work);
     shot_.meter.add(rays());
   }
-  AnyWorldView scope_of(const Shot& shot, int x0, int y0, const Block& block) {
+  AnyWorldView world_view_of(const Shot& shot, int x0, int y0, const Block& block) {
     if constexpr (std::is_same_v<AnyWorldView, FewBallsView>) {
       const Beam beam(shot.view, x0, y0, x0 + block.width, y0 + block.height);
       return {shot.world, candidates(shot.world, beam)};

@@ -18,7 +18,7 @@ enum class IntegratorName { thesis, whitted, normal, depth, albedo, object, shad
 /// Rules: how far light is followed.
 struct Rules {
   int max_depth = std::numeric_limits<int>::max();  ///< how often it may be mirrored or refracted
-  bool areas = true;  ///< whether lamps shine from all of their places, else from their middle
+  bool areas = true;  ///< whether lights shine from all of their places, else from their middle
   bool transparent_shadows = true;  ///< whether they are, where the world has them
 };
 
@@ -44,14 +44,13 @@ struct IntegratorRow {
 inline constexpr std::array integrators = std::to_array<IntegratorRow>({
     {.name = IntegratorName::thesis,
      .text = "thesis",
-     .about =
-         "the light of the lamps' middles at the nearest surface, and shadows: whitted without "
-         "mirrors, glass and soft shadows",
+     .about = "what the lights' middles give the nearest surface, and shadows: whitted without "
+              "mirrors, glass and soft shadows",
      .is_whitted = true,
      .most = {0, false, false}},
     {.name = IntegratorName::whitted,
      .text = "whitted",
-     .about = "the lamps' light at the nearest surface, and what its mirror and its glass show, "
+     .about = "what the lights give the nearest surface, and what its mirror and its glass show, "
               "traced the same way",
      .is_whitted = true},
     {.name = IntegratorName::normal,
@@ -76,7 +75,7 @@ inline constexpr std::array integrators = std::to_array<IntegratorRow>({
      .averages = false},
     {.name = IntegratorName::shadow,
      .text = "shadow",
-     .about = "the share of the lamps that the surface sees",
+     .about = "the share of the lights that the surface sees",
      .gathers = Gathers::features,
      .display = FeatureDisplay::share},
     {.name = IntegratorName::cost,

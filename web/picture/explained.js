@@ -74,7 +74,7 @@ export function factorsOf(term, node) {
   return factors && Math.abs(product - term.weight) <= SAME * Math.max(1, term.weight) ? factors : null;
 }
 
-// The formulas of core/integrators: whitted.h's shade, direct.h's lamps, finishes.h's ways_on.
+// The formulas of core/integrators: whitted.h's shade, direct.h's lights, finishes.h's split.
 function claimed(term, node) {
   const keep = keptBy(node);
   const kept = keep < 1 ? [{ name: 'keep', value: keep }] : [];

@@ -54,7 +54,7 @@ class Collector {
       case Item::primitive: return meet_primitive(item.index, packet);
       case Item::mesh: return meet_mesh(item.index, packet);
       case Item::solid: return meet(geometry_.solids[at], packet);
-      case Item::instances: return meet(geometry_.instances[at], packet);
+      case Item::grid: return meet(geometry_.grids[at], packet);
     }
   }
   void add(double t, int primitive, int element, const Packet<double>& packet,
@@ -87,7 +87,7 @@ class Collector {
   }
   void meet(const Ball& ball, Packet<double>& packet) {
     if (ball.grid < 0) return meet_primitive(ball.primitive, packet);
-    const InstanceGrid& grid = geometry_.instances[static_cast<std::size_t>(ball.grid)];
+    const InstanceGrid& grid = geometry_.grids[static_cast<std::size_t>(ball.grid)];
     Packet<double> inside = packet.seen_through(grid.to_group)
                                 .inside_instance(grid.offset(ball.instance), ball.instance);
     meet_primitive(ball.primitive, inside);

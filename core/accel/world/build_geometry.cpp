@@ -32,13 +32,13 @@ class Compiler {
       shading.texture = pushed(geometry_.textures, prepare(*texture));
     return shading;
   }
-  int matter_index(const MaterialRef& material) {
+  int shading_index(const MaterialRef& material) {
     if (const auto* name = std::get_if<std::string>(&material)) return named_.at(*name);
     return pushed(geometry_.shadings, shading_of(*std::get<Boxed<Material>>(material)));
   }
   Setting below(const Object& object, const Setting& above) {
     return {above.place * object.transform.affine(),
-            object.material ? matter_index(*object.material) : above.shading, above.space,
+            object.material ? shading_index(*object.material) : above.shading, above.space,
             above.inverted};
   }
 
@@ -57,7 +57,8 @@ class Compiler {
   void add_numbered(const Object& object) {
     if (object.materials.empty()) return;
     std::vector<int> shadings;
-    for (const MaterialRef& material : object.materials) shadings.push_back(matter_index(material));
+    for (const MaterialRef& material : object.materials)
+      shadings.push_back(shading_index(material));
     builder_.add_numbered(shadings);
   }
 
@@ -76,9 +77,9 @@ class Compiler {
   // One light for each instance of it.
   void add_lights(const Vec3d& center, const Constant& color, int primitive) {
     std::int64_t instances = 1;
-    for (int space = geometry_.primitive(primitive).space; geometry_.space(space).instances >= 0;) {
+    for (int space = geometry_.primitive(primitive).space; geometry_.space(space).grid >= 0;) {
       const InstanceGrid& above =
-          geometry_.instances[static_cast<std::size_t>(geometry_.space(space).instances)];
+          geometry_.grids[static_cast<std::size_t>(geometry_.space(space).grid)];
       instances *= above.repeat.copies();
       space = above.outside;
     }
@@ -110,7 +111,7 @@ class Compiler {
     Aabb box;
     for (const Object& child : group.children) box = around(box, bounds_.of(child));
     const int grid = builder_.begin_grid(*group.repeat, box, own);
-    const int inside = geometry_.instances[static_cast<std::size_t>(grid)].inside;
+    const int inside = geometry_.grids[static_cast<std::size_t>(grid)].inside;
     for (const Object& child : group.children) add(child, {Affine{}, own.shading, inside, false});
     builder_.end_grid(grid, own);
   }
@@ -154,7 +155,7 @@ class Compiler {
     std::visit(
         [&]<class Kind>(const Kind& kind) {
           if constexpr (IsSurface<Kind>)
-            solid.steps.push_back({builder_.add_part(prepare(kind), own, object), {}});
+            solid.steps.push_back({builder_.add_primitive(prepare(kind), own, object), {}});
         },
         child.shape);
     add_numbered(child);

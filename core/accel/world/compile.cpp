@@ -30,7 +30,7 @@ bool is_plain(const ShadingParameters& shading) {
 }
 
 bool is_plain_balls(const Geometry& geometry) {
-  return geometry.balls.size() == geometry.primitives.size() && geometry.instances.empty() &&
+  return geometry.balls.size() == geometry.primitives.size() && geometry.grids.empty() &&
          geometry.balls.size() <= few_balls && std::ranges::all_of(geometry.shadings, is_plain);
 }
 
@@ -83,12 +83,12 @@ class Lighting {
     std::visit(
         [&]<class Kind>(const Kind& kind) {
           if constexpr (BackgroundLight<Kind>) skies_ = skies_.value_or(Vec3d{}) + color;
-          else add_lamp(kind, light, color, name);
+          else add_shining(kind, light, color, name);
         },
         light.kind);
   }
   template <ShiningLight Kind>
-  void add_lamp(Kind kind, const Light& light, const Vec3d& color, const std::string& name) {
+  void add_shining(Kind kind, const Light& light, const Vec3d& color, const std::string& name) {
     kind.move_by(-world_.origin);
     WorldLight shining{prepare(kind), {}, color};
     if constexpr (MovableLight<Kind>) shining.middle = kind.place().value_or(Vec3d{});

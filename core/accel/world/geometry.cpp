@@ -7,9 +7,9 @@
 namespace tia {
 
 Affine Geometry::to_space(int space, std::int64_t instance) const {
-  const int repeated_by = spaces[static_cast<std::size_t>(space)].instances;
+  const int repeated_by = spaces[static_cast<std::size_t>(space)].grid;
   if (repeated_by < 0) return {};
-  const InstanceGrid& grid = instances[static_cast<std::size_t>(repeated_by)];
+  const InstanceGrid& grid = grids[static_cast<std::size_t>(repeated_by)];
   const std::int64_t all = grid.repeat.copies();
   const Affine to_copy = Affine::translation(-grid.offset(instance % all));
   return to_copy * grid.to_group * to_space(grid.outside, instance / all);
@@ -25,9 +25,8 @@ void BallIndex::pack(const std::vector<Ball>& all, const Workers& workers) {
 std::vector<std::array<int, 3>> instances_around(const Geometry& geometry, int space,
                                                  std::int64_t instance) {
   std::vector<std::array<int, 3>> inwards;
-  while (geometry.space(space).instances >= 0) {
-    const InstanceGrid& grid =
-        geometry.instances[static_cast<std::size_t>(geometry.space(space).instances)];
+  while (geometry.space(space).grid >= 0) {
+    const InstanceGrid& grid = geometry.grids[static_cast<std::size_t>(geometry.space(space).grid)];
     const std::int64_t all = grid.repeat.copies();
     inwards.push_back(grid.place(instance % all));
     instance /= all;
@@ -81,7 +80,7 @@ std::size_t deep_heap_of(const std::vector<T>& list) {
 std::size_t bytes_of(const Geometry& g) {
   return sizeof(Geometry) + deep_heap_of(g.spaces) + deep_heap_of(g.primitives) +
          heap_bytes(g.balls) + heap_bytes(g.flats) + heap_bytes(g.meshes) + deep_heap_of(g.solids) +
-         heap_bytes(g.instances) + heap_bytes(g.shadings) + deep_heap_of(g.textures) +
+         heap_bytes(g.grids) + heap_bytes(g.shadings) + deep_heap_of(g.textures) +
          heap_bytes(g.lights);
 }
 

@@ -30,7 +30,7 @@ struct WorldLight {
   Constant color;            ///< color * intensity
   double fade_distance = 0;  ///< 0: it does not fade
   double fade_power = 0;
-  /// Of its area, that shine; null: its middle alone. Lamps of as many places share them.
+  /// Of its area, that shine; null: its middle alone. Lights of as many places share them.
   std::shared_ptr<const Strata> places{};
   int primitive = -1;  ///< its own surface, which never blocks it; -1: none
   int instance = 0;    ///< which instance of it
@@ -67,7 +67,7 @@ struct BallIndex {
 
 /// Item: one thing that a ray is tried on by itself.
 struct Item {
-  enum Kind { flat, primitive, mesh, solid, instances };
+  enum Kind { flat, primitive, mesh, solid, grid };
   Kind kind = primitive;
   int index = 0;  ///< into the geometry's list of that kind; of a mesh: its primitive
 };
@@ -84,7 +84,7 @@ struct Space {
   std::vector<Box32> boxes;         ///< one an item
   Bvh bvh;                          ///< over the items that have bounds
   std::vector<std::uint32_t> rest;  ///< the items that have none
-  int instances = -1;               ///< what repeats it; -1: the world itself
+  int grid = -1;                    ///< what repeats it; -1: the world itself
 };
 
 /// Meshes are shared: whatever moves keeps its index.
@@ -97,7 +97,7 @@ struct Geometry {
   std::vector<Flat> flats;
   std::vector<SharedMesh> meshes;
   std::vector<Solid> solids;
-  std::vector<InstanceGrid> instances;
+  std::vector<InstanceGrid> grids;
   std::vector<ShadingParameters> shadings;
   std::vector<TextureForm> textures;
   std::vector<WorldLight> lights;  ///< of its luminous balls

@@ -36,7 +36,7 @@ int work_of_form(const Form& form) {
 
 // ---- objects --------------------------------------------------------------------------------
 
-int GeometryBuilder::add_part(Form form, const Setting& at, int object) {
+int GeometryBuilder::add_primitive(Form form, const Setting& at, int object) {
   Primitive primitive;
   primitive.to_object = at.place.inverse();
   primitive.placed = primitive.to_object != Affine{};
@@ -57,7 +57,7 @@ int GeometryBuilder::add_part(Form form, const Setting& at, int object) {
 }
 
 int GeometryBuilder::add(Form form, const Setting& at) {
-  const int primitive = add_part(std::move(form), at, geometry_.objects++);
+  const int primitive = add_primitive(std::move(form), at, geometry_.objects++);
   const Form& own = geometry_.primitive(primitive).form;
   if (const auto* plane = std::get_if<PlaneForm>(&own)) put(*plane, primitive, at);
   else if (const auto* sphere = std::get_if<Sphere>(&own)) put(*sphere, primitive, at);
@@ -72,7 +72,7 @@ int GeometryBuilder::add(SharedMesh mesh, const Setting& at) {
   const double more =
       MeshIndex::room * mesh->unit * (length(at.place.x) + length(at.place.y) + length(at.place.z));
   box = {box.min - Vec3d{more, more, more}, box.max + Vec3d{more, more, more}};
-  const int primitive = add_part(Sphere{}, at, geometry_.objects++);
+  const int primitive = add_primitive(Sphere{}, at, geometry_.objects++);
   geometry_.degenerate += mesh->degenerate;
   geometry_.primitives.back().mesh = pushed(geometry_.meshes, std::move(mesh));
   put({Item::mesh, primitive}, box, at.space);
@@ -119,17 +119,17 @@ void GeometryBuilder::put(const Sphere& sphere, int primitive, const Setting& at
 int GeometryBuilder::begin_grid(const Repeat& repeat, const Aabb& box, const Setting& at) {
   const int inside = pushed(geometry_.spaces, Space{});
   const float slack = InstanceGrid::slack_of(repeat.swept(box));
-  const int grid = pushed(geometry_.instances,
+  const int grid = pushed(geometry_.grids,
                           InstanceGrid{at.place.inverse(), repeat, box, inside, at.space, slack});
-  geometry_.spaces.back().instances = grid;
+  geometry_.spaces.back().grid = grid;
   return grid;
 }
 
 void GeometryBuilder::end_grid(int number, const Setting& at) {
-  const InstanceGrid& grid = geometry_.instances[static_cast<std::size_t>(number)];
+  const InstanceGrid& grid = geometry_.grids[static_cast<std::size_t>(number)];
   const auto scale = similarity(at.place);
   if (at.space == 0 && scale && is_small(grid)) return put_balls(number, at.place, *scale);
-  put({Item::instances, number}, bounds_of(at.place, grid.repeat.swept(grid.box)), at.space);
+  put({Item::grid, number}, bounds_of(at.place, grid.repeat.swept(grid.box)), at.space);
 }
 
 // A small grid of balls is quicker found in the world's index than by itself.
@@ -141,7 +141,7 @@ bool GeometryBuilder::is_small(const InstanceGrid& grid) const {
 }
 
 void GeometryBuilder::put_balls(int grid_number, const Affine& place, double scale) {
-  const InstanceGrid& grid = geometry_.instances[static_cast<std::size_t>(grid_number)];
+  const InstanceGrid& grid = geometry_.grids[static_cast<std::size_t>(grid_number)];
   for (const std::uint32_t number : geometry_.space(grid.inside).balls.balls) {
     const Ball one = geometry_.balls[number];
     for (int instance = 0; instance < grid.repeat.copies(); ++instance) {

@@ -38,7 +38,7 @@ class GeometryBuilder {
   int add(Form form, const Setting& at);
   int add(SharedMesh mesh, const Setting& at);
   /// A surface that belongs to an object, and that nothing meets but the object's solid.
-  int add_part(Form form, const Setting& at, int object);
+  int add_primitive(Form form, const Setting& at, int object);
   /// Gives the last primitive that was added one more for each of its numbered materials.
   void add_numbered(const std::vector<int>& shadings);
   /// Its primitives are there already. Space/units: the box is in that space.

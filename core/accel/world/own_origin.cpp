@@ -95,7 +95,7 @@ class Settling {
       ball.sphere.center = ball.sphere.center - origin(space_of(ball));
     for (Flat& flat : geometry_.flats)
       flat.plane.point = flat.plane.point - origin(geometry_.primitive(flat.primitive).space);
-    for (InstanceGrid& grid : geometry_.instances) {
+    for (InstanceGrid& grid : geometry_.grids) {
       grid.to_group = Affine::translation(-origin(grid.inside)) * grid.to_group *
                       Affine::translation(origin(grid.outside));
       if (origin(grid.inside) == Vec3d{}) continue;

@@ -17,9 +17,9 @@ template <class Real>
 class Lines {
  public:
   explicit Lines(const RootRay<Real>& ray) {
-    const Precise<Real>* primitives[] = {&ray.origin.x,    &ray.origin.y,    &ray.origin.z,
-                                         &ray.direction.x, &ray.direction.y, &ray.direction.z};
-    for (std::size_t i = 0; i < 6; ++i) store(*primitives[i], parts_[i].data());
+    const Precise<Real>* parts[] = {&ray.origin.x,    &ray.origin.y,    &ray.origin.z,
+                                    &ray.direction.x, &ray.direction.y, &ray.direction.z};
+    for (std::size_t i = 0; i < 6; ++i) store(*parts[i], parts_[i].data());
   }
   Line operator[](std::size_t lane) const {
     return {{parts_[0][lane], parts_[1][lane], parts_[2][lane]},

@@ -141,7 +141,7 @@ class Search {
       case Item::primitive: return meet_primitive(item.index, packet, here);
       case Item::mesh: return meet_mesh(item.index, packet, here);
       case Item::solid: return meet(geometry_.solids[at(item)], packet, here);
-      case Item::instances: return meet(geometry_.instances[at(item)], packet, here);
+      case Item::grid: return meet(geometry_.grids[at(item)], packet, here);
     }
   }
   static std::size_t at(const Item& item) { return static_cast<std::size_t>(item.index); }

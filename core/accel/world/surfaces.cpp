@@ -154,8 +154,8 @@ Vec3<Real> texture_colors(const World& world, const Ray<Real>& ray, const Hit<Re
         {std::fabs(p.x), std::fabs(p.y), std::fabs(p.z), static_cast<double>(lane(hit.t, i))});
     const double blur = 4e-6 * reach * length(map.vector(line.direction));
     const Vec3d color = color_at(texture, map.point(p), uv, blur);
-    const double primitives[] = {color.x, color.y, color.z};
-    for (std::size_t k = 0; k < 3; ++k) rgb[k][at] = static_cast<LaneOf<Real>>(primitives[k]);
+    const double channels[] = {color.x, color.y, color.z};
+    for (std::size_t k = 0; k < 3; ++k) rgb[k][at] = static_cast<LaneOf<Real>>(channels[k]);
   }
   return {load<Real>(rgb[0].data()), load<Real>(rgb[1].data()), load<Real>(rgb[2].data())};
 }

@@ -168,8 +168,8 @@ SurfacePoint<Real> outward_surface(const World& world, const Ray<Real>& ray, con
   if (own.space == 0 && own.flat >= 0)
     return flat_surface(geometry.flats[static_cast<std::size_t>(own.flat)], ray, hit.t);
   if (own.space != 0 && own.ball >= 0) {
-    const int number = geometry.space(own.space).instances;
-    const InstanceGrid& grid = geometry.instances[static_cast<std::size_t>(number)];
+    const int number = geometry.space(own.space).grid;
+    const InstanceGrid& grid = geometry.grids[static_cast<std::size_t>(number)];
     const Ball& ball = geometry.balls[static_cast<std::size_t>(own.ball)];
     if (grid.outside == 0) return copied_ball_surface(ball, grid, ray, hit);
   }

@@ -128,8 +128,7 @@ inline Geometry without_index(Geometry geometry) {
     }
     mesh = std::make_shared<const MeshIndex>(std::move(plain));
   }
-  for (InstanceGrid& instances : geometry.instances)
-    instances.box = {{-1e30, -1e30, -1e30}, {1e30, 1e30, 1e30}};
+  for (InstanceGrid& grid : geometry.grids) grid.box = {{-1e30, -1e30, -1e30}, {1e30, 1e30, 1e30}};
   return geometry;
 }
 inline World without_index(World world) {

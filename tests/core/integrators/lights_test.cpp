@@ -17,7 +17,7 @@ struct Floor {
   Vec3f at(double x, double z = 0) const { return tree(scene, {x, 5, z}, {0, -1, 0})->color; }
 };
 
-TEST(Lamps, BrillianceIsThePowerOfTheCosine) {
+TEST(Lights, BrillianceIsThePowerOfTheCosine) {
   Random random(420);
   for (int i = 0; i < 100; ++i) {
     Finish finish;
@@ -29,7 +29,7 @@ TEST(Lamps, BrillianceIsThePowerOfTheCosine) {
   }
 }
 
-TEST(Lamps, HighlightIsThePowerOfTheMirroredCosineTintedByTheLightOnly) {
+TEST(Lights, HighlightIsThePowerOfTheMirroredCosineTintedByTheLightOnly) {
   Random random(421);
   for (int i = 0; i < 100; ++i) {
     Finish finish = dark();
@@ -45,7 +45,7 @@ TEST(Lamps, HighlightIsThePowerOfTheMirroredCosineTintedByTheLightOnly) {
   }
 }
 
-TEST(Lamps, NothingShinesFromBelowTheSurface) {
+TEST(Lights, NothingShinesFromBelowTheSurface) {
   Finish finish;
   finish.specular = 1;
   finish.brilliance = 0;
@@ -54,7 +54,7 @@ TEST(Lamps, NothingShinesFromBelowTheSurface) {
   expect_near(floor.at(0), {0, 0, 0}, 0);
 }
 
-TEST(Lamps, AmbientLightIsSharedByFinishAndScene) {
+TEST(Lights, AmbientLightIsSharedByFinishAndScene) {
   Finish finish = dark();
   finish.color = {0.5, 1, 0.25};
   finish.ambient = 0.3;
@@ -63,7 +63,7 @@ TEST(Lamps, AmbientLightIsSharedByFinishAndScene) {
   expect_near(floor.at(0), {0.15, 0.15, 0.15}, 1e-7);
 }
 
-TEST(Lamps, DirectionalLightHasOneCosineEverywhere) {
+TEST(Lights, DirectionalLightHasOneCosineEverywhere) {
   Random random(422);
   for (int i = 0; i < 50; ++i) {
     Vec3d way = random.direction();
@@ -75,7 +75,7 @@ TEST(Lamps, DirectionalLightHasOneCosineEverywhere) {
   }
 }
 
-TEST(Lamps, SpotIsFullInsideNoneOutsideAndSmoothInCosineBetween) {
+TEST(Lights, SpotIsFullInsideNoneOutsideAndSmoothInCosineBetween) {
   SpotLight spot;
   spot.position = Vec3d{0, 2, 0};
   spot.point_at = {0, 0, 0};
@@ -95,7 +95,7 @@ TEST(Lamps, SpotIsFullInsideNoneOutsideAndSmoothInCosineBetween) {
   }
 }
 
-TEST(Lamps, SpotOfEqualAnglesHasAHardEdge) {
+TEST(Lights, SpotOfEqualAnglesHasAHardEdge) {
   SpotLight spot;
   spot.position = Vec3d{0, 1, 0};
   spot.radius_degrees = spot.falloff_degrees = 45;
@@ -105,7 +105,7 @@ TEST(Lamps, SpotOfEqualAnglesHasAHardEdge) {
   EXPECT_EQ(floor.at(1.01).x, 0.0F);
 }
 
-TEST(Lamps, FadingIsPovRaysFormula) {
+TEST(Lights, FadingIsPovRaysFormula) {
   Random random(423);
   for (int i = 0; i < 100; ++i) {
     Floor floor;
@@ -119,7 +119,7 @@ TEST(Lamps, FadingIsPovRaysFormula) {
   }
 }
 
-TEST(Lamps, LightsAddUp) {
+TEST(Lights, LightsAddUp) {
   Finish finish;
   finish.specular = 0.4;
   finish.roughness = 0.1;
@@ -147,7 +147,7 @@ TEST(Lamps, LightsAddUp) {
 // umbra is where no line to the light misses the ball, the penumbra where one hits it. Both edges
 // lie on lines that touch both balls; in the plane through their centres the inner tangents bound
 // the penumbra, the outer ones the umbra. Source: similar triangles.
-TEST(Lamps, UmbraAndPenumbraOfABallEndWhereTangentsMeetTheFloor) {
+TEST(Lights, UmbraAndPenumbraOfABallEndWhereTangentsMeetTheFloor) {
   const double big = 0.5, small = 1, top = 10, low = 4, gap = top - low;
   Floor floor;
   SphereLight light;
@@ -173,7 +173,7 @@ TEST(Lamps, UmbraAndPenumbraOfABallEndWhereTangentsMeetTheFloor) {
   EXPECT_EQ(visible(penumbra * 1.02), 1.0F);
 }
 
-TEST(Lamps, QuadOfManyPlacesConvergesToItsMeanCosine) {
+TEST(Lights, QuadOfManyPlacesConvergesToItsMeanCosine) {
   // Straight above the floor's point: the mean over the quad of h / |(x, h, z)|.
   QuadLight quad;
   quad.corner = Vec3d{-1, 2, -1};
@@ -193,7 +193,7 @@ TEST(Lamps, QuadOfManyPlacesConvergesToItsMeanCosine) {
   EXPECT_NEAR(double(node->color.x), mean, 2e-3);
 }
 
-TEST(Lamps, BallLightOfManyPlacesIsTheMeanCosineOfItsCone) {
+TEST(Lights, BallLightOfManyPlacesIsTheMeanCosineOfItsCone) {
   // Over a cone of half angle a around the normal the mean cosine is (1 + cos a) / 2.
   SphereLight light;
   light.position = Vec3d{0, 3, 0};
@@ -205,7 +205,7 @@ TEST(Lamps, BallLightOfManyPlacesIsTheMeanCosineOfItsCone) {
   EXPECT_NEAR(double(node->color.x), (1 + std::cos(std::asin(0.5))) / 2, 2e-3);
 }
 
-TEST(Lamps, LuminousQuadIsSeenMirroredAndBlocksOthersButNotItself) {
+TEST(Lights, LuminousQuadIsSeenMirroredAndBlocksOthersButNotItself) {
   QuadLight quad;
   quad.corner = Vec3d{-1, 2, -1};
   quad.u = {2, 0, 0};
@@ -220,7 +220,7 @@ TEST(Lamps, LuminousQuadIsSeenMirroredAndBlocksOthersButNotItself) {
               Vec3d{0.5, 0.25, 1} * (2 / std::sqrt(4.08)), 1e-6);
 }
 
-TEST(Lamps, SkyIsSeenWhereRaysLeaveAndLightsNothing) {
+TEST(Lights, SkyIsSeenWhereRaysLeaveAndLightsNothing) {
   Floor floor;
   floor.scene.background = {1, 0, 0};
   Light sky = light_of(SkyLight{}, {0.2, 0.4, 0.8});
@@ -230,7 +230,7 @@ TEST(Lamps, SkyIsSeenWhereRaysLeaveAndLightsNothing) {
   expect_near(floor.at(0), {0, 0, 0}, 0);
 }
 
-TEST(Lamps, TransparentShadowsTakeEachSurfacesShare) {
+TEST(Lights, TransparentShadowsTakeEachSurfacesShare) {
   Finish pane = dark();
   pane.transmission = 0.5;
   Floor floor;
