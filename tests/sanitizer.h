@@ -5,8 +5,10 @@
 #include <algorithm>
 
 // The sanitizers', where the program has one.
+// NOLINTBEGIN(bugprone-reserved-identifier,readability-identifier-naming)
 extern "C" void __asan_init() __attribute__((weak));
 extern "C" void __tsan_init() __attribute__((weak));
+// NOLINTEND(bugprone-reserved-identifier,readability-identifier-naming)
 
 namespace tia::test {
 

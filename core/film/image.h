@@ -13,8 +13,11 @@ namespace tia {
 /// Space/units: pixels; x, y is the block's corner in the film.
 struct Block {
   static constexpr int size = 32;
+  static constexpr std::size_t index(int column, int row) {
+    return static_cast<std::size_t>(row) * size + static_cast<std::size_t>(column);
+  }
   int x = 0, y = 0, width = 0, height = 0;
-  alignas(32) std::array<float, size * size> r, g, b;
+  alignas(32) std::array<float, std::size_t{size} * size> r, g, b;
 };
 
 /// Image: linear RGB. Shape: height x width x 3.

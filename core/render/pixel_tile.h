@@ -35,8 +35,8 @@ struct PixelTile {
   static void store(const Real& value, float* corner) {
     std::array<float, lanes<Real>> each;
     tia::store(value, each.data());
-    for (int y = 0; y < height; ++y)
-      std::copy_n(&each[static_cast<std::size_t>(y * width)], width, corner + y * Block::size);
+    for (std::size_t y = 0; y < height; ++y)
+      std::copy_n(&each[y * width], width, corner + y * Block::size);
   }
 
  private:

@@ -74,7 +74,7 @@ template <class Real, class AnyWorldView>
       if constexpr (draws_much) PixelTile::number(x0 + x, y0 + y, sampler_state);
       const Vec3<Real> light =
           tracer.light({origin, normalize(column + row)}, active, sampler_state);
-      const auto i = static_cast<std::size_t>(y * Block::size + x);
+      const std::size_t i = Block::index(x, y);
       PixelTile::store(light.x, &block.r[i]);
       PixelTile::store(light.y, &block.g[i]);
       PixelTile::store(light.z, &block.b[i]);
@@ -193,7 +193,7 @@ void develop(const std::vector<Estimate>& estimates, Block& block) {
   for (std::size_t i = 0; i < estimates.size(); ++i) {
     const Estimate& estimate = estimates[i];
     const int x = static_cast<int>(i) % block.width, y = static_cast<int>(i) / block.width;
-    const auto at = static_cast<std::size_t>(y * Block::size + x);
+    const std::size_t at = Block::index(x, y);
     block.r[at] = static_cast<float>(estimate.light.x / estimate.count);
     block.g[at] = static_cast<float>(estimate.light.y / estimate.count);
     block.b[at] = static_cast<float>(estimate.light.z / estimate.count);

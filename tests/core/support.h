@@ -27,7 +27,8 @@
 
 namespace tia {
 
-// How a failed comparison shows its values.
+// How a failed comparison shows its values, by the name that GoogleTest looks for.
+// NOLINTBEGIN(readability-identifier-naming)
 inline void PrintTo(const RayCounts& rays, std::ostream* out) {
   *out << "primary " << rays.primary << ", shadow " << rays.shadow << ", reflection "
        << rays.reflection << ", refraction " << rays.refraction;
@@ -36,6 +37,7 @@ template <class Real>
 void PrintTo(const Vec3<Real>& v, std::ostream* out) {
   *out << "(" << v.x << ", " << v.y << ", " << v.z << ")";
 }
+// NOLINTEND(readability-identifier-naming)
 
 }  // namespace tia
 

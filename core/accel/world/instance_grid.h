@@ -45,7 +45,7 @@ struct InstanceRange {
 template <class Real, class Visit>
 void traverse(const InstanceGrid& grid, const BoxRay<Real>& ray, Mask<Real> active,
               const Real& t_max, WorkCounter& work, Visit visit) {
-  constexpr std::size_t deepest = 3 * 25;  // halvings of three counts up to 2^24
+  constexpr std::size_t deepest = std::size_t{3} * 25;  // halvings of three counts up to 2^24
   const Repeat& repeat = grid.repeat;
   const double steps[] = {repeat.step.x, repeat.step.y, repeat.step.z};
   std::array<InstanceRange, deepest + 1> stack;

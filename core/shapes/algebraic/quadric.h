@@ -70,9 +70,9 @@ template <class Emit>
 void spans(const QuadricForm& quadric, const Line& line, Emit&& emit) {
   const Chord within = chord(quadric.region, line);
   const QuadricSpans inside = spans_of(quadric, line);
-  for (int i = 0; i < inside.count; ++i) {
-    Chord both{{inside.ends[static_cast<std::size_t>(2 * i)], 0},
-               {inside.ends[static_cast<std::size_t>(2 * i + 1)], 0}};
+  const auto ends = 2 * static_cast<std::size_t>(inside.count);
+  for (std::size_t i = 0; i < ends; i += 2) {
+    Chord both{{inside.ends[i], 0}, {inside.ends[i + 1], 0}};
     if (within.in.t > both.in.t) both.in = within.in;
     if (within.out.t < both.out.t) both.out = within.out;
     if (both.empty()) continue;

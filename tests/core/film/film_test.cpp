@@ -24,7 +24,7 @@ std::vector<Block> blocks_of(const Image& image, int side) {
       for (int y = 0; y < block.height; ++y) {
         for (int x = 0; x < block.width; ++x) {
           const float* from = image.at(x0 + x, y0 + y);
-          const auto i = static_cast<std::size_t>(y * Block::size + x);
+          const std::size_t i = Block::index(x, y);
           block.r[i] = from[0];
           block.g[i] = from[1];
           block.b[i] = from[2];
