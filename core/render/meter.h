@@ -24,8 +24,9 @@ using Spent = std::function<void(std::int64_t rays, std::int64_t tests)>;
 /// RayMeter: sums what all threads trace.
 class RayMeter {
  public:
-  /// How many rays a thread may trace before it adds them up.
-  static constexpr long often = 1L << 18;
+  /// How many rays a thread may trace before it adds them up and lets others go first: some
+  /// milliseconds' worth.
+  static constexpr long often = 1L << 13;
   RayMeter(std::int64_t max_rays, std::int64_t max_work, std::stop_token stop, Spent spent = {})
       : max_rays_(max_rays),
         max_work_(max_work),

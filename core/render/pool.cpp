@@ -25,15 +25,22 @@ void in_turn(int count, const std::stop_token& stop, const std::function<void(in
 }  // namespace
 
 /// Hand: a thread that can work: one of the pool's own, or a caller, which has but its own job.
-struct Pool::Hand {
-  Job* job = nullptr;  // where it works, or is called to while it sleeps
+/// Within a task it lets jobs go first that have had less: it is suspended, and the task with it.
+struct Pool::Hand : Courtesy {
+  explicit Hand(Pool& of) : pool(of) {}
+  void let_others_go() override { pool.let_others_go(*this); }
+
+  Pool& pool;
+  Job* job = nullptr;              // where it works, or is called to while it sleeps
+  Nanoseconds since = 0;           // when it began what has not been told to the turns
+  Hand* next_suspended = nullptr;  // of its job
   std::condition_variable_any called;
 };
 
 struct Pool::Job : Turn {
-  Job(int tasks, int most, const std::stop_token& asked, const std::function<void(int)>& what,
-      Flow& request, bool alone = false)
-      : Turn(tasks, most, request), is_alone(alone), stop(asked), task(what) {}
+  Job(Pool& pool, int tasks, int most, const std::stop_token& asked,
+      const std::function<void(int)>& what, Flow& request, bool alone = false)
+      : Turn(tasks, most, request), is_alone(alone), stop(asked), task(what), caller(pool) {}
 
   const bool is_alone;  // only its caller can do it
 
@@ -41,44 +48,47 @@ struct Pool::Job : Turn {
   const std::function<void(int)>& task;
   void* const context = task_context;    // the caller's
   std::exception_ptr failure = nullptr;  // guarded by the pool's mutex, as is what a turn counts
-  Hand caller{};
+  Hand* suspended_hands = nullptr;       // the last one first
+  Hand caller;
 
-  // Takes tasks until that time. Returns: what a task threw.
-  std::exception_ptr run(const Clock& clock, Nanoseconds end) {
+  // Has the hand take tasks until it is time to look for others. Returns: what a task threw.
+  std::exception_ptr run(Hand& hand) {
     inside_task = true;
+    courtesy = &hand;
     void* const outside = std::exchange(task_context, context);
     std::exception_ptr thrown = nullptr;
     try {
-      run_tasks(clock, end);
+      run_tasks(hand);
     } catch (...) {
       next = count;
       thrown = std::current_exception();
     }
     task_context = outside;
+    courtesy = nullptr;
     inside_task = false;
     return thrown;
   }
-  void run_tasks(const Clock& clock, Nanoseconds end) {
+  void run_tasks(const Hand& hand) {
     do {
       if (stop.stop_requested()) next = count;
       const int i = next.fetch_add(1, std::memory_order_relaxed);
       if (i >= count) return;
       task(i);
-    } while (clock() < end);
+    } while (hand.pool.clock_() < hand.since + Turns::look);
   }
 };
 
 /// Lone: a caller that does its one task alone, which is not over until all of it is done.
-class Pool::Lone : public Courtesy {
+class Pool::Lone {
  public:
   Lone(Pool& pool, const std::stop_token& stop, Flow& flow)
-      : pool_(pool), stop_(stop), job_(1, 1, stop, nothing, flow, true) {
+      : pool_(pool), job_(pool, 1, 1, stop, nothing, flow, true) {
     const std::lock_guard lock(pool_.mutex_);
     pool_.turns_.enter(job_, pool_.clock_());
     pool_.call_hands();
   }
   ~Lone() {
-    const std::lock_guard lock(pool_.mutex_);
+    std::unique_lock lock(pool_.mutex_);
     if (at_work_) rest();
     if (job_.caller.job != nullptr) pool_.unseat(job_.caller);
     job_.next = job_.count;
@@ -91,20 +101,6 @@ class Pool::Lone : public Courtesy {
   void work(const std::function<void()>& work) {
     take_turn();
     work();
-  }
-  void let_others_go() override {
-    const Nanoseconds now = pool_.clock_();
-    if (now - since_ < Turns::look) return;
-    if (stop_.stop_requested()) throw Stopped();
-    std::unique_lock lock(pool_.mutex_);
-    pool_.turns_.spend(job_, now - since_);
-    since_ = now;
-    if (pool_.turns_.stays(job_, now)) return;
-    rest();
-    pool_.unseat(job_.caller);
-    pool_.call_hands();
-    lock.unlock();
-    take_turn();
   }
   /// Lets `work` take turns of its own meanwhile. What it throws ends the lone work, too.
   void aside(const std::function<void()>& work) {
@@ -125,28 +121,25 @@ class Pool::Lone : public Courtesy {
  private:
   void take_turn() {
     std::unique_lock lock(pool_.mutex_);
-    while (job_.caller.job == nullptr) {
-      if (stop_.stop_requested()) throw Stopped();
-      pool_.wait(job_.caller, lock, stop_, [&] { return job_.caller.job != nullptr; });
+    Hand& hand = job_.caller;
+    while (hand.job == nullptr) {
+      if (job_.stop.stop_requested()) throw Stopped();
+      pool_.wait(hand, lock, job_.stop, [&] { return hand.job != nullptr; });
     }
-    since_ = pool_.clock_();
-    Turns::begin(job_, since_);
+    pool_.begin(hand);
     at_work_ = true;
-    inside_task = true, courtesy = this, lone = this;
+    inside_task = true, courtesy = &hand, lone = this;
   }
   void rest() {
     inside_task = false, courtesy = nullptr, lone = nullptr;
-    const Nanoseconds now = pool_.clock_();
-    pool_.turns_.spend(job_, now - since_);
-    Turns::end(job_, now);
+    pool_.tell(job_.caller);
+    Turns::end(job_, job_.caller.since);
     at_work_ = false;
   }
 
   static inline const std::function<void(int)> nothing;
   Pool& pool_;
-  const std::stop_token& stop_;
   Job job_;
-  Nanoseconds since_ = 0;
   bool at_work_ = false;
 };
 
@@ -157,12 +150,13 @@ Nanoseconds Pool::steady_clock() {
   return duration_cast<nanoseconds>(steady_clock::now().time_since_epoch()).count();
 }
 
+// More workers than may work at once, for some of them are suspended within tasks.
 Pool::Pool(int threads, Clock clock) : clock_(std::move(clock)), turns_(threads) {
-  idle_.reserve(static_cast<std::size_t>(threads));
-  for (int i = 1; i < threads; ++i)
-    workers_.emplace_back([this, &hand = hands_.emplace_back()](const std::stop_token& ending) {
-      serve(hand, ending);
-    });
+  const int workers = threads > 1 ? 2 * threads : 0;
+  idle_.reserve(static_cast<std::size_t>(workers));
+  for (int i = 0; i < workers; ++i)
+    workers_.emplace_back([this, &hand = hands_.emplace_back(*this)](
+                              const std::stop_token& ending) { serve(hand, ending); });
 }
 
 Pool::~Pool() {
@@ -175,7 +169,7 @@ void Pool::for_each(int count, int max_threads, const std::stop_token& stop,
     return lone->aside([&] { for_each(count, max_threads, stop, task, flow); });
   if (inside_task) return in_turn(count, stop, task);
   Flow own;
-  Job job(count, std::min(std::max(max_threads, 1), count), stop, task,
+  Job job(*this, count, std::min(std::max(max_threads, 1), count), stop, task,
           flow != nullptr ? *flow : own);
   Hand& hand = job.caller;
   std::unique_lock lock(mutex_);
@@ -191,7 +185,7 @@ void Pool::for_each(int count, int max_threads, const std::stop_token& stop,
   job.next = count;                       // it may have been stopped while nobody was at work
   dismiss_idle(job);
   call_hands();
-  hand.called.wait(lock, [&] { return job.hands == 0; });
+  hand.called.wait(lock, [&] { return job.is_over(); });
   turns_.leave(job, clock_());
   lock.unlock();
   if (job.failure) std::rethrow_exception(job.failure);
@@ -217,10 +211,9 @@ Workers Pool::workers(int max_threads, const std::stop_token& stop, Flow* flow) 
 void Pool::serve(Hand& hand, const std::stop_token& ending) {
   std::unique_lock lock(mutex_);
   for (;;) {
-    Job* job = nullptr;
-    do call_hands();
-    while ((job = next_job()) != nullptr && job->is_alone);  // which its caller has to do
-    if (job != nullptr) {
+    call_hands();
+    const auto can = [](const Job& job) { return !job.is_alone && job.suspended == 0; };
+    if (Job* const job = next_job(can)) {
       seat(hand, *job);
     } else {
       idle_.push_back(&hand);
@@ -235,22 +228,63 @@ void Pool::serve(Hand& hand, const std::stop_token& ending) {
 // From a hand's coming to its leaving. The mutex is free while tasks run.
 void Pool::work(Hand& hand, std::unique_lock<std::mutex>& lock) {
   Job& job = *hand.job;
-  Nanoseconds now = clock_();
-  Turns::begin(job, now);
+  begin(hand);
   do {
-    const Nanoseconds since = now;
     lock.unlock();
-    const std::exception_ptr thrown = job.run(clock_, since + Turns::look);
+    const std::exception_ptr thrown = job.run(hand);
     lock.lock();
     if (thrown && !job.failure) job.failure = thrown;
-    now = clock_();
-    turns_.spend(job, now - since);
-  } while (turns_.stays(job, now));
-  Turns::end(job, now);
+    tell(hand);
+  } while (job.has_tasks() && turns_.stays(job, hand.since));
+  Turns::end(job, hand.since);
   unseat(hand);
   if (job.has_tasks()) return;
   dismiss_idle(job);
   if (job.is_over()) job.caller.called.notify_one();
+}
+
+void Pool::begin(Hand& hand) {
+  hand.since = clock_();
+  Turns::begin(*hand.job, hand.since);
+}
+
+void Pool::tell(Hand& hand) {
+  const Nanoseconds now = clock_();
+  turns_.spend(*hand.job, now - std::exchange(hand.since, now));
+}
+
+// As at the end of a task.
+void Pool::let_others_go(Hand& hand) {
+  if (clock_() - hand.since < Turns::look) return;
+  Job& job = *hand.job;
+  if (job.stop.stop_requested()) throw Stopped();
+  std::unique_lock lock(mutex_);
+  tell(hand);
+  if (turns_.stays(job, hand.since)) return;
+  Turns::end(job, hand.since);
+  unseat(hand);
+  suspend(hand, job);
+  call_hands();
+  while (hand.job == nullptr && !job.stop.stop_requested())
+    wait(hand, lock, job.stop, [&] { return hand.job != nullptr; });
+  if (hand.job == nullptr) {  // it has to end, which it does as if it had been called
+    restore(hand, job);
+    seat(hand, job);
+  }
+  begin(hand);
+  if (job.stop.stop_requested()) throw Stopped();
+}
+
+void Pool::suspend(Hand& hand, Job& job) {
+  hand.next_suspended = std::exchange(job.suspended_hands, &hand);
+  ++job.suspended;
+}
+
+void Pool::restore(Hand& hand, Job& job) {
+  Hand** at = &job.suspended_hands;
+  while (*at != &hand) at = &(*at)->next_suspended;
+  *at = hand.next_suspended;
+  --job.suspended;
 }
 
 // Until there is news, or for a while: those at work grow old without telling, which may make room.
@@ -261,7 +295,12 @@ void Pool::wait(Hand& hand, std::unique_lock<std::mutex>& lock, const std::stop_
   if (!hand.called.wait_for(lock, stop, while_nothing_is_told, news)) call_hands();
 }
 
-Pool::Job* Pool::next_job() const { return static_cast<Job*>(turns_.next(clock_())); }
+// Returns: the job that one more hand should go to, of those that `can` have one.
+template <class Can>
+Pool::Job* Pool::next_job(const Can& can) const {
+  return static_cast<Job*>(
+      turns_.next(clock_(), [&](Turn& turn) { return can(static_cast<Job&>(turn)); }));
+}
 
 void Pool::seat(Hand& hand, Job& job) {
   turns_.call(job, clock_());
@@ -279,20 +318,25 @@ void Pool::dismiss_idle(const Job& job) {
     if (hand->job == &job) unseat(*hand);
 }
 
-// Calls hands as long as a job may have one more: its own caller first. Where that one is called
-// already some worker is idle, or has only begun to live: then it looks for itself.
+// Calls hands as long as a job may have one more.
 void Pool::call_hands() {
-  while (Job* job = next_job()) {
-    Hand* hand = &job->caller;
-    if (hand->job != nullptr) {
-      const auto uncalled = [](const Hand* each) { return each->job == nullptr; };
-      const auto idle = std::find_if(idle_.begin(), idle_.end(), uncalled);
-      if (idle == idle_.end()) return;
-      hand = *idle;
-    }
+  const auto can = [this](Job& job) { return hand_for(job) != nullptr; };
+  while (Job* job = next_job(can)) {
+    Hand* const hand = hand_for(*job);
+    if (job->suspended > 0) restore(*hand, *job);
     seat(*hand, *job);
     hand->called.notify_one();
   }
+}
+
+// First one that is suspended within the job's tasks, then its own caller, then an idle worker;
+// null without any. A worker that has only begun to live looks for itself.
+Pool::Hand* Pool::hand_for(Job& job) const {
+  if (job.suspended > 0) return job.suspended_hands;
+  if (job.caller.job == nullptr) return &job.caller;
+  const auto is_uncalled = [](const Hand* each) { return each->job == nullptr; };
+  const auto idle = std::find_if(idle_.begin(), idle_.end(), is_uncalled);
+  return idle != idle_.end() ? *idle : nullptr;
 }
 
 }  // namespace tia

@@ -30,7 +30,8 @@ class Pool {
   /// Calls task(0) … task(count - 1), each once, in no order, on at most `max_threads` threads;
   /// inside of another task in turn, on the thread of that one; inside of lone work with all
   /// threads, as that work's next job. `flow` is the request that it belongs to; null: one of its
-  /// own. Tasks find the caller's task_context.
+  /// own. Tasks find the caller's task_context, and give way at each end_if_asked() to jobs that
+  /// have had less: they hold nothing meanwhile that others wait for.
   /// Errors: Stopped between tasks once `stop` is requested; whatever a task throws.
   void for_each(int count, int max_threads, const std::stop_token& stop,
                 const std::function<void(int)>& task, Flow* flow = nullptr);
@@ -51,14 +52,21 @@ class Pool {
 
   void serve(Hand& hand, const std::stop_token& ending);
   void work(Hand& hand, std::unique_lock<std::mutex>& lock);
+  void begin(Hand& hand);
+  void tell(Hand& hand);
+  void let_others_go(Hand& hand);
+  void suspend(Hand& hand, Job& job);
+  void restore(Hand& hand, Job& job);
   template <class News>
   void wait(Hand& hand, std::unique_lock<std::mutex>& lock, const std::stop_token& stop,
             const News& news);
-  Job* next_job() const;
+  template <class Can>
+  Job* next_job(const Can& can) const;
   void seat(Hand& hand, Job& job);
   void unseat(Hand& hand);
   void dismiss_idle(const Job& job);
   void call_hands();
+  Hand* hand_for(Job& job) const;
 
   const Clock clock_;
   std::mutex mutex_;  // of all below

@@ -122,7 +122,7 @@ bool Turns::has_had_most(const Turn& job, Nanoseconds now) const {
   return true;
 }
 
-Turn* Turns::next(Nanoseconds now) const {
+Turn* Turns::next(Nanoseconds now, const Can& can) const {
   bool old_at_work = false;
   for (const ClientJobs& client : clients_)
     for (const Turn* job : client.jobs)
@@ -130,13 +130,13 @@ Turn* Turns::next(Nanoseconds now) const {
   Turn* next = nullptr;
   for_each_candidate([&](Turn& job) {
     if (hands_ >= threads_ + (old_at_work ? extra_hands(job, now) : 0)) return;
-    if (next == nullptr || ahead(job, *next, now) < 0) next = &job;
+    if ((next == nullptr || ahead(job, *next, now) < 0) && can(job)) next = &job;
   });
   return next;
 }
 
 bool Turns::stays(const Turn& job, Nanoseconds now) const {
-  if (!job.has_tasks() || is_parked(job)) return false;
+  if (is_parked(job)) return false;
   if (hands_ > threads_ && !job.is_young(now) && has_had_most(job, now)) return false;
   bool stays = true;
   for_each_candidate([&](const Turn& other) {

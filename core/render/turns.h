@@ -48,13 +48,14 @@ struct Turn {
   Flow& flow;
   std::atomic<int> next = 0;  ///< the task to be taken next
   int hands = 0;              ///< called to it
+  int suspended = 0;          ///< more of them, each within a task that waits with it
   ServiceTime service{};
   ClientJobs* client = nullptr;  ///< while it is among the turns
   bool rested = false;           ///< it has been parked, without a hand, since it had its last one
 
   bool has_tasks() const { return next.load(std::memory_order_relaxed) < count; }
-  bool wants_hand() const { return has_tasks() && hands < most_hands; }
-  bool is_over() const { return hands == 0 && !has_tasks(); }
+  bool wants_hand() const { return (has_tasks() || suspended > 0) && hands < most_hands; }
+  bool is_over() const { return hands == 0 && suspended == 0 && !has_tasks(); }
   bool is_young(Nanoseconds now) const {
     return !flow.is_long && service.at(now) < flow.credit_end;
   }
@@ -76,7 +77,7 @@ struct ClientJobs {
 /// stays, and they end one after the other, not all together at last.
 ///
 /// Bounds: a thread leaves its job for one that has had less by more than `slice`; it looks for
-/// such a one between tasks, every `look`.
+/// such a one between tasks, and where they give way within them, every `look`.
 /// A new job, or client, begins `credit` below the least of the others: so much it may have before
 /// them. An endless stream of new ones starves nobody: with n present, the level that they begin
 /// below rises by at least 1/2n of all service among a client's jobs, 1/4n among clients, so that
@@ -105,9 +106,10 @@ class Turns {
   /// client there, but wants no hand. Domain: it has none.
   static void pause(Turn& job, Nanoseconds now);
   static void resume(Turn& job);
-  /// Returns: the job that one more hand should go to, or null.
-  Turn* next(Nanoseconds now) const;
-  /// Whether a hand goes on with its job.
+  /// Returns: the job that one more hand should go to, of those that `can` have one; or null.
+  using Can = std::function<bool(Turn& job)>;
+  Turn* next(Nanoseconds now, const Can& can) const;
+  /// Whether a hand goes on with its job, as long as that has tasks.
   bool stays(const Turn& job, Nanoseconds now) const;
 
   void call(Turn& job, Nanoseconds now);  ///< a hand to it

@@ -2,11 +2,14 @@
 // passes it.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <functional>
 #include <latch>
+#include <list>
 #include <memory>
+#include <stdexcept>
 #include <thread>
 #include <vector>
 
@@ -148,6 +151,114 @@ TEST(FairPool, WhoWaitsForItsTurnIsStoppedAtOnce) {
   second.join();
   leave.count_down();
   EXPECT_EQ(begun, 0);
+}
+
+// ---- tasks that give way ----------------------------------------------------------------------
+
+/// A job without end whose every task is endless too, but gives way.
+class Endless {
+ public:
+  /// It comes when all have that come at the same time.
+  Endless(Pool& pool, std::uint64_t client, int tasks, std::latch* together = nullptr)
+      : thread_([&pool, this, client, tasks, together](const std::stop_token& stop) {
+          Flow flow{client};
+          if (together != nullptr) together->arrive_and_wait();
+          const auto task = [&](int) {
+            ++begun;
+            for (;;) {
+              at_work.enter();
+              ++rounds;
+              at_work.leave();
+              end_if_asked(stop);
+            }
+          };
+          EXPECT_THROW(pool.for_each(tasks, tasks, stop, task, &flow), Stopped);
+          attained = flow.attained;
+        }) {}
+  void stop() { thread_.request_stop(); }
+  Nanoseconds end() {
+    stop();
+    thread_.join();
+    return attained;
+  }
+  std::atomic<int> begun = 0;
+  std::atomic<std::int64_t> rounds = 0;
+  Crowd at_work;
+
+ private:
+  Nanoseconds attained = 0;
+  std::jthread thread_;
+};
+
+TEST(GivingTasks, LetASmallJobOfAnotherClientBeDoneAndGoOn) {
+  for (const int threads : {1, 2, 5}) {
+    Pool pool(threads);
+    Endless big(pool, 1, 64);
+    while (big.begun < threads) std::this_thread::yield();
+    Flow flow{2};
+    std::atomic<int> done = 0;
+    pool.for_each(
+        100, 64, {}, [&](int) { ++done; }, &flow);
+    EXPECT_EQ(done, 100);
+    const std::int64_t then = big.rounds;
+    while (big.rounds < then + 1000) std::this_thread::yield();
+    EXPECT_LE(big.at_work.most(), threads + 1);
+    EXPECT_GT(big.end(), 0);
+  }
+}
+
+// Clients with one task each that has no end: every one of them has its share of the time.
+TEST(GivingTasks, WithoutEndShareTheTimeEvenly) {
+  Pool pool(2);
+  constexpr int count = 4;
+  std::latch together(count);
+  std::list<Endless> clients;
+  for (std::uint64_t client = 1; client <= count; ++client)
+    clients.emplace_back(pool, client, 3, &together);
+  std::this_thread::sleep_for(std::chrono::milliseconds(600));
+  std::vector<Nanoseconds> had;
+  for (Endless& each : clients) each.stop();  // all at the same time
+  for (Endless& each : clients) had.push_back(each.end());
+  const auto [least, most] = std::ranges::minmax(had);
+  EXPECT_GT(2 * least, most);
+}
+
+TEST(GivingTasks, EndWhenTheyAreStoppedAndWhenAnotherFails) {
+  Pool pool(2);
+  for (int round = 0; round < 30; ++round) {
+    Endless old(pool, 1, 4), other(pool, 2, 4);
+    std::stop_source none;
+    EXPECT_THROW(pool.for_each(3, 3, {},
+                               [&](int i) {
+                                 for (int n = 0; n < 1000; ++n) end_if_asked({});
+                                 if (i == round % 3) throw std::runtime_error("no");
+                               }),
+                 std::runtime_error);
+    EXPECT_GE(old.end() + other.end(), 0);
+  }
+  std::atomic<int> done = 0;
+  pool.for_each(1000, 2, {}, [&](int) { ++done; });
+  EXPECT_EQ(done, 1000);
+}
+
+// No more of a job's tasks are begun than it may have hands: who is suspended goes on first.
+TEST(GivingTasks, AreEndedBeforeOthersOfTheirJobBegin) {
+  Pool pool(2);
+  Endless rival(pool, 1, 2);
+  std::atomic<int> open = 0, most = 0;
+  Flow flow{2};
+  const auto task = [&](int) {
+    const int here = ++open;
+    if (here > most) most = here;
+    for (int n = 0; n < 300; ++n) {
+      pass_truly(20'000);
+      end_if_asked({});
+    }
+    --open;
+  };
+  pool.for_each(12, 2, {}, task, &flow);
+  EXPECT_LE(most, 2);
+  rival.end();
 }
 
 }  // namespace

@@ -68,7 +68,7 @@ class Play {
     Job& job = *hand->job;
     turns_.spend(job, job.cost);
     job.had += job.cost;
-    if (turns_.stays(job, now_)) {
+    if (job.has_tasks() && turns_.stays(job, now_)) {
       take(*hand);
       return nullptr;
     }
@@ -80,7 +80,7 @@ class Play {
     return job.is_over() ? &job : nullptr;
   }
   void call() {
-    while (Turn* turn = turns_.next(now_)) {
+    while (Turn* turn = turns_.next(now_, [](const Turn&) { return true; })) {
       turns_.call(*turn, now_);
       Turns::begin(*turn, now_);
       take(hands_.emplace_back(Hand{static_cast<Job*>(turn), 0}));
