@@ -132,12 +132,13 @@ void GeometryBuilder::end_grid(int number, const Setting& at) {
   put({Item::grid, number}, bounds_of(at.place, grid.repeat.swept(grid.box)), at.space);
 }
 
-// A small grid of balls is quicker found in the world's index than by itself.
+// A small grid of balls is quicker found in the world's index than by itself. All of them together
+// are few, for a short text may have many.
 bool GeometryBuilder::is_small(const InstanceGrid& grid) const {
-  constexpr std::int64_t most = 8192;
+  constexpr std::int64_t most = 8192, most_together = 65536;
   const Space& inside = geometry_.space(grid.inside);
-  const auto balls = static_cast<std::int64_t>(inside.balls.balls.size());
-  return inside.items.empty() && balls * grid.repeat.copies() <= most;
+  const auto balls = static_cast<std::int64_t>(inside.balls.balls.size()) * grid.repeat.copies();
+  return inside.items.empty() && balls <= most && copied_balls_ + balls <= most_together;
 }
 
 void GeometryBuilder::put_balls(int grid_number, const Affine& place, double scale) {
@@ -149,6 +150,7 @@ void GeometryBuilder::put_balls(int grid_number, const Affine& place, double sca
       const Sphere round{center, one.sphere.radius * scale};
       put(Ball{round, one.primitive, grid_number, instance}, 0);
     }
+    copied_balls_ += grid.repeat.copies();
   }
 }
 

@@ -68,6 +68,7 @@ class GeometryBuilder {
   Geometry& geometry_;
   const Workers& workers_;
   std::size_t forms_bytes_ = 0;
+  std::int64_t copied_balls_ = 0;           // of small grids
   std::map<int, std::vector<Aabb>> boxes_;  // one an item, space by space
 };
 

@@ -202,6 +202,26 @@ TEST(Repeat, OfAMillionHitsTheCopyThatStandsThere) {
   }
 }
 
+// A short text with many small grids is not compiled to many balls, and those that stay grids are
+// hit alike: in the other order others do.
+TEST(Repeat, OfManySmallGridsHasFewBallsOfItsOwn) {
+  constexpr int grids = 12;
+  std::vector<Object> all;
+  for (int i = 0; i < grids; ++i)
+    all.push_back(repeated({ball({40.0 * i, 0, 0}, 0.4)}, {{20, 20, 20}, {1, 1, 1}}));
+  const World world = world_of(all), backwards = world_of({all.rbegin(), all.rend()});
+  EXPECT_LE(world.balls.size(), 65'536U + grids);
+  Random random(504);
+  for (int n = 0; n < 2000; ++n) {
+    const Vec3d from = random.direction() * 900.0, in = random.point(1);
+    const Vec3d to{240 * (1 + in.x), 10 * (1 + in.y), 10 * (1 + in.z)};
+    const Ray<double> ray{from, normalize(to - from)};
+    const auto hit = hit_of(world, ray), other = hit_of(backwards, ray);
+    ASSERT_EQ(hit.t, other.t);
+    ASSERT_EQ(hit.instance, other.instance);
+  }
+}
+
 // ---- materials and lights ----------------------------------------------------------------------
 
 TEST(Placed, ObjectWithoutMaterialTakesItsNearestAncestors) {
