@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "core/input/json.h"
+#include "core/input/stopped.h"
 #include "core/input/utf8.h"
 
 namespace tia {
@@ -68,6 +69,7 @@ void write(const Value& value, Start& out);
 void write_array(const Value::Array& array, Start& out) {
   out += '[';
   for (std::size_t i = 0; i < array.size() && !out.full(); ++i) {
+    if (i % 1024 == 0) give_way();
     if (i > 0) out += ',';
     write(array[i], out);
   }
@@ -78,6 +80,7 @@ void write_object(const Value::Object& object, Start& out) {
   std::vector<const Value::Member*> sorted;
   sorted.reserve(object.size());
   for (const auto& member : object) sorted.push_back(&member);
+  give_way();
   std::sort(sorted.begin(), sorted.end(),
             [](const auto* a, const auto* b) { return utf16_less(a->first, b->first); });
   out += '{';

@@ -22,7 +22,10 @@ struct Codec<std::array<T, N>> {
   }
   static Value write(const List& v) {
     Value::Array list;
-    for (const T& each : v) list.push_back(write_value(each));
+    for (const T& each : v) {
+      give_way();
+      list.push_back(write_value(each));
+    }
     return list;
   }
   static Value schema(const Spec& spec, Definitions& named) {
@@ -144,7 +147,10 @@ struct Codec<std::vector<T>> {
   }
   static Value write(const std::vector<T>& v) {
     Value::Array list;
-    for (const T& each : v) list.push_back(write_value(each));
+    for (const T& each : v) {
+      give_way();
+      list.push_back(write_value(each));
+    }
     return list;
   }
   static Value schema(const Spec& spec, Definitions& named) {

@@ -25,13 +25,12 @@ Value parse_json(std::string_view text, const JsonLimits& limits = {},
                  const std::stop_token& stop = {});
 
 /// Canonical text: RFC 8785 (JSON Canonicalization Scheme): members sorted by UTF-16 code units,
+/// ECMAScript's shortest numbers, no white space. Ill-formed UTF-8 becomes U+FFFD. It gives way.
+/// Domain: finite numbers; others are written as null.
+std::string to_json(const Value& value);
 /// The start of that text: whole where it has at most `enough` bytes, else a little more than
 /// those.
 std::string start_of_json(const Value& value, std::size_t enough);
-
-/// ECMAScript's shortest numbers, no white space. Ill-formed UTF-8 becomes U+FFFD.
-/// Domain: finite numbers; others are written as null.
-std::string to_json(const Value& value);
 
 /// ECMAScript's Number::toString: the shortest digits that read back as the same double.
 std::string number_text(double number);
