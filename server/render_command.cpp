@@ -70,7 +70,8 @@ void render_to_file(const std::string& scene, const std::string& file,
   Admission alone({});
   LongWork long_work(alone, pool);
   PressedScenes none_pressed(0, long_work, account);
-  const Studio studio{gallery, none_kept, none_shared, none_pressed, pool, config.limits()};
+  const Studio studio{gallery, none_kept, none_shared,    none_pressed,
+                      pool,    long_work, config.limits()};
   const auto request = read_described<PictureRequest>(asked);
   const std::string_view other = request.format == Format::pfm ? ".png" : ".pfm";
   if (file.ends_with(other))

@@ -22,10 +22,10 @@ Backend::Backend(const Config& given, const Gallery& gallery, std::unique_ptr<Sc
       geometries(config.max_geometry_bytes, &memory),
       pressed(config.max_scenes_bytes, long_work, memory),
       pictures(config.cache_bytes, &memory),
-      service{config,    {gallery, kept, geometries, pressed, pool, config.limits()},
-              memory,    admission,
-              long_work, costs,
-              metrics,   pictures} {
+      service{config,  {gallery, kept, geometries, pressed, pool, long_work, config.limits()},
+              memory,  admission,
+              costs,   metrics,
+              pictures} {
   kept.book_with(memory);
   kept.read_as(long_work, config.json_limits().values);
   kept.forget_after(config.scene_keep_s);

@@ -14,7 +14,6 @@
 #include "server/requests/draw.h"
 #include "server/requests/etag.h"
 #include "server/requests/recipe.h"
-#include "server/stores/digest.h"
 
 namespace tia::server {
 namespace {
@@ -152,29 +151,12 @@ Picture with_memory_for(const Attempt& attempt, const std::stop_token& stop) {
   }
 }
 
-// What tells how much a ray takes: what it meets, how it is traced, and the lights but for where
-// they are, so that a light that is dragged is known. By its digest: of many lights it would be
-// long.
-std::string scene_key(const Plan& plan) {
-  std::string key = hex(plan.scene.objects->digest);
-  const auto add = [&](const auto&... parts) { ((key += ' ' + std::to_string(parts)), ...); };
-  add(static_cast<int>(plan.options.integrator), plan.options.max_depth, plan.options.threshold,
-      plan.scene->options.transparent_shadows);
-  for (const Light& light : plan.scene->lights) {
-    const Value written = write_value(light);
-    for (const auto& [name, value] : *written.as<Value::Object>())
-      if (value.as<Value::Array>() == nullptr) key += ' ' + to_json(value);
-  }
-  return sha256_hex(key);
-}
-
 Picture drawn(Plan& plan, const Asker& asker, Admission::Waiting& place,
               const std::stop_token& stop, Service& service) {
   const double rays = plan.rays();
-  const std::string scene = scene_key(plan);
   Stopwatch watch;
   // It begins with a ticket and ends with it.
-  auto ticket = service.admission.enter(service.costs.of(scene, rays), asker.client, stop, &place);
+  auto ticket = service.admission.enter(service.costs.of(plan.cost_key, rays), asker.client, stop, &place);
   Flow flow{Asker{ticket.client(), stop}.number()};
   const double queue_ms = watch.lap_ms();
   plan.options.flow = &flow;
@@ -186,7 +168,7 @@ Picture drawn(Plan& plan, const Asker& asker, Admission::Waiting& place,
   MemoryClaim* const claim = MemoryClaim::current();
   const auto attempt = [&] {
     Picture picture = draw(plan, service.studio, stop);
-    service.costs.learn(scene, rays, picture.trace_seconds, true);
+    service.costs.learn(plan.cost_key, rays, picture.trace_seconds, true);
     picture.timing.queue = queue_ms;
     picture.timing.wait = claim != nullptr ? claim->waited_ms() : 0;
     service.metrics.count(picture.rays, picture.timing);
@@ -195,7 +177,7 @@ Picture drawn(Plan& plan, const Asker& asker, Admission::Waiting& place,
   try {
     return with_memory_for(attempt, stop);
   } catch (const Stopped&) {
-    service.costs.learn(scene, rays, static_cast<double>(flow.attained) * 1e-9, false);
+    service.costs.learn(plan.cost_key, rays, static_cast<double>(flow.attained) * 1e-9, false);
     throw;
   }
 }

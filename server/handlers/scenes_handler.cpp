@@ -49,24 +49,24 @@ Response get_scene(const Request& request, const std::string& name, Service& ser
   if (const KnownScene kept = service.studio.kept.find(name, asker)) {
     const std::size_t bytes = bytes_of(*kept);
     const std::int64_t memory = memory_for(memory_cost::patch, bytes);
-    return service.long_work({bytes, memory, "the scene's text"}, asker,
-                             [&] { return scene_text(*kept); });
+    return service.studio.long_work({bytes, memory, "the scene's text"}, asker,
+                                    [&] { return scene_text(*kept); });
   }
   throw HttpError("not-found", "no scene is called that; there are: " + listed(gallery.names()) +
                                    ", and those lately sent to POST /scenes, by their ids");
 }
 
 Response post_scene(const Request& request, const std::string&, Service& service) {
-  Scene scene = read_body(request, service, [&] {
+  const NewScene made = read_body(request, service, [&] {
     const char* const what = "the scene as a JSON object, such as {\"objects\":[]}";
     Scene read = read_described<Scene>(body_json(request, what, service.config.json_limits()), {},
                                        request.stop);  // the JSON tree ends here
     check_keys(read, request.stop);
-    return read;
+    return NewScene(std::move(read));
   });
   const std::string key = random_key(), key_hash = sha256_hex(key);
   SceneStore& kept = service.studio.kept;
-  const std::string id = kept.keep(std::move(scene), {share_of(request.peer), key_hash, 0});
+  const std::string id = kept.keep(made, {share_of(request.peer), key_hash, 0});
   const std::string location = "/scenes/" + id;
   Response response{.status = 201,
                     .content_type = "application/json",

@@ -7,7 +7,6 @@
 #include "server/operation/admission.h"
 #include "server/operation/config.h"
 #include "server/operation/cost_memory.h"
-#include "server/operation/long_work.h"
 #include "server/operation/memory_account.h"
 #include "server/operation/metrics.h"
 #include "server/requests/studio.h"
@@ -22,7 +21,6 @@ struct Service {
   Studio studio;
   MemoryAccount& memory;
   Admission& admission;
-  LongWork& long_work;
   CostMemory& costs;
   Metrics& metrics;
   PictureStore& pictures;

@@ -60,12 +60,17 @@ Value::Object verdict_on(const Sent& sent, const Request& request, Service& serv
 Response post_verify(const Request& request, const std::string&, Service& service) {
   const Sent sent = sent_in(request, service);
   Value::Object told = verdict_on(sent, request, service);
-  told.emplace_back("sha256", sent.sha256);
-  told.emplace_back("version", full_version());
-  told.emplace_back("drawn_by", sent.recipe.version);
-  told.emplace_back("request", sent.recipe.request);
+  const auto text = [&] {
+    told.emplace_back("sha256", sent.sha256);
+    told.emplace_back("version", full_version());
+    told.emplace_back("drawn_by", sent.recipe.version);
+    told.emplace_back("request", sent.recipe.request);
+    return to_json(told);
+  };
+  const std::int64_t memory = service.config.max_body_bytes;
   return {.content_type = "application/json",
-          .body = to_json(told),
+          .body = service.studio.long_work({request.body.size(), memory, "the verdict"},
+                                           asker_of(request), text),
           .headers = {{"Cache-Control", "no-store"}}};
 }
 

@@ -1,31 +1,42 @@
 #include "server/requests/draw.h"
 
 #include <algorithm>
-#include <functional>
+#include <tuple>
+#include <utility>
 
 #include "core/film/film.h"
 #include "core/film/pfm.h"
 #include "core/film/png.h"
 #include "core/film/png_text.h"
+#include "core/input/json.h"
 #include "server/operation/memory_costs.h"
 #include "server/operation/timing.h"
 #include "server/requests/recipe.h"
+#include "server/stores/digest.h"
 
 namespace tia::server {
+namespace {
+
+// What a ray meets, how it is traced, and the lights but for where they are, so that a light that
+// is dragged is known. By its digest: of many lights it would be long.
+std::string cost_key_of(const Plan& plan) {
+  std::string key = hex(plan.scene.objects.digest);
+  const auto add = [&](const auto&... parts) { ((key += ' ' + std::to_string(parts)), ...); };
+  add(static_cast<int>(plan.options.integrator), plan.options.max_depth, plan.options.threshold,
+      plan.scene->options.transparent_shadows);
+  for (const Light& light : plan.scene->lights) {
+    const Value written = write_value(light);
+    for (const auto& [name, value] : *written.as<Value::Object>())
+      if (value.as<Value::Array>() == nullptr) key += ' ' + to_json(value);
+  }
+  return sha256_hex(key);
+}
+
+}  // namespace
 
 Plan plan_of(const PictureRequest& asked, const Studio& studio, const Asker& asker) {
   check_size(asked.width, asked.height, studio.limits);
-  KnownScene scene = scene_of(asked, studio, asker);
-  Flow flow{asker.number()};
-  // What is not known by a name may be large.
-  const bool is_new = !scene.objects;
-  const auto in_turn = [&](const std::function<void()>& work) {
-    if (is_new) studio.pool.alone(work, asker.stop, &flow);
-    else work();
-  };
-  in_turn([&] {
-    if (is_new) scene.objects = digest_of_objects(*scene).all;
-  });
+  const KnownScene scene = scene_of(asked, studio, asker);
   RenderOptions options = options_of(asked, *scene, studio);
   options.threads = std::min(asked.threads.value_or(studio.pool.threads()), studio.pool.threads());
   const Window window = asked.window();
@@ -38,7 +49,10 @@ Plan plan_of(const PictureRequest& asked, const Studio& studio, const Asker& ask
       .options = options,
       .display = {display_of(options.integrator), asked.transfer.value_or(scene->options.transfer)},
       .format = asked.format};
-  in_turn([&] { plan.recipe = recipe_of(asked, plan); });
+  const std::size_t objects = scene.objects.bytes <= most_told_bytes ? scene.objects.bytes : 0;
+  std::tie(plan.recipe, plan.cost_key) = studio.go_through(scene.others + objects, asker, [&] {
+    return std::pair(recipe_of(asked, plan), cost_key_of(plan));
+  });
   return plan;
 }
 

@@ -5,7 +5,7 @@
 
 #include "core/render/render.h"
 #include "server/requests/picture_request.h"
-#include "server/stores/scene_digest.h"
+#include "server/stores/known_scene.h"
 
 namespace tia::server {
 
@@ -17,7 +17,8 @@ struct Plan {
   RenderOptions options;
   DisplayRule display;
   Format format = Format::png;
-  std::string recipe = {};  ///< what POST /render would draw the same picture from (recipe.h)
+  std::string recipe = {};    ///< what POST /render would draw the same picture from (recipe.h)
+  std::string cost_key = {};  ///< what tells how much one of its rays takes (draw.h)
 
   /// The fewest rays that the eye sends out.
   double rays() const {

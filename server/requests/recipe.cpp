@@ -47,7 +47,7 @@ bool has_long_keys(const Scene& scene) {
 }
 
 Value told_scene(const Plan& plan) {
-  const ObjectsName& objects = *plan.scene.objects;
+  const ObjectsName& objects = plan.scene.objects;
   Scene told;
   Scene::fields(SmallFields{*plan.scene, told});
   told.options = options_in_effect(plan);

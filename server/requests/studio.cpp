@@ -8,8 +8,21 @@ namespace {
 // For what lives longer than the request.
 SharedScene not_owned(const Scene& scene) { return {SharedScene(), &scene}; }
 
-KnownScene same_objects(const KnownScene& scene, Scene changed) {
-  return {std::make_shared<const Scene>(std::move(changed)), scene.objects};
+// The scene as change() makes it anew, with the same objects.
+template <class Change>
+KnownScene changed(const KnownScene& scene, const Studio& studio, const Asker& asker,
+                   const Change& change) {
+  return studio.go_through(scene.others, asker, [&] {
+    return KnownScene{std::make_shared<const Scene>(change()), scene.objects, scene.others};
+  });
+}
+
+// The request's own, which may be large.
+KnownScene told(const Scene& scene, const Studio& studio, const Asker& asker) {
+  KnownScene made;
+  Flow flow{asker.number()};
+  studio.pool.alone([&] { made = known(not_owned(scene)); }, asker.stop, &flow);
+  return made;
 }
 
 Camera patched(const Camera& camera, const CameraPatch& patch) {
@@ -36,23 +49,23 @@ KnownScene find_scene(const std::string& name, const Studio& studio, const Asker
 KnownScene scene_of(const ViewRequest& asked, const Studio& studio, const Asker& asker) {
   const auto* name = std::get_if<std::string>(&asked.scene);
   KnownScene scene = name != nullptr ? find_scene(*name, studio, asker)
-                                     : KnownScene{not_owned(std::get<Scene>(asked.scene))};
-  if (asked.camera) {
-    Scene changed = *scene;
-    changed.camera = patched(scene->camera, *asked.camera);
-    scene = same_objects(scene, std::move(changed));
-  }
-  if (asked.key) {
-    if (moves_light_only(*scene, *asked.key))
-      return same_objects(scene,
-                          press(*scene, *asked.key, *studio.pressed.middles_of(scene, asker)));
+                                     : told(std::get<Scene>(asked.scene), studio, asker);
+  if (asked.camera)
+    scene = changed(scene, studio, asker, [&] {
+      Scene patched_scene = *scene;
+      patched_scene.camera = patched(scene->camera, *asked.camera);
+      return patched_scene;
+    });
+  if (asked.key && !moves_light_only(*scene, *asked.key)) {
     const bool is_named = name != nullptr && !asked.camera;
     return studio.pressed.get(is_named ? *name : "", scene, *asked.key, asker);
   }
-  if (asked.light)
-    return same_objects(scene,
-                        with_light(*scene, *asked.light, *studio.pressed.middles_of(scene, asker)));
-  return scene;
+  if (!asked.key && !asked.light) return scene;
+  const auto middles = studio.pressed.middles_of(scene, asker);
+  return changed(scene, studio, asker, [&] {
+    return asked.key ? press(*scene, *asked.key, *middles)
+                     : with_light(*scene, *asked.light, *middles);
+  });
 }
 
 RenderOptions options_of(const TraceRequest& asked, const Scene& scene, const Studio& studio) {

@@ -6,6 +6,8 @@
 #include "core/render/render.h"
 #include "core/scene/limits.h"
 #include "server/operation/asker.h"
+#include "server/operation/long_work.h"
+#include "server/operation/memory_costs.h"
 #include "server/requests/view_request.h"
 #include "server/stores/gallery.h"
 #include "server/stores/geometry_store.h"
@@ -21,7 +23,18 @@ struct Studio {
   GeometryStore& geometries;
   PressedScenes& pressed;
   Pool& pool;
+  LongWork& long_work;
   Limits limits;
+
+  /// Does what copies or writes so many bytes of a scene: as long work, unless they are few.
+  /// Returns: what it does. Errors: as LongWork, and whatever it throws.
+  template <class Work>
+  auto go_through(std::size_t bytes, const Asker& asker, const Work& work) const {
+    constexpr std::size_t few = 16 << 10;  // a tenth of a millisecond
+    if (bytes <= few) return work();
+    return long_work({bytes, memory_for(memory_cost::patch, bytes), "what the scene says"}, asker,
+                     work);
+  }
 };
 
 /// Whether there is a scene of that name or id in memory, and nothing else has to be asked.

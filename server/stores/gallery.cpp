@@ -12,8 +12,7 @@ Gallery::Gallery() {
     if (!asset.path.starts_with(folder) || !asset.path.ends_with(ending)) continue;
     std::string_view name = asset.path.substr(folder.size());
     name.remove_suffix(ending.size());
-    const auto scene = std::make_shared<const Scene>(read_scene(asset.bytes));
-    scenes_.emplace(name, KnownScene{scene, digest_of_objects(*scene).all});
+    scenes_.emplace(name, known(std::make_shared<const Scene>(read_scene(asset.bytes))));
   }
   Value::Array list;
   for (const auto& [name, scene] : scenes_)

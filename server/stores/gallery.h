@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "server/stores/scene_digest.h"
+#include "server/stores/known_scene.h"
 
 namespace tia::server {
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <functional>
 #include <memory>
-#include <optional>
 #include <utility>
 
 #include "server/operation/memory_costs.h"
@@ -46,7 +45,7 @@ class GeometryStore::Meshes {
 World GeometryStore::compile(const KnownScene& scene, const Workers& workers) {
   World world;
   if (!keeps_) {
-    claim_for(scene.objects ? scene.objects->bytes : bytes_of(*scene), workers);
+    claim_for(scene.objects.bytes, workers);
     workers.alone([&] { world = tia::compile(*scene, workers); });
   } else {
     SharedGeometry geometry = geometry_of(scene, workers);
@@ -57,14 +56,10 @@ World GeometryStore::compile(const KnownScene& scene, const Workers& workers) {
 
 // Memory is waited for between the turns.
 SharedGeometry GeometryStore::geometry_of(const KnownScene& scene, const Workers& workers) {
-  std::optional<ObjectsDigest> digest;
-  const auto digest_all = [&] { digest = digest_of_objects(*scene); };
-  if (!scene.objects) workers.alone(digest_all);
-  SharedGeometry geometry = find((digest ? digest->all : *scene.objects).digest);
+  SharedGeometry geometry = find(scene.objects.digest);
   if (geometry) return geometry;
-  if (!digest) workers.alone(digest_all);  // for that of each mesh
-  claim_for(digest->all.bytes, workers);
-  workers.alone([&] { geometry = build(*scene, *digest, workers); });
+  claim_for(scene.objects.bytes, workers);
+  workers.alone([&] { geometry = build(*scene, digest_of_objects(*scene), workers); });
   return geometry;
 }
 

@@ -11,7 +11,7 @@
 #include "server/operation/memory_account.h"
 #include "server/operation/recent.h"
 #include "server/operation/store_counts.h"
-#include "server/stores/scene_digest.h"
+#include "server/stores/known_scene.h"
 
 namespace tia::server {
 

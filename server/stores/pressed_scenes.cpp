@@ -12,14 +12,13 @@ namespace tia::server {
 KnownScene PressedScenes::get(const std::string& name, const KnownScene& scene,
                               const std::string& key, const Asker& asker) {
   const std::string both = name.empty() ? "" : name + '\n' + key;
-  if (KnownScene known = find(both).scene) return known;
+  if (KnownScene made = find(both).scene) return made;
   const std::size_t bytes = bytes_of(*scene);
   const std::int64_t memory = memory_for(memory_cost::patch, bytes);
   return long_work_({bytes, memory, "the scene with its key's patch"}, asker, [&] {
-    if (KnownScene known = find(both).scene) return known;  // somebody has made it meanwhile
-    Scene pressed = press(*scene, key, Middles{}, "/key", asker.stop);
-    const ObjectsName objects = digest_of_objects(pressed).all;
-    const KnownScene made{std::make_shared<const Scene>(std::move(pressed)), objects};
+    if (KnownScene made = find(both).scene) return made;  // by somebody meanwhile
+    const KnownScene made =
+        known(std::make_shared<const Scene>(press(*scene, key, Middles{}, "/key", asker.stop)));
     if (!both.empty()) keep(both, {made, nullptr, bytes_of(*made)});
     return made;
   });
@@ -29,14 +28,13 @@ PressedScenes::SharedMiddles PressedScenes::middles_of(const KnownScene& scene,
                                                        const Asker& asker) {
   static const auto none = std::make_shared<const Middles>();
   if (scene->camera.look_at || scene->objects.empty()) return none;
-  const std::string name = scene.objects ? "middles\n" + hex(scene.objects->digest) : "";
-  if (SharedMiddles known = find(name).middles) return known;
-  return long_work_(
-      {scene.objects ? scene.objects->bytes : 0, 0, "the scene's objects"}, asker, [&] {
-        const auto made = std::make_shared<const Middles>(tia::middles_of(*scene, asker.stop));
-        if (!name.empty()) keep(name, {{}, made, made->capacity() * sizeof(Vec3d)});
-        return made;
-      });
+  const std::string name = "middles\n" + hex(scene.objects.digest);
+  if (SharedMiddles made = find(name).middles) return made;
+  return long_work_({scene.objects.bytes, 0, "the scene's objects"}, asker, [&] {
+    const auto made = std::make_shared<const Middles>(tia::middles_of(*scene, asker.stop));
+    keep(name, {{}, made, made->capacity() * sizeof(Vec3d)});
+    return made;
+  });
 }
 
 PressedScenes::Kept PressedScenes::find(const std::string& name) {

@@ -12,7 +12,7 @@
 #include "server/operation/long_work.h"
 #include "server/operation/memory_account.h"
 #include "server/operation/recent.h"
-#include "server/stores/scene_digest.h"
+#include "server/stores/known_scene.h"
 
 namespace tia::server {
 
@@ -26,7 +26,7 @@ class PressedScenes {
   /// Errors: InputError, as press(); HttpError (busy, too-large); Stopped.
   KnownScene get(const std::string& name, const KnownScene& scene, const std::string& key,
                  const Asker& asker);
-  /// The middles of the scene's objects; kept where its objects have been digested.
+  /// The middles of the scene's objects.
   /// Errors: HttpError (busy); Stopped.
   using SharedMiddles = std::shared_ptr<const Middles>;
   SharedMiddles middles_of(const KnownScene& scene, const Asker& asker);

@@ -89,8 +89,24 @@ std::size_t heap_of(const T& value) {
   else return heap(value);
 }
 
+/// Visitor: the heap of all of a scene but its objects.
+struct OthersHeap {
+  const Scene& of;
+  std::size_t bytes = 0;
+  template <class Member>
+  void operator()(std::string_view, Member Scene::*member, const Spec&) {
+    if constexpr (!std::is_same_v<Member, decltype(Scene::objects)>) bytes += heap_of(of.*member);
+  }
+};
+
 }  // namespace
 
 std::size_t bytes_of(const Scene& scene) { return sizeof(Scene) + heap_of(scene); }
+
+std::size_t bytes_besides_objects(const Scene& scene) {
+  OthersHeap others{scene};
+  Scene::fields(others);
+  return sizeof(Scene) + others.bytes;
+}
 
 }  // namespace tia::server

@@ -9,5 +9,7 @@ namespace tia::server {
 
 /// Space/units: bytes, the scene's own and all that it owns on the heap.
 std::size_t bytes_of(const Scene& scene);
+/// The same without its objects.
+std::size_t bytes_besides_objects(const Scene& scene);
 
 }  // namespace tia::server

@@ -6,6 +6,8 @@
 #include <new>
 #include <type_traits>
 
+#include "core/input/stopped.h"
+
 namespace tia::server {
 namespace {
 
@@ -64,7 +66,10 @@ class Digester {
   template <class T>
   void add(const std::vector<T>& list) {
     add(list.size());
-    for (const T& each : list) add(each);
+    for (const T& each : list) {
+      if constexpr (!std::is_trivially_copyable_v<T>) give_way();
+      add(each);
+    }
   }
   template <class T>
   void add(const Boxed<T>& boxed) {

@@ -4,8 +4,6 @@
 
 #include <cstdint>
 #include <cstring>
-#include <memory>
-#include <optional>
 #include <unordered_map>
 
 #include "core/scene/scene.h"
@@ -22,24 +20,10 @@ struct DigestHash {
   }
 };
 
-/// SharedScene: one that is being drawn outlives its place in a store.
-using SharedScene = std::shared_ptr<const Scene>;
-
 /// ObjectsName: what tells the objects of one scene from those of all others.
 struct ObjectsName {
   Digest digest{};
   std::size_t bytes = 0;  ///< that went into it: about what they hold in memory
-};
-
-/// KnownScene: a scene, and, where that was found out before, what digest_of_objects says of all of
-/// it: to walk a million triangles takes longer than many a picture.
-struct KnownScene {
-  SharedScene scene;
-  std::optional<ObjectsName> objects{};
-
-  explicit operator bool() const { return scene != nullptr; }
-  const Scene& operator*() const { return *scene; }
-  const Scene* operator->() const { return scene.get(); }
 };
 
 /// Of all that geometry_of(scene) depends on: objects, materials and ambient light; and of each of

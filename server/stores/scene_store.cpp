@@ -29,19 +29,23 @@ void SceneStore::forget_after(std::int64_t seconds, Now now) {
   if (file_ && keep_s_ > 0) file_->forget_unused_since(now_() - keep_s_);
 }
 
-std::string SceneStore::keep(Scene scene, Owner owner) {
-  const std::string text = canonical_text(scene), id = sha256_hex(text);
-  const std::size_t bytes = scene_entry_bytes + bytes_of(scene);
-  if (!file_ && bytes > max_bytes_)
+NewScene::NewScene(Scene is)
+    : text(canonical_text(is)),
+      id(sha256_hex(text)),
+      scene(known(std::make_shared<const Scene>(std::move(is)))),
+      bytes(scene_entry_bytes + bytes_of(*scene)) {}
+
+std::string SceneStore::keep(const NewScene& made, Owner owner) {
+  if (!file_ && made.bytes > max_bytes_)
     throw InputError({FaultKind::limit, "",
-                      Value("a scene of " + std::to_string(bytes) + " bytes in memory"),
+                      Value("a scene of " + std::to_string(made.bytes) + " bytes in memory"),
                       "kept scenes of " + std::to_string(max_bytes_) +
                           " bytes in all (option TIA_MAX_SCENES_BYTES)"});
   owner.time_s = now_();
   if (file_ && keep_s_ > 0) file_->forget_unused_since(now_() - keep_s_);
-  if (file_) file_->keep(id, text, owner);
-  remember(id, std::move(scene), owner);
-  return id;
+  if (file_) file_->keep(made.id, made.text, owner);
+  remember(made.id, made.scene, made.bytes, owner);
+  return made.id;
 }
 
 KnownScene SceneStore::find(const std::string& id, const Asker& asker) {
@@ -62,7 +66,9 @@ KnownScene SceneStore::read(const std::string& id, const std::string& text,
   if (KnownScene scene = in_memory(id)) return scene;  // somebody has read it meanwhile
   constexpr JsonLimits any{.values = std::numeric_limits<std::size_t>::max()};
   // It has been checked when it was kept.
-  return remember(id, read_described<Scene>(parse_json(text, any, stop), {}, stop), {});
+  const KnownScene scene = known(
+      std::make_shared<const Scene>(read_described<Scene>(parse_json(text, any, stop), {}, stop)));
+  return remember(id, scene, scene_entry_bytes + bytes_of(*scene), {});
 }
 
 // The file is told without the lock: it may have to wait for other processes.
@@ -111,25 +117,23 @@ Removal SceneStore::remove(const std::string& id, const std::string& key_hash) {
 
 // Where it fits into memory it stays there: unless the file has lost it meanwhile, for who takes it
 // out of the file looks into memory after that.
-KnownScene SceneStore::remember(const std::string& id, Scene scene, const Owner& owner) {
-  KnownScene made = put(id, std::move(scene), owner);
-  if (!file_ || file_->contains(id)) return made;
+KnownScene SceneStore::remember(const std::string& id, const KnownScene& scene, std::size_t bytes,
+                                const Owner& owner) {
+  put(id, scene, bytes, owner);
+  if (!file_ || file_->contains(id)) return scene;
   Scenes::Entries gone;
   const std::lock_guard lock(mutex_);
   take(id, gone);
-  return made;
+  return scene;
 }
 
-KnownScene SceneStore::put(const std::string& id, Scene scene, const Owner& owner) {
-  const std::size_t bytes = scene_entry_bytes + bytes_of(scene);
-  const ObjectsName objects = digest_of_objects(scene).all;
-  Kept kept{
-      {std::make_shared<const Scene>(std::move(scene)), objects}, bytes, owner, {}, now_(), 0};
-  const KnownScene made = kept.scene;
+void SceneStore::put(const std::string& id, const KnownScene& scene, std::size_t bytes,
+                     const Owner& owner) {
+  Kept kept{scene, bytes, owner, {}, now_(), 0};
   Scenes::Entries surplus;
   const std::lock_guard lock(mutex_);
   take_unused(surplus);
-  if (bytes > max_bytes_) return made;
+  if (bytes > max_bytes_) return;
   if (!scenes_.contains(id)) {
     scenes_.add(id, std::move(kept));
     bytes_ += bytes;
@@ -142,7 +146,6 @@ KnownScene SceneStore::put(const std::string& id, Scene scene, const Owner& owne
     bytes_ += owner_bytes;
   }
   take_surplus(owner.client, surplus);
-  return made;
 }
 
 bool SceneStore::knows_owner(const std::string& id, const std::string& key_hash) {

@@ -12,10 +12,18 @@
 #include "server/operation/long_work.h"
 #include "server/operation/memory_account.h"
 #include "server/operation/recent.h"
-#include "server/stores/scene_digest.h"
+#include "server/stores/known_scene.h"
 #include "server/stores/scene_file.h"
 
 namespace tia::server {
+
+/// NewScene: one with all that is kept of it. It goes through the whole scene.
+struct NewScene {
+  NewScene(Scene scene);
+  std::string text, id;  ///< canonical, and its SHA-256
+  KnownScene scene;
+  std::size_t bytes = 0;  ///< in memory
+};
 
 class SceneStore {
  public:
@@ -42,7 +50,7 @@ class SceneStore {
   /// for longest, until all fit: of the owner's client's where that has half of the memory.
   /// Returns: its id, the SHA-256 of its canonical text.
   /// Errors: InputError (limit) for a scene that does not fit alone; as SceneFile::keep.
-  std::string keep(Scene scene, Owner owner = {});
+  std::string keep(const NewScene& made, Owner owner = {});
   /// From now on scenes are read from the file as long work, and have at most so many JSON values.
   void read_as(LongWork& long_work, std::size_t most_values) {
     long_work_ = &long_work;
@@ -78,8 +86,10 @@ class SceneStore {
   };
   using Scenes = Recent<std::string, Kept>;
   KnownScene read(const std::string& id, const std::string& text, const std::stop_token& stop);
-  KnownScene remember(const std::string& id, Scene scene, const Owner& owner);
-  KnownScene put(const std::string& id, Scene scene, const Owner& owner);
+  // So many bytes of memory.
+  KnownScene remember(const std::string& id, const KnownScene& scene, std::size_t bytes,
+                      const Owner& owner);
+  void put(const std::string& id, const KnownScene& scene, std::size_t bytes, const Owner& owner);
   void take(const std::string& id, Scenes::Entries& into);
   void take_unused(Scenes::Entries& into);
   // Takes out what is too much: of the client's own first.

@@ -83,52 +83,6 @@ INSTANTIATE_TEST_SUITE_P(
                }}),
     [](const auto& of) { return of.param.law; });
 
-// Thirty surfaces that nobody has seen before, and that take a second to part into patches.
-void build(Asker& asker) {
-  static std::atomic<int> surfaces = 0;
-  const auto nested = [](const std::string& inner) {
-    std::string text;
-    for (int i = 0; i < 60; ++i) text += "sin(";
-    return text + inner + std::string(60, ')');
-  };
-  std::string objects;
-  for (int i = 0; i < 30; ++i)
-    objects += std::string(i == 0 ? "" : ",") +
-               R"({"type":"parametric","u":[0,6],"v":[0,6],"x":"u+)" + nested("99*u*v") +
-               R"(","y":"v+)" + nested("98*u*v") + R"(","z":")" +
-               nested("97*u*v+" + std::to_string(++surfaces)) + "\"}";
-  asker.ask("POST", "/render", R"({"width":8,"height":8,"scene":{"objects":[)" + objects + "]}}",
-            milliseconds(1000));
-}
-
-// Pictures a second of one who asks for the next as soon as he has one.
-double rate(Asker& asker, Clock::duration time) {
-  static int seed = 0;
-  const auto start = Clock::now();
-  int good = 0;
-  while (Clock::now() - start < time)
-    good += asker.ask("GET", "/render?scene=soft-shadows&width=160&height=120&seed=" +
-                                 std::to_string(++seed)) == 200;
-  return good / std::chrono::duration<double>(Clock::now() - start).count();
-}
-
-// Two clients: half for each.
-TEST(Builders, LeaveAnotherHisHalf) {
-  if (sanitized()) GTEST_SKIP() << "its rates are another's";
-  Tia tia(behind_a_proxy());
-  Asker other(tia.port(), "10.0.0.1");
-  const double alone = rate(other, milliseconds(scaled(1500)));
-  const auto one_address = [port = tia.port()](Asker&, int) {
-    Asker builder(port, "10.0.0.2");
-    build(builder);
-  };
-  Siege siege(tia.port(), std::vector<Attack>(8, {"Builders", one_address}));
-  std::this_thread::sleep_for(milliseconds(500));
-  const double beside = rate(other, milliseconds(scaled(4000)));
-  std::printf("%.1f pictures/s alone, %.1f beside eight builders\n", alone, beside);
-  EXPECT_GT(beside, (scale() > 1 ? 0.4 : 0.25) * alone);  // it was 0.05 with builders out of turn
-}
-
 // ---- begun work -----------------------------------------------------------------------------
 
 struct Load {

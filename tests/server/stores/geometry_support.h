@@ -33,9 +33,9 @@ inline Scene two_bowls(int n, double depth = 1) {
   scene.lights = {sphere_light({0, 9, 9}, 1)};
   return scene;
 }
-/// Of a scene of which nothing is known.
+/// Of a scene that is the caller's.
 inline World compiled(GeometryStore& store, const Scene& scene, const Workers& workers = {}) {
-  return store.compile({SharedScene(SharedScene(), &scene)}, workers);
+  return store.compile(known(SharedScene(SharedScene(), &scene)), workers);
 }
 inline void compile_in(GeometryStore& store, const Scene& scene) {
   static_cast<void>(compiled(store, scene));
