@@ -5,6 +5,7 @@
 #include "core/input/json.h"
 #include "server/contract/openapi.h"
 #include "server/contract/problem_table.h"
+#include "server/handlers/answers.h"
 #include "server/handlers/handlers.h"
 #include "server/handlers/route_table.h"
 #include "server/http/error.h"
@@ -54,12 +55,14 @@ std::string openapi_text() {
   return text_in_order(document);
 }
 
-}  // namespace
-
 Response get_openapi(const Request& request, const std::string&, Service&) {
   static const std::string text = openapi_text();
   static const Tagged tagged(text);
   return tagged_response(request, tagged, "application/json");
+}
+
+Value any_openapi(Definitions&) {
+  return Value::Object{{"type", "object"}, {"required", Value::Array{"openapi"}}};
 }
 
 Response get_problem(const Request&, const std::string& type, Service&) {
@@ -71,6 +74,25 @@ Response get_problem(const Request&, const std::string& type, Service&) {
           .content_type = "",
           .body = "",
           .headers = {{"Location", "/docs#problem-" + type}}};
+}
+
+}  // namespace
+
+std::vector<Route> document_routes() {
+  return {{.method = "GET",
+           .path = "/openapi.json",
+           .name = "get_openapi",
+           .about = "this interface, as an OpenAPI 3.1 document",
+           .handler = get_openapi,
+           .answers = tagged("the document", {{media::json, any_openapi}})},
+          {.method = "GET",
+           .path = "/problems/{}",
+           .name = "get_problem",
+           .about = "what a problem's type means",
+           .handler = get_problem,
+           .answers = {{308, "the place on the page of documentation", {}, {"Location"}}},
+           .segment = {"type", "the last part of a problem's type"},
+           .examples = {"/problems/busy"}}};
 }
 
 }  // namespace tia::server

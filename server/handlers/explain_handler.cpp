@@ -3,6 +3,8 @@
 #include "core/render/explain.h"
 #include "core/render/sampler.h"
 #include "server/contract/parameters.h"
+#include "server/contract/query_parameters.h"
+#include "server/handlers/answers.h"
 #include "server/handlers/bodies.h"
 #include "server/handlers/handlers.h"
 #include "server/requests/explain_request.h"
@@ -89,8 +91,6 @@ Response explained(const ExplainRequest& asked, const Request& request, Service&
           .headers = {{"Cache-Control", "no-cache"}}};
 }
 
-}  // namespace
-
 Response get_explain(const Request& request, const std::string&, Service& service) {
   const auto read = [&] {
     return read_described<ExplainRequest>(query_object<ExplainRequest>(request.query()));
@@ -100,6 +100,43 @@ Response get_explain(const Request& request, const std::string&, Service& servic
 
 Response post_explain(const Request& request, const std::string&, Service& service) {
   return explained(asked_of_body(request, service), request, service);
+}
+
+Answer explanation() {
+  return ok("the hits along the ray and the tree of all that makes its colour", media::json,
+            explanation_schema, {"Cache-Control"});
+}
+
+std::vector<Content> explain_body() {
+  return {{media::json,
+           schema_for<ExplainRequest>,
+           {{"a pixel", R"({"x": 320, "y": 240, "key": "a"})"},
+            {"a ray", R"({"ray": {"origin": [0, 0, 0], "direction": [0, 0, -1]}})"}}}};
+}
+
+}  // namespace
+
+std::vector<Route> explain_routes() {
+  return {{.method = "GET",
+           .path = "/explain",
+           .name = "get_explain",
+           .about = "what the ray of a pixel, or any ray, meets",
+           .pace = Pace::in_turn,
+           .handler = get_explain,
+           .answers = {explanation()},
+           .gives = {media::json},
+           .query = query_parameters<ExplainRequest>,
+           .examples = {"/explain?x=320&y=240&key=a",
+                        "/explain?ray.origin=0,0,0&ray.direction=0,0,-1"}},
+          {.method = "POST",
+           .path = "/explain",
+           .name = "post_explain",
+           .about = "the same, parameters as a JSON object",
+           .pace = Pace::in_turn,
+           .handler = post_explain,
+           .answers = {explanation()},
+           .gives = {media::json},
+           .body = explain_body()}};
 }
 
 }  // namespace tia::server

@@ -1,8 +1,10 @@
 // The pages and their files, from memory, in the coding that the client takes.
 #include <algorithm>
+#include <list>
 #include <map>
 #include <optional>
 
+#include "server/handlers/answers.h"
 #include "server/handlers/handlers.h"
 #include "server/http/error.h"
 #include "server/http/headers.h"
@@ -51,8 +53,6 @@ Response file_response(const Request& request, std::string_view path) {
   return response;
 }
 
-}  // namespace
-
 Response get_page(const Request& request, const std::string&, Service&) {
   return file_response(request, "/index.html");
 }
@@ -97,6 +97,41 @@ std::vector<Content> page_file_contents(std::string_view folder) {
       contents.push_back({type});
   }
   return contents;
+}
+
+// The files of one folder of the page. Paths and names must outlive the table.
+Route files_of(const std::string& folder) {
+  static std::list<std::string> texts;
+  std::string name = "get_page_file" + folder.substr(0, folder.size() - 1);
+  std::ranges::replace(name, '/', '_');
+  return {.method = "GET",
+          .path = texts.emplace_back(folder + "{}"),
+          .name = texts.emplace_back(name),
+          .about = "a file of the page",
+          .handler = get_page_file,
+          .answers = tagged("the file", page_file_contents(folder)),
+          .segment = {"file", "its name"},
+          .segments = page_files(folder),
+          .has = is_page_file};
+}
+
+}  // namespace
+
+std::vector<Route> page_routes() {
+  std::vector<Route> all{{.method = "GET",
+                          .path = "/docs",
+                          .name = "get_docs",
+                          .about = "this interface, as a page to read",
+                          .handler = get_docs,
+                          .answers = tagged("the page", {{media::html}})},
+                         {.method = "GET",
+                          .path = "/",
+                          .name = "get_page",
+                          .about = "the page: hold a lamp, and see why",
+                          .handler = get_page,
+                          .answers = tagged("the page", {{media::html}})}};
+  for (const std::string& folder : page_folders()) all.push_back(files_of(folder));
+  return all;
 }
 
 }  // namespace tia::server

@@ -5,6 +5,8 @@
 #include <new>
 
 #include "server/contract/parameters.h"
+#include "server/contract/query_parameters.h"
+#include "server/handlers/answers.h"
 #include "server/handlers/bodies.h"
 #include "server/handlers/handlers.h"
 #include "server/http/headers.h"
@@ -156,7 +158,8 @@ Picture drawn(Plan& plan, const Asker& asker, Admission::Waiting& place,
   const double rays = plan.rays();
   Stopwatch watch;
   // It begins with a ticket and ends with it.
-  auto ticket = service.admission.enter(service.costs.of(plan.cost_key, rays), asker.client, stop, &place);
+  auto ticket =
+      service.admission.enter(service.costs.of(plan.cost_key, rays), asker.client, stop, &place);
   Flow flow{Asker{ticket.client(), stop}.number()};
   const double queue_ms = watch.lap_ms();
   plan.options.flow = &flow;
@@ -214,6 +217,8 @@ std::optional<Response> known_picture(const Request& request, Service& service) 
   return with(picture_response(*found, 0, 0), known->validators);
 }
 
+namespace {
+
 Response get_render(const Request& request, const std::string&, Service& service) {
   const Stopwatch watch;
   const auto read = [&] {
@@ -225,6 +230,57 @@ Response get_render(const Request& request, const std::string&, Service& service
 Response post_render(const Request& request, const std::string&, Service& service) {
   const Stopwatch watch;
   return rendered(asked_in_body(request, service), watch, request, service);
+}
+
+Answer picture() {
+  Answer answer{.about = "the picture"};
+  for (std::size_t i = 0; i < Names<Format>::names.size(); ++i)
+    answer.contents.push_back({media_type_of(static_cast<Format>(i))});
+  answer.headers = {"Server-Timing", "Tia-Rays", "Cache-Control", "ETag", "Cache-Status"};
+  return answer;
+}
+
+Answer picture_not_modified() {
+  return {304,
+          "If-None-Match names the picture's tag: no ray was traced",
+          {},
+          {"ETag", "Cache-Control", "Cache-Status"}};
+}
+
+std::vector<Content> picture_body() {
+  return {{media::json,
+           schema_for<PictureRequest>,
+           {{"the first picture, lit from the left", R"({"key": "a"})"},
+            {"a scene of one's own", R"({"width": 320, "height": 240, "scene": {
+  "background": [0.1, 0.2, 0.4],
+  "objects": [{"type": "sphere", "center": [0, 0, -9], "radius": 1.5}],
+  "lights": [{"type": "point", "position": [4, 6, -3]}]}})"}}},
+          {media::png}};
+}
+
+}  // namespace
+
+std::vector<Route> render_routes() {
+  return {{.method = "GET",
+           .path = "/render",
+           .name = "get_render",
+           .about = "a picture; no parameter is required",
+           .pace = Pace::in_turn,
+           .handler = get_render,
+           .answers = {picture(), picture_not_modified()},
+           .chooses = true,
+           .query = query_parameters<PictureRequest>,
+           .examples = {"/render", "/render?key=a&width=320&height=240",
+                        "/render?light=-5,12,-8&format=pfm"}},
+          {.method = "POST",
+           .path = "/render",
+           .name = "post_render",
+           .about = "the same, parameters as a JSON object; or again, from a PNG that was sent",
+           .pace = Pace::in_turn,
+           .handler = post_render,
+           .answers = {picture()},
+           .chooses = true,
+           .body = picture_body()}};
 }
 
 }  // namespace tia::server

@@ -8,6 +8,7 @@
 #include "core/scene/read_scene.h"
 #include "server/contract/parameters.h"
 #include "server/contract/problem.h"
+#include "server/handlers/answers.h"
 #include "server/handlers/bodies.h"
 #include "server/handlers/handlers.h"
 #include "server/operation/memory_costs.h"
@@ -35,8 +36,6 @@ std::string random_key() {
 Response scene_text(const Scene& scene) {
   return {.content_type = "application/json", .body = canonical_text(scene)};
 }
-
-}  // namespace
 
 Response get_scenes(const Request&, const std::string&, Service& service) {
   return {.content_type = "application/json", .body = service.studio.gallery.listing()};
@@ -100,6 +99,70 @@ Value kept_scene_schema(Definitions& named) {
 Response get_scene_schema(const Request&, const std::string&, Service&) {
   static const std::string text = scene_schema();  // made once: it takes milliseconds
   return {.content_type = "application/schema+json", .body = text};
+}
+
+// A schema of schemas would be long.
+Value any_schema(Definitions&) {
+  return Value::Object{{"type", "object"}, {"required", Value::Array{"$schema"}}};
+}
+
+std::vector<Content> scene_body() {
+  return {
+      {media::json,
+       schema_for<Scene>,
+       {{"one ball", R"({"objects": [{"type": "sphere", "center": [0, 0, -9], "radius": 2}]})"}}}};
+}
+
+}  // namespace
+
+std::vector<Route> scene_routes() {
+  return {{.method = "GET",
+           .path = "/scenes",
+           .name = "get_scenes",
+           .about = "the gallery: names and titles",
+           .handler = get_scenes,
+           .answers = {ok("the scenes that come with the server", media::json,
+                          Gallery::listing_schema)},
+           .gives = {media::json}},
+          {.method = "POST",
+           .path = "/scenes",
+           .name = "post_scene",
+           .about = "keeps a scene: its id is a name",
+           .pace = Pace::in_turn,
+           .handler = post_scene,
+           .answers = {{201,
+                        "the scene is kept",
+                        {{media::json, kept_scene_schema}},
+                        {"Location", "Cache-Control", "Tia-Delete-Key"}}},
+           .gives = {media::json},
+           .body = scene_body()},
+          {.method = "GET",
+           .path = "/scenes/{}",
+           .name = "get_scene",
+           .about = "one scene's canonical JSON",
+           .pace = Pace::in_turn,
+           .handler = get_scene,
+           .answers = {ok("the scene, fields at their defaults left out (RFC 8785)", media::json,
+                          schema_for<Scene>)},
+           .gives = {media::json},
+           .segment = {"name", "a name of the gallery, or the id of a kept scene"},
+           .examples = {"/scenes/thesis"}},
+          {.method = "DELETE",
+           .path = "/scenes/{}",
+           .name = "delete_scene",
+           .about = "forgets a kept scene, once all who have kept it want that; with the header "
+                    "Tia-Delete-Key that POST /scenes has answered",
+           .pace = Pace::in_turn,
+           .handler = delete_scene,
+           .answers = {{204, "it is forgotten, as far as this client has kept it"}},
+           .segment = {"name", "the id of a kept scene"}},
+          {.method = "GET",
+           .path = "/schema/scene.json",
+           .name = "get_scene_schema",
+           .about = "JSON Schema of a scene",
+           .handler = get_scene_schema,
+           .answers = {ok("JSON Schema 2020-12", media::json_schema, any_schema)},
+           .gives = {media::json_schema, media::json}}};
 }
 
 }  // namespace tia::server

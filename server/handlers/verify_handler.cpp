@@ -5,6 +5,7 @@
 #include "core/input/object_schema.h"
 #include "core/version.h"
 #include "server/contract/parameters.h"
+#include "server/handlers/answers.h"
 #include "server/handlers/bodies.h"
 #include "server/handlers/handlers.h"
 #include "server/http/error.h"
@@ -55,8 +56,6 @@ Value::Object verdict_on(const Sent& sent, const Request& request, Service& serv
           {"expected_sha256", sha256_hex(expected)}};
 }
 
-}  // namespace
-
 Response post_verify(const Request& request, const std::string&, Service& service) {
   const Sent sent = sent_in(request, service);
   Value::Object told = verdict_on(sent, request, service);
@@ -86,6 +85,27 @@ Value verdict_schema(Definitions& named) {
          {"drawn_by", text, "the version that the picture says has drawn it"},
          {"request", Value::Object{{"type", "object"}}, "what POST /render takes"}});
   });
+}
+
+Answer verdict() {
+  return ok("the verdict, and what the picture was drawn from", media::json, verdict_schema,
+            {"Cache-Control"});
+}
+
+std::vector<Content> png_body() { return {{media::png}}; }
+
+}  // namespace
+
+std::vector<Route> verify_routes() {
+  return {{.method = "POST",
+           .path = "/verify",
+           .name = "post_verify",
+           .about = "whether a PNG is, byte by byte, what this version draws",
+           .pace = Pace::in_turn,
+           .handler = post_verify,
+           .answers = {verdict()},
+           .gives = {media::json},
+           .body = png_body()}};
 }
 
 }  // namespace tia::server

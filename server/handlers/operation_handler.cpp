@@ -2,6 +2,7 @@
 #include "core/input/object_schema.h"
 #include "core/math/wide.h"
 #include "core/version.h"
+#include "server/handlers/answers.h"
 #include "server/handlers/handlers.h"
 
 namespace tia::server {
@@ -26,8 +27,6 @@ template <class... Words>
 Value status_schema(const Words&... words) {
   return object_schema({{"status", Value::Object{{"enum", Value::Array{words...}}}}});
 }
-
-}  // namespace
 
 Value healthy_schema(Definitions&) { return status_schema("ok"); }
 Value ready_schema(Definitions&) { return status_schema("ready"); }
@@ -77,6 +76,39 @@ Value version_schema(Definitions& named) {
                           {"compiler", text},
                           {"lanes", count_schema(1), "rays that are traced at once"}});
   });
+}
+
+}  // namespace
+
+std::vector<Route> operation_routes() {
+  return {{.method = "GET",
+           .path = "/healthz",
+           .name = "get_health",
+           .about = "whether the server lives",
+           .handler = get_health,
+           .answers = {unstored("it does", healthy_schema)}},
+          {.method = "GET",
+           .path = "/readyz",
+           .name = "get_ready",
+           .about = "whether it takes requests: 503 when it goes down or has too much to do",
+           .handler = get_ready,
+           .answers = {unstored("it does", ready_schema),
+                       {503,
+                        "it does not",
+                        {{media::json, unready_schema}},
+                        {"Cache-Control", "Retry-After"}}}},
+          {.method = "GET",
+           .path = "/version",
+           .name = "get_version",
+           .about = "what this build is",
+           .handler = get_version,
+           .answers = {ok("the build", media::json, version_schema)}},
+          {.method = "GET",
+           .path = "/metrics",
+           .name = "get_metrics",
+           .about = "counters and gauges, in Prometheus' text format",
+           .handler = get_metrics,
+           .answers = {ok("the metrics", Metrics::media_type, nullptr, {"Cache-Control"})}}};
 }
 
 }  // namespace tia::server
