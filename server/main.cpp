@@ -74,7 +74,7 @@ CLI::App* add_render(CLI::App& app, Asked& asked) {
                    "a gallery scene's name, or a scene file: NAME.json or a path")
       ->required()
       ->type_name("");
-  render->add_option("-o,--output", asked.file, "NAME.png, NAME.pfm, or - for standard output")
+  render->add_option("-o,--output", asked.file, picture_files() + ", or - for standard output")
       ->required()
       ->type_name("");
   render->add_flag("--plain", asked.plain,

@@ -45,19 +45,34 @@ Value scene_named(const std::string& scene, const JsonLimits& limits) {
   }
 }
 
+// The format that a file's ending names; none where it names none.
+const FormatRow* format_named_by(const std::string& file) {
+  const auto* row = std::ranges::find_if(
+      formats, [&](auto& each) { return file.ends_with(std::string(".").append(each.name)); });
+  return row != formats.end() ? row : nullptr;
+}
+
 }  // namespace
+
+std::string picture_files() {
+  std::string files;
+  for (const FormatRow& row : formats)
+    files.append(files.empty() ? "NAME." : ", NAME.").append(row.name);
+  return files;
+}
 
 void render_to_file(const std::string& scene, const std::string& file,
                     const std::vector<Setting>& parameters, bool plain, const Config& config) {
   const auto ending = std::filesystem::path(file).extension();
   const bool told =
       std::ranges::any_of(parameters, [](auto& each) { return each.name == "format"; });
-  if (!told && !ending.empty() && ending != ".png" && ending != ".pfm")
-    throw std::invalid_argument("option -o: got " + file +
-                                ", allowed: NAME.png, NAME.pfm, -, or any name with --format");
+  const FormatRow* const named = format_named_by(file);
+  if (!told && !ending.empty() && named == nullptr)
+    throw std::invalid_argument("option -o: got " + file + ", allowed: " + picture_files() +
+                                ", -, or any name with --format");
   Value::Object asked;
   asked.emplace_back("scene", scene_named(scene, config.json_limits()));
-  if (file.ends_with(".pfm")) asked.emplace_back("format", "pfm");
+  if (named != nullptr) asked.emplace_back("format", named->name);
   for (const Setting& each : parameters) {
     std::erase_if(asked, [&](const auto& member) { return member.first == each.name; });
     asked.emplace_back(each.name, field_from_text<PictureRequest>(each.name, each.text));
@@ -73,8 +88,7 @@ void render_to_file(const std::string& scene, const std::string& file,
   const Studio studio{gallery, none_kept, none_shared,    none_pressed,
                       pool,    long_work, config.limits()};
   const auto request = read_described<PictureRequest>(asked);
-  const std::string_view other = request.format == Format::pfm ? ".png" : ".pfm";
-  if (file.ends_with(other))
+  if (named != nullptr && named->format != request.format)
     throw std::invalid_argument("--format " + std::string(name_of(request.format)) +
                                 " does not go with the file's name " + file);
   Plan plan = plan_of(request, studio, {});

@@ -160,7 +160,7 @@ step_same_bytes() {
   for key in none a d s w; do
     options=()
     [ "$key" = none ] || options+=(--key "$key")
-    for format in png pfm; do same_picture "$key.$format" thesis "${options[@]}"; done
+    for format in png pfm hdr; do same_picture "$key.$format" thesis "${options[@]}"; done
   done
   for options in thesis normal depth albedo object shadow cost; do
     same_picture "$options.pfm" shapes --integrator "$options"

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <atomic>
+#include <utility>
 #include <vector>
 
 #include "core/film/display.h"
@@ -11,12 +12,13 @@
 
 namespace tia {
 
-/// LinearFilm: keeps linear light, unclamped, for PFM and for whoever computes on.
+/// LinearFilm: keeps linear light, unclamped, for PFM, HDR and for whoever computes on.
 class LinearFilm {
  public:
   LinearFilm(int width, int height) : image_(width, height) {}
   void put(const Block& block);
-  const Image& image() const { return image_; }
+  const Image& image() const& { return image_; }
+  Image image() && { return std::move(image_); }
 
  private:
   Image image_;

@@ -234,8 +234,7 @@ Response post_render(const Request& request, const std::string&, Service& servic
 
 Answer picture() {
   Answer answer{.about = "the picture"};
-  for (std::size_t i = 0; i < Names<Format>::names.size(); ++i)
-    answer.contents.push_back({media_type_of(static_cast<Format>(i))});
+  for (const FormatRow& row : formats) answer.contents.push_back({row.media_type});
   answer.headers = {"Server-Timing", "Tia-Rays", "Cache-Control", "ETag", "Cache-Status"};
   return answer;
 }

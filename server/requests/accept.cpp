@@ -115,10 +115,9 @@ bool choose_format(Value& parameters, const Request& request) {
   auto* object = parameters.as<Value::Object>();
   if (object == nullptr || find(*object, "format") != nullptr) return false;
   std::vector<std::string_view> types;
-  for (std::size_t i = 0; i < Names<Format>::names.size(); ++i)
-    types.push_back(media_type_of(static_cast<Format>(i)));
-  const auto chosen = std::find(types.begin(), types.end(), preferred_type(request, types));
-  object->emplace_back("format", name_of(static_cast<Format>(chosen - types.begin())));
+  for (const FormatRow& row : formats) types.push_back(row.media_type);
+  const std::string_view type = preferred_type(request, types);
+  object->emplace_back("format", std::ranges::find(formats, type, &FormatRow::media_type)->name);
   return true;
 }
 

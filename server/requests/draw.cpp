@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/film/film.h"
+#include "core/film/hdr.h"
 #include "core/film/pfm.h"
 #include "core/film/png.h"
 #include "core/film/png_text.h"
@@ -62,7 +63,7 @@ std::int64_t memory_of(const Plan& plan) {
   const auto pixels = static_cast<std::size_t>(plan.window.width()) *
                       static_cast<std::size_t>(plan.window.height());
   return memory_for(memory_cost::request, 1) +
-         memory_for(plan.format == Format::pfm ? memory_cost::linear : memory_cost::png, pixels);
+         memory_for(plan.format == Format::png ? memory_cost::png : memory_cost::linear, pixels);
 }
 
 }  // namespace
@@ -86,10 +87,11 @@ Picture draw(const Plan& plan, const Studio& studio, const std::stop_token& stop
     picture.timing.trace = watch.lap_ms();
     picture.trace_seconds = static_cast<double>(flow.attained - before) * 1e-9;
   };
-  if (plan.format == Format::pfm) {
+  if (plan.format != Format::png) {
     LinearFilm film(width, height);
     trace_onto(film);
-    picture.bytes = encode_pfm(film.image());
+    picture.bytes = plan.format == Format::pfm ? encode_pfm(film.image())
+                                               : encode_hdr(std::move(film).image(), stop);
   } else if (is_cut_in_strips(width, height)) {
     ScanlineFilm film(width, height, plan.display);
     trace_onto(film);

@@ -32,8 +32,4 @@ Window PictureRequest::window() const {
   return {(*crop)[0], (*crop)[1], (*crop)[2], (*crop)[3]};
 }
 
-std::string_view media_type_of(Format format) {
-  return format == Format::pfm ? "image/x-portable-floatmap" : "image/png";
-}
-
 }  // namespace tia::server

@@ -12,13 +12,37 @@
 
 namespace tia::server {
 
-enum class Format { png, pfm };
+enum class Format { png, pfm, hdr };
+
+/// FormatRow: what a format is called, in requests and as a file's ending, and over HTTP.
+struct FormatRow {
+  Format format;
+  std::string_view name, media_type;
+};
+
+/// THE LIST of formats. Of those that a client likes equally well the first is given.
+inline constexpr std::array formats = std::to_array<FormatRow>({
+    {Format::png, "png", "image/png"},
+    {Format::pfm, "pfm", "image/x-portable-floatmap"},
+    {Format::hdr, "hdr", "image/vnd.radiance"},
+});
+static_assert(
+    [] {
+      for (std::size_t i = 0; i < formats.size(); ++i)
+        if (static_cast<std::size_t>(formats[i].format) != i) return false;
+      return true;
+    }(),
+    "the rows stand in the order of the formats, one a format");
 
 }  // namespace tia::server
 
 template <>
 struct tia::Names<tia::server::Format> {
-  static constexpr std::array<std::string_view, 2> names{"png", "pfm"};
+  static constexpr auto names = [] {
+    std::array<std::string_view, server::formats.size()> all;
+    for (std::size_t i = 0; i < all.size(); ++i) all[i] = server::formats[i].name;
+    return all;
+  }();
 };
 
 namespace tia::server {
@@ -44,7 +68,8 @@ struct PictureRequest : TraceRequest {
     visit("transfer", &P::transfer,
           Spec{.about = "curve from linear light to stored codes; else the scene's"});
     visit("format", &P::format,
-          Spec{.about = "png, or pfm for linear light in float; else what Accept prefers"});
+          Spec{.about = "png; for linear light pfm in float, or hdr in Radiance's RGBE; else what "
+                        "Accept prefers"});
     visit("threads", &P::threads,
           Spec{.about = "most threads for this picture; never changes it", .min = 1, .max = 64});
     visit("v", &P::v,
@@ -57,6 +82,8 @@ struct PictureRequest : TraceRequest {
 };
 
 /// "image/png" or the like.
-std::string_view media_type_of(Format format);
+constexpr std::string_view media_type_of(Format format) {
+  return formats[static_cast<std::size_t>(format)].media_type;
+}
 
 }  // namespace tia::server

@@ -88,6 +88,7 @@ std::vector<Asked> requests() {
       {"Linear", 200,
        get("/render?width=16&height=12&format=pfm&samples=2&camera=" +
            url_encode(R"({"fov_degrees":50})"))},
+      {"Radiance", 200, get("/render?width=16&height=12&key=a&format=hdr")},
       {"AllKinds", 200, post("/render", of_all_kinds + "}")},
       {"ByKey", 200, get("/render?scene=prism&key=s&width=6&height=4&samples=1&threshold=0")},
       {"Strips", 200, post("/render", R"({"width":700,"height":560,"scene":{}})")},

@@ -6,6 +6,9 @@
 #include <optional>
 #include <string>
 
+#include "core/film/film.h"
+#include "core/film/hdr.h"
+#include "core/film/pfm.h"
 #include "core/film/png.h"
 #include "core/film/png_text.h"
 #include "core/render/explain.h"
@@ -13,6 +16,7 @@
 #include "server/operation/memory_costs.h"
 #include "server/requests/recipe.h"
 #include "tests/core/film/files.h"
+#include "tests/core/support.h"
 #include "tests/memory/scarce_memory.h"
 #include "tests/server/support.h"
 
@@ -205,6 +209,33 @@ TEST(PictureMemory, IsThreeBytesAPixelAndItsText) {
   if (sanitized()) GTEST_SKIP() << "the sanitizer's pieces are larger";
   EXPECT_LE(use.rest, 3 * pixels + static_cast<long>(file.size()) + 4096);
   EXPECT_LE(use.peak, 9 * pixels + 4 * static_cast<long>(file.size()) + (1 << 20));
+}
+
+// Of noise, whose files are the longest.
+TEST(LinearMemory, IsWithinItsRowForEitherFormat) {
+  const int size = 1024;
+  Random random(5);
+  const auto draw = [&](const auto& encode) {
+    return use_of<std::string>([&] {
+      LinearFilm film(size, size);
+      Block block;
+      block.width = block.height = Block::size;
+      for (block.y = 0; block.y < size; block.y += Block::size)
+        for (block.x = 0; block.x < size; block.x += Block::size) {
+          for (float& component : block.r) component = static_cast<float>(random.unit());
+          block.g = block.b = block.r;
+          film.put(block);
+        }
+      return encode(std::move(film));
+    });
+  };
+  const Use pfm = draw([](LinearFilm film) { return encode_pfm(film.image()); });
+  const Use hdr = draw([](LinearFilm film) { return encode_hdr(std::move(film).image()); });
+  if (sanitized()) GTEST_SKIP() << "the sanitizer's pieces are larger";
+  const std::int64_t most = memory_for(memory_cost::linear, std::size_t{size} * size);
+  EXPECT_LE(pfm.peak, most);
+  EXPECT_LE(hdr.peak, most);
+  EXPECT_LE(hdr.rest, 4.2 * size * size);
 }
 
 // ---- explanations ---------------------------------------------------------------------------

@@ -31,9 +31,9 @@ TEST(CommandLine, HelpNamesEveryOptionItsVariableItsRangeAndDefault) {
 TEST(CommandLine, HelpOfRenderNamesEveryParameter) {
   const Finished end = run({"render", "--help"});
   EXPECT_EQ(end.status, 0);
-  for (const char* part :
-       {"scene", "--key", "--light", "--width", "--height", "--crop", "--integrator", "--transfer",
-        "--format", "--seed", "--threads", "-o", "an integer from 1 to 64", "png, pfm", "srgb"})
+  for (const char* part : {"scene", "--key", "--light", "--width", "--height", "--crop",
+                           "--integrator", "--transfer", "--format", "--seed", "--threads", "-o",
+                           "an integer from 1 to 64", "png, pfm, hdr", "srgb"})
     EXPECT_THAT(end.out, HasSubstr(part));
 }
 

@@ -59,6 +59,12 @@ TEST_F(RenderCommand, GivesPfmToAPfmFileOrWhereAskedFor) {
   EXPECT_TRUE(drawn({"thesis", "--key", "a", "--format", "pfm"}, "picture.dat") == pfm);
 }
 
+TEST_F(RenderCommand, GivesHdrToAnHdrFileOrWhereAskedFor) {
+  const std::string hdr = served("key=a&format=hdr");
+  EXPECT_TRUE(drawn({"thesis", "--key", "a"}, "picture.hdr") == hdr);
+  EXPECT_TRUE(drawn({"thesis", "--key", "a", "--format", "hdr"}, "picture.dat") == hdr);
+}
+
 TEST_F(RenderCommand, ReadsASceneFile) {
   EXPECT_TRUE(drawn({thesis_file, "--key", "a"}) == served("key=a"));
 }
@@ -118,7 +124,7 @@ TEST_F(RenderCommand, ABadParameterExits2NamingItAndItsRange) {
 TEST_F(RenderCommand, AFileOfAnotherKindOfPictureExits2SayingWhichThereAre) {
   const Finished end = run({"render", "thesis", "-o", folder_.file("x.jpg")});
   EXPECT_EQ(end.status, 2);
-  EXPECT_THAT(end.err, HasSubstr("x.jpg, allowed: NAME.png, NAME.pfm, -, or any name with"));
+  EXPECT_THAT(end.err, HasSubstr("x.jpg, allowed: NAME.png, NAME.pfm, NAME.hdr, -, or any"));
 }
 
 TEST_F(RenderCommand, AFileThatCannotBeWrittenExits2NamingIt) {

@@ -232,7 +232,7 @@ TEST(Serve, TheSamePortCanBeHadAgainAtOnce) {
 TEST(Serve, TwoServersGiveTheSameBytes) {
   Tia one({"--port", "0", "--threads", "1"}), other({"--port", "0", "--threads", "5"});
   for (const char* target : {"/render?key=a&width=131&height=97", "/render?key=w&format=pfm",
-                             "/scenes/thesis", "/version", "/"})
+                             "/render?key=w&format=hdr", "/scenes/thesis", "/version", "/"})
     EXPECT_TRUE(one.get(target).body == other.get(target).body) << target;
 }
 

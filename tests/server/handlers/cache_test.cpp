@@ -34,7 +34,8 @@ TEST(PictureTag, IsTheSameForTheSameRequestInOtherWords) {
        "crop=0,0,640,480", "seed=0", "integrator=thesis", "camera=%7B%7D", "v=" + version(),
        "scene=" + whole, "transfer=linear", "threshold=0"},
       {"key=a", "light=-20,20,-10", "light=[-20,20,-10]&scene=thesis", "light=-2e1,20.0,-10"},
-      {"format=pfm", "format=pfm&threads=1"}};
+      {"format=pfm", "format=pfm&threads=1"},
+      {"format=hdr", "format=hdr&threads=1"}};
   std::set<std::string> all;
   for (const auto& group : same) {
     std::set<std::string> tags;
@@ -59,6 +60,7 @@ TEST(PictureTag, IsAnotherForAnotherPicture) {
                                          "width=639",
                                          "height=479",
                                          "format=pfm",
+                                         "format=hdr",
                                          "samples=2",
                                          "seed=1",
                                          "max_depth=1",

@@ -52,7 +52,7 @@ const ParameterRow name_rows[] = {
     {"UnknownKey", R"({"key":"q"})", "unknown-name", "/key", R"("q")", "a, d, s, w"},
     {"EmptyKey", R"({"key":""})", "unknown-name", "/key", R"("")", "a, d, s, w"},
     {"KeyIsCaseSensitive", R"({"key":"A"})", "unknown-name", "/key", R"("A")", "a, d, s, w"},
-    {"UnknownFormat", R"({"format":"pgn"})", "unknown-name", "/format", R"("pgn")", "png, pfm",
+    {"UnknownFormat", R"({"format":"pgn"})", "unknown-name", "/format", R"("pgn")", "png, pfm, hdr",
      "png"},
     {"UnknownTransfer", R"({"transfer":"srbg"})", "unknown-name", "/transfer", R"("srbg")",
      "srgb, linear", "srgb"},

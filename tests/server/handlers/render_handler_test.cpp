@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "tests/core/film/png_chunks.h"
+#include "tests/core/film/radiance_reader.h"
 #include "tests/server/picture_support.h"
 #include "tests/server/support.h"
 
@@ -39,7 +40,7 @@ std::vector<Value> combinations() {
   std::vector<Value> list;
   for (const auto& light : lights)
     for (const Value& scene : {Value(), Value("thesis"), whole})
-      for (const char* format : {"png", "pfm"})
+      for (const char* format : {"png", "pfm", "hdr"})
         for (const char* transfer : {"", "srgb", "linear"}) {
           Value::Object all = light;
           if (scene != Value()) all.emplace_back("scene", scene);
@@ -77,7 +78,7 @@ TEST(RenderHandler, NoParameterIsRequired) {
 
 TEST(RenderHandler, ThreadsNeverChangeTheBytes) {
   for (const char* format : {"width=131&height=97&format=png", "width=131&height=97&format=pfm",
-                             "width=701&height=603&format=png"}) {
+                             "width=131&height=97&format=hdr", "width=701&height=603&format=png"}) {
     const std::string query = std::string("/render?key=a&") + format + "&threads=";
     const std::string one = host().get(query + "1").body;
     for (const char* threads : {"2", "7", "64"})
@@ -139,6 +140,33 @@ TEST(RenderHandler, PfmIsBeforeAnyTransferCurve) {
   const Response response = host().get(picture);
   EXPECT_EQ(response.content_type, "image/x-portable-floatmap");
   EXPECT_TRUE(host().get(picture + "&transfer=srgb").body == response.body);
+}
+
+// To 1/256 of each pixel's largest component, as tests/core/film/hdr_test.cpp derives.
+TEST(RenderHandler, HdrHoldsThePfmBeforeAnyTransferCurve) {
+  const std::string picture = "/render?scene=whitted&width=37&height=23&format=";
+  const Response response = host().get(picture + "hdr");
+  EXPECT_EQ(response.content_type, "image/vnd.radiance");
+  EXPECT_TRUE(host().get(picture + "hdr&transfer=linear").body == response.body);
+  const RadiancePicture hdr = read_radiance(response.body);
+  const auto pfm = decode_pfm(host().get(picture + "pfm").body);
+  ASSERT_EQ(hdr.width, pfm.width);
+  ASSERT_EQ(hdr.height, pfm.height);
+  for (std::size_t i = 0; i < hdr.pixels.size(); ++i) {
+    const float* const light = &pfm.rgb[3 * i];
+    for (std::size_t c = 0; c < 3; ++c)
+      ASSERT_NEAR(component_of(hdr.pixels[i], c), light[c],
+                  std::max({light[0], light[1], light[2]}) / 256);
+  }
+}
+
+// What no ray meets is infinitely far: the largest number that RGBE has.
+TEST(RenderHandler, HdrOfAnInfiniteDepthIsFinite) {
+  const std::string picture = "/render?scene=%7B%7D&integrator=depth&width=4&height=3&format=";
+  EXPECT_EQ(decode_pfm(host().get(picture + "pfm").body).rgb[0],
+            std::numeric_limits<float>::infinity());
+  const RadiancePicture read = read_radiance(host().get(picture + "hdr").body);
+  for (const Rgbe& pixel : read.pixels) EXPECT_EQ(pixel, (Rgbe{255, 255, 255, 255}));
 }
 
 TEST(RenderHandler, AKeyIsTheLightAtItsPlace) {

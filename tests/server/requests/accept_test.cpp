@@ -101,6 +101,9 @@ TEST(ChooseFormat, TakesTheOneOfGreatestWeightAndPngOfEquals) {
        {"image/x-portable-floatmap", "image/x-portable-floatmap, */*;q=0.9",
         "image/png;q=0.1, image/x-portable-floatmap;q=0.2", "image/*, image/png;q=0"})
     EXPECT_EQ(format_for(accept), "pfm") << accept;
+  for (const char* accept : {"image/vnd.radiance", "image/vnd.radiance, */*;q=0.9",
+                             "image/png;q=0.1, image/x-portable-floatmap;q=0.2, image/*;q=0.3"})
+    EXPECT_EQ(format_for(accept), "hdr") << accept;
 }
 
 TEST(ChooseFormat, LeavesAFormatThatIsAskedForAsItIs) {
@@ -125,7 +128,8 @@ TEST(ChooseFormat, RefusesWhoAcceptsNone) {
       ADD_FAILURE() << accept;
     } catch (const HttpError& error) {
       EXPECT_EQ(error.type(), "not-acceptable");
-      EXPECT_THAT(error.detail(), HasSubstr("image/png, image/x-portable-floatmap"));
+      EXPECT_THAT(error.detail(),
+                  HasSubstr("image/png, image/x-portable-floatmap, image/vnd.radiance"));
     }
   }
 }
@@ -134,14 +138,16 @@ constexpr const char* pfm_type = "image/x-portable-floatmap";
 constexpr const char* small_render = "/render?width=8&height=8";
 
 TEST(AcceptOfRender, GivesThePictureThatTheFormatWouldForGetHeadAndPost) {
-  const Headers headers{{"Accept", pfm_type}};
-  const std::string pfm = host().get(std::string(small_render) + "&format=pfm").body;
-  const Response get = host().get(small_render, headers);
-  const Response post = host().ask("POST", "/render", R"({"width":8,"height":8})", headers);
-  EXPECT_EQ(get.content_type, pfm_type);
-  EXPECT_TRUE(get.body == pfm);
-  EXPECT_TRUE(post.body == pfm);
-  EXPECT_EQ(host().ask("HEAD", small_render, "", headers).content_type, pfm_type);
+  for (const auto& [format, type] : {std::pair("pfm", pfm_type), {"hdr", "image/vnd.radiance"}}) {
+    const Headers headers{{"Accept", type}};
+    const std::string bytes = host().get(std::string(small_render) + "&format=" + format).body;
+    const Response get = host().get(small_render, headers);
+    const Response post = host().ask("POST", "/render", R"({"width":8,"height":8})", headers);
+    EXPECT_EQ(get.content_type, type);
+    EXPECT_TRUE(get.body == bytes);
+    EXPECT_TRUE(post.body == bytes);
+    EXPECT_EQ(host().ask("HEAD", small_render, "", headers).content_type, type);
+  }
   for (const char* accept : {"", "*/*", "image/png"})
     EXPECT_EQ(host().get(small_render, {{"Accept", accept}}).content_type, "image/png") << accept;
 }
@@ -160,7 +166,8 @@ TEST(AcceptOfRender, ThatAllowsNoPictureIs406SayingWhatThereIs) {
     EXPECT_EQ(response.status, 406);
     const Problem problem = problem_of(response);
     EXPECT_EQ(problem.type, "/problems/not-acceptable");
-    EXPECT_THAT(problem.detail, HasSubstr("image/png, image/x-portable-floatmap"));
+    EXPECT_THAT(problem.detail,
+                HasSubstr("image/png, image/x-portable-floatmap, image/vnd.radiance"));
   }
 }
 
