@@ -72,7 +72,7 @@ Incoming<Real> from_area(const WorldLight& light, int number, int i, const Vec3<
   return std::visit(
       [&]<class Form>(const Form& form) -> Incoming<Real> {
         if constexpr (AreaForm<Form>) return incoming(form, p, at_u, at_v);
-        else return incoming(form, p);
+        else return incoming_from_middle(form, p);
       },
       light.form);
 }

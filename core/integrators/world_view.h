@@ -51,7 +51,7 @@ struct WorldView {
   }
   template <class Real>
   Incoming<Real> from_middle(const WorldLight& light, const Vec3<Real>& p) const {
-    return std::visit([&](const auto& form) { return incoming(form, p); }, light.form);
+    return std::visit([&](const auto& form) { return incoming_from_middle(form, p); }, light.form);
   }
   template <class Real>
   SurfacePoint<Real> surface_of(const Ray<Real>& ray, const Hit<Real>& hit, int primitive,

@@ -36,7 +36,6 @@ struct DirectionalLight {
 };
 
 struct DirectionalForm {
-  static constexpr bool as_point = false;
   Constant wi;  ///< towards the light, unit
 };
 inline DirectionalForm prepare(const DirectionalLight& light) {

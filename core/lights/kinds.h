@@ -84,18 +84,10 @@ concept SeenLight = ShiningLight<Kind> && requires(const Kind& kind) {
 template <class Kind>
 concept AreaIsSeen = SeenLight<Kind> || !AreaLight<Kind>;
 
-/// A form says whether its middle shines as a point does: then incoming(form, p) is
-/// incoming_from(middle, p), of a light that has a place.
-template <class Kind>
-concept TellsPoint = !ShiningLight<Kind> || requires {
-  { FormOf<Kind>::as_point } -> std::convertible_to<bool>;
-  requires !FormOf<Kind>::as_point || MovableLight<Kind>;
-};
-
 /// What the list asks of a kind.
 template <class Kind>
 concept IsLight = IsKind<Kind> && TellsDistance<Kind> &&
     (BackgroundLight<Kind> != ShiningLight<Kind>)&&MovesAlong<Kind>&& MovesWhollyOrNot<
-        Kind>&& HasAreaWhollyOrNot<Kind>&& AreaIsSeen<Kind>&& TellsPoint<Kind>;
+        Kind>&& HasAreaWhollyOrNot<Kind>&& AreaIsSeen<Kind>;
 
 }  // namespace tia

@@ -30,14 +30,9 @@ struct PointLight {
 };
 
 struct PointForm {
-  static constexpr bool as_point = true;
-  Constant position;
+  Constant middle;
 };
 inline PointForm prepare(const PointLight& light) { return {*light.position}; }
-template <class Real>
-Incoming<Real> incoming(const PointForm& light, const Vec3<Real>& p) {
-  return incoming_from(lift<Real>(light.position), p);
-}
-static_assert(LitForm<PointForm>);
+static_assert(ShinesFromPoint<PointForm>);
 
 }  // namespace tia

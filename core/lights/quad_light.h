@@ -46,17 +46,12 @@ struct QuadLight {
 };
 
 struct QuadForm {
-  static constexpr bool as_point = true;
-  Constant corner, u, v, middle;
+  Constant middle, corner, u, v;
 };
 /// What is seen of it: two triangles.
 Mesh surface(const QuadLight& light);
 inline QuadForm prepare(const QuadLight& light) {
-  return {*light.corner, light.u, light.v, *light.place()};
-}
-template <class Real>
-Incoming<Real> incoming(const QuadForm& light, const Vec3<Real>& p) {
-  return incoming_from(lift<Real>(light.middle), p);
+  return {*light.place(), *light.corner, light.u, light.v};
 }
 /// Even over its area.
 template <class Real>

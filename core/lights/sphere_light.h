@@ -44,17 +44,12 @@ struct SphereLight {
 };
 
 struct SphereForm {
-  static constexpr bool as_point = true;
-  Constant center;
+  Constant middle;
   double radius;
 };
 /// What is seen of it.
 inline Sphere surface(const SphereLight& light) { return {*light.position, light.radius}; }
 inline SphereForm prepare(const SphereLight& light) { return {*light.position, light.radius}; }
-template <class Real>
-Incoming<Real> incoming(const SphereForm& light, const Vec3<Real>& p) {
-  return incoming_from(lift<Real>(light.center), p);
-}
 /// Even over the solid angle of the ball; from within it, from its centre.
 /// Source: Shirley, Wang, "Direct lighting calculation by Monte Carlo integration", 1991: cosines
 /// of the cone are even between 1 and that of its edge.
@@ -62,7 +57,7 @@ template <class Real>
 Incoming<Real> incoming(const SphereForm& light, const Vec3<Real>& p, const Real& u,
                         const Real& v) {
   using std::sqrt;
-  const Incoming<Real> middle = incoming(light, p);
+  const Incoming<Real> middle = incoming_from_middle(light, p);
   const Real radius = lift<Real>(light.radius);
   const Mask<Real> outside = middle.distance > radius;
   const Real sine = select(outside, radius / middle.distance, Real(0)), square = sine * sine;

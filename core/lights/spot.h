@@ -45,7 +45,6 @@ struct SpotLight {
 };
 
 struct SpotForm {
-  static constexpr bool as_point = false;
   Constant position, axis;         ///< the axis away from the light, unit
   double cos_radius, cos_falloff;  ///< cos_falloff <= cos_radius
   double tightness;

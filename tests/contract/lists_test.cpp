@@ -86,12 +86,11 @@ static_assert(!IsTexture<TextureWithoutColor>);
 
 // ---- lights ---------------------------------------------------------------------------------
 
-struct PlainForm {
-  static constexpr bool as_point = false;
-};
+struct PlainForm {};
 Incoming<Wide> incoming(const PlainForm&, const Vec3<Wide>&);
-struct PlaneForm : PlainForm {};  // that shines from an area
-Incoming<Wide> incoming(const PlaneForm&, const Vec3<Wide>&);
+struct PlaneForm {  // that shines from an area
+  Constant middle;
+};
 Incoming<Wide> incoming(const PlaneForm&, const Vec3<Wide>&, const Wide&, const Wide&);
 
 template <class Kind>
@@ -163,10 +162,27 @@ PlaneForm prepare(const SeenArea&);
 Sphere surface(const SeenArea&);
 static_assert(IsLight<SeenArea>);
 
-// Its form says that it is a point, and it has no place.
-struct PlacelessPoint : Near<PlacelessPoint> {};
-PointForm prepare(const PlacelessPoint&);
-static_assert(!IsLight<PlacelessPoint>);
+// Few plain balls are lit by a form's middle, all others by what comes in: they must not differ.
+struct FormOfTwoMinds {
+  Constant middle;
+};
+Incoming<Wide> incoming(const FormOfTwoMinds&, const Vec3<Wide>&);
+static_assert(ShinesFromPoint<FormOfTwoMinds> && !LitForm<FormOfTwoMinds>);
+struct LightOfTwoMinds : Near<LightOfTwoMinds> {};
+FormOfTwoMinds prepare(const LightOfTwoMinds&);
+static_assert(!IsLight<LightOfTwoMinds>);
+
+struct DarkForm {};
+struct LightThatSendsNothing : Near<LightThatSendsNothing> {};
+DarkForm prepare(const LightThatSendsNothing&);
+static_assert(!IsLight<LightThatSendsNothing>);
+
+// A point needs no more than its middle; what is less in some direction is none.
+struct PointWithoutPlace : Near<PointWithoutPlace> {};
+PointForm prepare(const PointWithoutPlace&);
+static_assert(IsLight<PointWithoutPlace>);
+static_assert(ShinesFromPoint<SphereForm> && ShinesFromPoint<QuadForm>);
+static_assert(!ShinesFromPoint<SpotForm> && !ShinesFromPoint<DirectionalForm>);
 
 }  // namespace half
 

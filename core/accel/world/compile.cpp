@@ -16,11 +16,11 @@ constexpr std::size_t few_balls = 16;
 // not.
 constexpr std::size_t few_lights = 64;
 
-// A point as seen from anywhere, whose light does not fade.
+// Whether it shines from one point and does not fade.
 bool is_plain_point(const WorldLight& shining) {
-  const bool point =
-      std::visit([]<class Form>(const Form&) { return Form::as_point; }, shining.form);
-  return point && shining.fade_distance == 0 && shining.places == nullptr;
+  const bool from_point =
+      std::visit([]<class Form>(const Form&) { return ShinesFromPoint<Form>; }, shining.form);
+  return from_point && shining.fade_distance == 0 && shining.places == nullptr;
 }
 
 // Whether it scatters light and does nothing else.
@@ -90,8 +90,9 @@ class Lighting {
   template <ShiningLight Kind>
   void add_shining(Kind kind, const Light& light, const Vec3d& color, const std::string& name) {
     kind.move_by(-world_.origin);
-    WorldLight shining{prepare(kind), {}, color};
-    if constexpr (MovableLight<Kind>) shining.middle = kind.place().value_or(Vec3d{});
+    const auto form = prepare(kind);
+    WorldLight shining{form, {}, color};
+    if constexpr (ShinesFromPoint<FormOf<Kind>>) shining.middle = form.middle;
     if (light.fade_distance) shining.fade_distance = *light.fade_distance;
     shining.fade_power = light.fade_power;
     shining.name = name;

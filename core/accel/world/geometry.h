@@ -26,7 +26,7 @@ namespace tia {
 /// WorldLight: a light that shines on points.
 struct WorldLight {
   LightForm form;
-  Constant middle;           ///< of what has one
+  Constant middle;           ///< of a form that shines from a point (ShinesFromPoint)
   Constant color;            ///< color * intensity
   double fade_distance = 0;  ///< 0: it does not fade
   double fade_power = 0;
