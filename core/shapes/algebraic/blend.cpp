@@ -9,7 +9,8 @@
 namespace tia {
 namespace {
 
-// ---- distance fields: below 0 inside, and outside no farther than the surface is ----------------
+// ---- signed distance functions: below 0 inside, and outside no farther than the surface is
+// ----------------
 
 // Of a box and a cylinder that of their faces; beyond an edge it is nearer than the surface.
 Symbol distance(const Sphere& sphere, const SymbolPoint& p) {
@@ -131,7 +132,7 @@ Aabb bounds(const Blend& blend) {
   return {box.min - Vec3d{more, more, more}, box.max + Vec3d{more, more, more}};
 }
 
-FieldForm prepare(const Blend& blend) {
+IsosurfaceForm prepare(const Blend& blend) {
   ProgramBuilder builder;
   const SymbolPoint p{{&builder, builder.variable(0)},
                       {&builder, builder.variable(1)},
@@ -139,7 +140,7 @@ FieldForm prepare(const Blend& blend) {
   const Symbol f = distance(blend, p);
   const Aabb box = bounds(blend);
   const Vec3d more = box.size() * 0x1p-20;  // the surface must not lie in a face
-  return field_form(builder.program({f.number}), Region{Box{box.min - more, box.max + more}});
+  return isosurface_form(builder.program({f.number}), Region{Box{box.min - more, box.max + more}});
 }
 
 }  // namespace tia

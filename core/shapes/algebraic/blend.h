@@ -1,4 +1,4 @@
-// The blend: solids that grow into one another, by their distance fields.
+// The blend: solids that grow into one another, by their signed distance functions.
 #pragma once
 
 #include <string_view>
@@ -18,10 +18,10 @@ namespace tia {
 
 struct Blended;
 
-/// Blend. Surface: f = 0, f the children's distance fields d joined with a radius r: of a union
-/// max(r, min d) - |max(0, r - d)|, the length of the vector of all; of an intersection that of
-/// the insides turned out; a difference is the first without the others. Where two surfaces meet at
-/// right angles, a quarter of a circle of that radius joins them; farther than r from the others
+/// Blend. Surface: f = 0, f the children's signed distance functions d joined with a radius r: of a
+/// union max(r, min d) - |max(0, r - d)|, the length of the vector of all; of an intersection that
+/// of the insides turned out; a difference is the first without the others. Where two surfaces meet
+/// at right angles, a quarter of a circle of that radius joins them; farther than r from the others
 /// each child is itself. Inside where f < 0.
 /// Space/units: scene units, object space.
 /// Source: Mercury, hg_sdf (2015), fOpUnionRound, for two; here for any number, in any order.
@@ -46,7 +46,7 @@ struct Blend {
                .required = true,
                .min_items = 1});
   }
-  /// More than a field may cost.
+  /// More than a function may cost.
   void check(const Place& at, Faults& faults) const;
   bool operator==(const Blend&) const;
 };
@@ -54,7 +54,7 @@ struct Blend {
 /// Blended: a child of a blend. It wears the blend's material.
 struct Blended {
   static constexpr std::string_view schema_name = "blended";
-  /// THE LIST of what has a distance field (blend.cpp).
+  /// THE LIST of what has a signed distance function (blend.cpp).
   std::variant<Sphere, Box, Cylinder, Capsule, Torus, Implicit, Blend> shape;
   TransformSteps transform;
 
@@ -67,7 +67,7 @@ struct Blended {
   bool operator==(const Blended&) const = default;
 };
 
-FieldForm prepare(const Blend& blend);
+IsosurfaceForm prepare(const Blend& blend);
 /// Without searching for the surface in it.
 Aabb bounds(const Blend& blend);
 

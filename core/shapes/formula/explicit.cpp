@@ -15,13 +15,13 @@ void Explicit::check(const Place& at, Faults& faults) const {
   check_formulas({{"z", z}}, names_of(*this), at, faults);
 }
 
-FieldForm prepare(const Explicit& graph) {
+IsosurfaceForm prepare(const Explicit& graph) {
   ProgramBuilder builder;
   Faults faults;
   const int height = read_formula(graph.z, names_of(graph), {}, builder, faults);
   faults.raise();
   const int f = builder.operation(Op::subtract, builder.variable(variable_z), height);
-  return field_form(builder.program({f}), prepare(graph.bounds));
+  return isosurface_form(builder.program({f}), prepare(graph.bounds));
 }
 
 }  // namespace tia

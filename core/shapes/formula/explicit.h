@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/shapes/formula/field.h"
+#include "core/shapes/formula/isosurface.h"
 
 namespace tia {
 
@@ -34,7 +34,7 @@ struct Explicit {
   bool operator==(const Explicit&) const = default;
 };
 
-FieldForm prepare(const Explicit& graph);
+IsosurfaceForm prepare(const Explicit& graph);
 /// Without searching for the surface in it.
 inline Aabb bounds(const Explicit& graph) { return bounds(prepare(graph.bounds)); }
 

@@ -13,8 +13,8 @@ void Implicit::check(const Place& at, Faults& faults) const {
   check_formulas({{"f", f}}, names_of(*this), at, faults);
 }
 
-FieldForm prepare(const Implicit& implicit) {
-  return field_form(program_of({implicit.f}, names_of(implicit)), prepare(implicit.bounds));
+IsosurfaceForm prepare(const Implicit& implicit) {
+  return isosurface_form(program_of({implicit.f}, names_of(implicit)), prepare(implicit.bounds));
 }
 
 }  // namespace tia

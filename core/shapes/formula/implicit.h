@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/shapes/formula/field.h"
+#include "core/shapes/formula/isosurface.h"
 
 namespace tia {
 
@@ -37,7 +37,7 @@ struct Implicit {
   bool operator==(const Implicit&) const = default;
 };
 
-FieldForm prepare(const Implicit& implicit);
+IsosurfaceForm prepare(const Implicit& implicit);
 /// Without searching for the surface in it.
 inline Aabb bounds(const Implicit& implicit) { return bounds(prepare(implicit.bounds)); }
 

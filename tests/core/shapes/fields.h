@@ -10,8 +10,8 @@ namespace tia::test {
 
 using Parameters = std::map<std::string, double>;
 
-inline FieldForm implicit(const std::string& f, const Bounds& bounds,
-                          const Parameters& parameters = {}) {
+inline IsosurfaceForm implicit(const std::string& f, const Bounds& bounds,
+                               const Parameters& parameters = {}) {
   return prepare(Implicit{f, bounds, parameters});
 }
 

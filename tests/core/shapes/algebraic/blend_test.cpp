@@ -19,7 +19,8 @@ Blend blend_of(Operation operation, double radius, std::vector<Blended> children
   blend.children = std::move(children);
   return blend;
 }
-std::vector<double> crossings_from(const FieldForm& form, const Vec3d& from, const Vec3d& way) {
+std::vector<double> crossings_from(const IsosurfaceForm& form, const Vec3d& from,
+                                   const Vec3d& way) {
   const Vec3d d = normalize(way);
   const double shift = dot(bounds(form).center() - from, d);
   std::vector<double> t;
@@ -33,7 +34,8 @@ TEST(Blend, TwoWallsAtRightAnglesAreJoinedByAQuarterOfACircle) {
   for (int i = 0; i < rounds(20); ++i) {
     const double r = random.in(0.05, 1.5);
     const Box floor{{-4, -4, -4}, {0, 4, 4}}, wall{{-4, -4, -4}, {4, 0, 4}};
-    const FieldForm form = prepare(blend_of(Operation::union_, r, {placed(floor), placed(wall)}));
+    const IsosurfaceForm form =
+        prepare(blend_of(Operation::union_, r, {placed(floor), placed(wall)}));
     // From the circle's middle towards the corner.
     const double angle = random.in(0.01, pi / 2 - 0.01), z = random.in(-2, 2);
     const Vec3d way{-std::cos(angle), -std::sin(angle), 0};
@@ -53,7 +55,7 @@ TEST(Blend, AnIntersectionRoundsItsEdgeOff) {
   for (int i = 0; i < rounds(20); ++i) {
     const double r = random.in(0.05, 1.5);
     const Box floor{{-4, -4, -4}, {0, 4, 4}}, wall{{-4, -4, -4}, {4, 0, 4}};
-    const FieldForm form =
+    const IsosurfaceForm form =
         prepare(blend_of(Operation::intersection, r, {placed(floor), placed(wall)}));
     const double angle = random.in(0.01, pi / 2 - 0.01), z = random.in(-2, 2);
     const Vec3d way{-std::cos(angle), -std::sin(angle), 0};
@@ -67,7 +69,7 @@ TEST(Blend, FarFromTheOthersAChildIsItself) {
   Random random(3);
   for (int i = 0; i < rounds(12); ++i) {
     const Sphere one{{-3, 0, 0}, random.in(0.3, 1)}, other{{3, 0, 0}, random.in(0.3, 1)};
-    const FieldForm form =
+    const IsosurfaceForm form =
         prepare(blend_of(Operation::union_, random.in(0.1, 1), {placed(one), placed(other)}));
     const Vec3d from = random.vector(6, 9) + Vec3d{-3, 0, 0};
     const Vec3d way = one.center + random.vector(0, 0.9 * one.radius) - from;
@@ -93,7 +95,7 @@ TEST(Blend, WithoutARadiusItIsCsg) {
       Faults faults;
       blend.check({}, faults);
       if (!faults.empty()) continue;  // nothing in common
-      const FieldForm form = prepare(blend);
+      const IsosurfaceForm form = prepare(blend);
       const Vec3d from = random.vector(4, 6), d = normalize(random.point(1) - from);
       const double shift = dot(bounds(form).center() - from, d);
       std::vector<double> t;
@@ -117,9 +119,9 @@ TEST(Blend, ManyChildrenJoinInAnyOrder) {
       const Vec3d center = random.point(0.8);
       children.push_back(placed(Sphere{center, random.in(0.3, 0.8)}));
     }
-    const FieldForm form = prepare(blend_of(Operation::union_, 0.4, children));
+    const IsosurfaceForm form = prepare(blend_of(Operation::union_, 0.4, children));
     std::reverse(children.begin(), children.end());
-    const FieldForm other = prepare(blend_of(Operation::union_, 0.4, children));
+    const IsosurfaceForm other = prepare(blend_of(Operation::union_, 0.4, children));
     const Vec3d from = random.vector(4, 6), way = random.point(0.8) - from;
     const auto t = crossings_from(form, from, way), u = crossings_from(other, from, way);
     ASSERT_EQ(t.size(), u.size());
@@ -133,7 +135,7 @@ void expect_itself(const Kind& kind, Random& random) {
   const auto own = prepare(kind);
   const Vec3d moved = random.point(3);
   const double scale = random.in(0.3, 3);
-  const FieldForm form = prepare(
+  const IsosurfaceForm form = prepare(
       blend_of(Operation::union_, 0.3,
                {placed(kind, {Scale{scale}, RotateDegrees{{20, 30, 40}}, Translate{moved}})}));
   const Affine place =

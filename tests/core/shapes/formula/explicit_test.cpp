@@ -10,7 +10,8 @@ namespace {
 
 using namespace test;
 
-FieldForm graph(const std::string& z, const Bounds& bounds, const Parameters& parameters = {}) {
+IsosurfaceForm graph(const std::string& z, const Bounds& bounds,
+                     const Parameters& parameters = {}) {
   return prepare(Explicit{z, bounds, parameters});
 }
 

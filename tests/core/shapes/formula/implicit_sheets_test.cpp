@@ -18,7 +18,7 @@ World world_of_implicit(const Implicit& implicit) {
 // By the form itself, by /all and by the first hit.
 void expect_everywhere(const World& world, const SceneLine& line,
                        const std::vector<double>& expected, double tolerance) {
-  const auto& form = std::get<FieldForm>(world.primitive(0).form);
+  const auto& form = std::get<IsosurfaceForm>(world.primitive(0).form);
   expect_distances(roots_along(form, line), expected, tolerance);
   const Ray<double> ray{line.origin, line.direction};
   std::vector<double> all;
@@ -83,7 +83,7 @@ TEST(ImplicitSheets, ChebyshevSumsHaveAllTheirRoots) {
       expect_everywhere(one, {{-3, y, z}, {1, 0, 0}}, expected, 1e-10);
       expect_everywhere(other, {{-3, y, z}, {1, 0, 0}}, expected, 1e-10);
       expect_distances(
-          roots_along(std::get<FieldForm>(other.primitive(0).form), {{z, -3, y}, {0, 1, 0}}),
+          roots_along(std::get<IsosurfaceForm>(other.primitive(0).form), {{z, -3, y}, {0, 1, 0}}),
           expected, 1e-10);
       roots += n;
     }
@@ -115,7 +115,7 @@ TEST(ImplicitSheets, GyroidHasAllItsRoots) {
   for (const double half : {1.0, pi, 6 * pi, 40 * pi}) {
     const Implicit gyroid{"sin(x)*cos(y)+sin(y)*cos(z)+sin(z)*cos(x)", cube_of(half), {}};
     const World world = world_of_implicit(gyroid);
-    const auto& form = std::get<FieldForm>(world.primitive(0).form);
+    const auto& form = std::get<IsosurfaceForm>(world.primitive(0).form);
     for (int i = 0; i < 60; ++i) {
       const double y = random.in(-half, half), z = random.in(-half, half), start = half + 2;
       std::vector<double> t = gyroid_roots(y, z, -half, half);

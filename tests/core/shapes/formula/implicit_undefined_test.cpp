@@ -144,7 +144,7 @@ TEST(ImplicitRandom, SpansAreWhatADenseMarchFinds) {
   int known = 0, pairs = 0, given_up = 0;
   for (int i = 0; i < rounds(120); ++i) {
     const std::string text = print(*any_tree(random, 2 + random.below(4)), random).text;
-    const FieldForm form = implicit(text, cube_of(2));
+    const IsosurfaceForm form = implicit(text, cube_of(2));
     for (int k = 0; k < 3; ++k) {
       const Vec3d target = random.point(1.5), way = random.direction();
       const SceneLine line{target - way * 8.0, way};
@@ -153,10 +153,10 @@ TEST(ImplicitRandom, SpansAreWhatADenseMarchFinds) {
           sent(bounds(form), line, [&](const Line& l, auto emit) { work = spans(form, l, emit); });
       ASSERT_EQ(ends.size() % 2, 0U) << text;
       const std::vector<double> box = roots_along(Box{{-2, -2, -2}, {2, 2, 2}}, line);
-      const March march{form.field, line, box[0], box[1]};
+      const March march{form.function, line, box[0], box[1]};
       for (std::size_t n = 1; n < ends.size(); ++n) ASSERT_LE(ends[n - 1].t, ends[n].t) << text;
       // Beyond what a line may take its pieces are known by their ends alone.
-      if (work > 3000 * (1 + form.field.cost / 4)) {
+      if (work > 3000 * (1 + form.function.cost / 4)) {
         ++given_up;
         continue;
       }
@@ -187,7 +187,7 @@ TEST(ImplicitWork, IsBoundedWhateverTheFormula) {
            "0*x", "x-x", "sin(1e9*x)^2", "floor(x*1e4)", "abs(sin(1e4*x*y*z))", "1/sin(1e5*x*z)",
            "x^256-y^255", "exp(x*700)-y", "sqrt(sin(1e5*x))", "log(sin(1e5*x+y))", long_sum}) {
     if (sanitized() && formula++ % 4 != 0) continue;
-    const FieldForm form = implicit(f, cube_of(1));
+    const IsosurfaceForm form = implicit(f, cube_of(1));
     std::int64_t most = 0;
     for (int i = 0; i < rounds(5); ++i) {
       const Vec3d origin = random.vector(0, 3), target = random.point(1);
@@ -196,7 +196,7 @@ TEST(ImplicitWork, IsBoundedWhateverTheFormula) {
                                       [&](double, int) { ++count; }));
       EXPECT_LT(count, 100'000u) << f;
     }
-    const std::int64_t per_value = 1 + form.field.cost / 4;
+    const std::int64_t per_value = 1 + form.function.cost / 4;
     EXPECT_LT(most, 250'000 * per_value) << f;
   }
 }

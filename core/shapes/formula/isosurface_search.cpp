@@ -1,16 +1,16 @@
-#include "core/shapes/formula/field_search.h"
+#include "core/shapes/formula/isosurface_search.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "core/shapes/formula/field_root.h"
+#include "core/shapes/formula/isosurface_root.h"
 
 namespace tia::detail {
 namespace {
 
-// What one line may take, in evaluations of eight stretches. One stretch may take a share of what
-// is left, so that nothing far away is lost for what is near, and enough for one jump, until all is
-// spent.
+// The budget of one line, in evaluations of eight stretches. One stretch may take a share of what
+// is left, so that the first ones leave some for those behind, and at least enough to find one
+// jump.
 constexpr int most_eights = 2000, stretch_share = 4, least_eights = 24, last_eights = 8000;
 constexpr std::string_view proven = "interval arithmetic proves the slope to be nowhere 0";
 constexpr std::string_view bisected = "bisected as far as the numbers tell apart";
@@ -18,16 +18,16 @@ constexpr std::string_view touching = "touches 0, to rounding, and turns back";
 
 }  // namespace
 
-// ---- the field along the line ---------------------------------------------------------------
+// ---- the function along the line ---------------------------------------------------------------
 
-double FieldLine::value(double t) const {
+double IsosurfaceLine::value(double t) const {
   const Vec3d p = line_.at(t);
   const std::array<double, 3> variables{p.x, p.y, p.z};
-  return evaluate(field_, variables.data());
+  return evaluate(function_, variables.data());
 }
 
-Dual<Interval<Octet>, 1> FieldLine::over(const Interval<Octet>& t,
-                                         Definedness<Octet>& where) const {
+Dual<Interval<Octet>, 1> IsosurfaceLine::over(const Interval<Octet>& t,
+                                              Definedness<Octet>& where) const {
   using I = Interval<Octet>;
   const Vec3d &o = line_.origin, &d = line_.direction;
   const auto along = [&](double from, double way) {
@@ -35,31 +35,31 @@ Dual<Interval<Octet>, 1> FieldLine::over(const Interval<Octet>& t,
     return Dual<I, 1>{I(from) + I(way) * t, {I(way)}};
   };
   const std::array<Dual<I, 1>, 3> variables{along(o.x, d.x), along(o.y, d.y), along(o.z, d.z)};
-  return evaluate(field_, variables.data(), where);
+  return evaluate(function_, variables.data(), where);
 }
 
-Interval<Octet> FieldLine::at(const Octet& t, Definedness<Octet>& where) const {
+Interval<Octet> IsosurfaceLine::at(const Octet& t, Definedness<Octet>& where) const {
   using I = Interval<Octet>;
   const Vec3d &o = line_.origin, &d = line_.direction;
   const auto along = [&](double from, double way) {
     return way == 0 ? I(from) : I(from) + I(way) * I(t, t);
   };
   const std::array<I, 3> variables{along(o.x, d.x), along(o.y, d.y), along(o.z, d.z)};
-  return evaluate(field_, variables.data(), where);
+  return evaluate(function_, variables.data(), where);
 }
 
 // ---- pieces of the line ---------------------------------------------------------------------
 
-/// Piece: a stretch of the line and what is known of the field there.
-struct FieldSearch::Piece {
+/// Piece: a stretch of the line with what is known of the function there.
+struct IsosurfaceSearch::Piece {
   enum Kind { outside, inside, monotone, unknown, least } kind = unknown;
   double from = 0, to = 0;
   bool smooth = false;
 };
 
-/// Pieces: a stack of those that wait, the nearest on top. Eight come for each that goes, down to
-/// 2^-42 of the first.
-class FieldSearch::Pieces {
+/// Pieces: a stack of pieces to be searched, the nearest on top. One is replaced by eight; the
+/// smallest are 2^-42 of the first.
+class IsosurfaceSearch::Pieces {
  public:
   bool empty() const { return count_ == 0; }
   void push(const Piece& piece) { all_[count_++] = piece; }
@@ -71,13 +71,13 @@ class FieldSearch::Pieces {
 };
 
 /// Eight: what intervals say of eight stretches.
-struct FieldSearch::Eight {
+struct IsosurfaceSearch::Eight {
   Octet low, high;  ///< f
-  Octet noise;      ///< what f is rounded by
+  Octet noise;      ///< a bound of the rounding error of f
   Octet slope_low, slope_high;
   Definedness<Octet> where;
 
-  Eight(const FieldLine& along, const Interval<Octet>& t) {
+  Eight(const IsosurfaceLine& along, const Interval<Octet>& t) {
     const auto over = along.over(t, where);
     const Octet middle = t.middle();
     Definedness<Octet> there;
@@ -86,7 +86,7 @@ struct FieldSearch::Eight {
         value + over.slope[0] * Interval<Octet>(interval::down(Octet(t.lo - middle)),
                                                 interval::up(Octet(t.hi - middle)));
     where.whole = where.whole && there.whole;
-    // By the mean value theorem; a comparison with NaN leaves the field's own interval.
+    // By the mean value theorem; a comparison with NaN leaves the function's own interval.
     low = select(where.whole, max_of(range.lo, over.value.lo), over.value.lo);
     high = select(where.whole, min_of(range.hi, over.value.hi), over.value.hi);
     noise = value.width();
@@ -108,22 +108,23 @@ struct FieldSearch::Eight {
 
 // ---- the search -----------------------------------------------------------------------------
 
-FieldSearch::FieldSearch(const Program& field, const Line& line, double reach,
-                         FieldListener& listener, bool brackets_alone)
-    : along_(field, line), listener_(listener), brackets_alone_(brackets_alone) {
+IsosurfaceSearch::IsosurfaceSearch(const Program& function, const Line& line, double reach,
+                                   IsosurfaceListener& listener, bool brackets_alone)
+    : along_(function, line), listener_(listener), brackets_alone_(brackets_alone) {
   const Vec3d& o = line.origin;
   const double size = std::max({reach, std::fabs(o.x), std::fabs(o.y), std::fabs(o.z)});
   tolerance_ = 0x1p-52 * size;
   least_ = 0x1p-40 * reach;
 }
 
-std::int64_t FieldSearch::work() const {
+std::int64_t IsosurfaceSearch::work() const {
   return (std::int64_t(values_) + 12 * std::int64_t(eights_)) * (1 + along_.cost() / 4);
 }
 
-// Where the field is smooth it lies between two parallel planes: what of the stretch is beyond them
-// has no root and a known sign.
-bool FieldSearch::visit(const FieldCell& cell, const Vec3d& start, double in, double out) {
+// Where the function is smooth, its roots lie between two parallel planes. What of the stretch is
+// beyond them has no root and a known sign.
+bool IsosurfaceSearch::visit(const IsosurfaceCell& cell, const Vec3d& start, double in,
+                             double out) {
   const double from = std::max(in, searched_);
   if (!(from <= out)) return true;
   searched_ = out;
@@ -139,7 +140,7 @@ bool FieldSearch::visit(const FieldCell& cell, const Vec3d& start, double in, do
   const Vec3d spread = static_cast<Vec3d>(cell.spread);
   const double other = dot(spread, upper(d, -d)) * (1 + 0x1p-40);
   if (!(std::fabs(slope) > other)) {
-    // Too far from 0 in the middle to get there.
+    // The middle is farther from 0 than the function changes up to the ends.
     ++values_;
     const double farthest = (std::fabs(slope) + other) * (b - a) / 2;
     if (std::fabs(along_.value((a + b) / 2)) > farthest + cell.slack * 0x1p-20) return true;
@@ -152,7 +153,7 @@ bool FieldSearch::visit(const FieldCell& cell, const Vec3d& start, double in, do
   return cross_once(a, b, inside_a, inside_b, root, proven);
 }
 
-bool FieldSearch::part(double from, double to) {
+bool IsosurfaceSearch::part(double from, double to) {
   const int share = std::max(least_eights, (most_eights - eights_) / stretch_share);
   const int most = std::min(eights_ + share, last_eights);
   Pieces waiting;
@@ -165,7 +166,7 @@ bool FieldSearch::part(double from, double to) {
   return true;
 }
 
-void FieldSearch::part(const Piece& piece, Pieces& waiting) {
+void IsosurfaceSearch::part(const Piece& piece, Pieces& waiting) {
   ++eights_;
   std::array<double, 9> knots;
   for (std::size_t i = 0; i < 9; ++i)
@@ -181,7 +182,7 @@ void FieldSearch::part(const Piece& piece, Pieces& waiting) {
   }
 }
 
-bool FieldSearch::finish(const Piece& piece) {
+bool IsosurfaceSearch::finish(const Piece& piece) {
   switch (piece.kind) {
     case Piece::outside: return settle(piece.from, false);
     case Piece::inside: return settle(piece.from, true);
@@ -194,7 +195,7 @@ bool FieldSearch::finish(const Piece& piece) {
   }
 }
 
-bool FieldSearch::finish_least(const Piece& piece) {
+bool IsosurfaceSearch::finish_least(const Piece& piece) {
   const bool inside_from = inside_at(piece.from), inside_to = inside_at(piece.to);
   if (inside_from != inside_to && !piece.smooth && !vanishes(piece))
     return settle(piece.from, inside_from) && settle(piece.to, inside_to);
@@ -209,9 +210,10 @@ bool FieldSearch::finish_least(const Piece& piece) {
   return tell({middle, !inside_from, true, bracket}) && tell({middle, inside_from, true, bracket});
 }
 
-// Whether the field is next to nothing at a piece's ends, by what it is a little farther on: so a
-// root is told from a jump, and touching from what intervals could not tell, like 0 / 0.
-bool FieldSearch::vanishes(const Piece& piece) {
+// Whether the function is nearly 0 at a piece's ends, compared with its values a little beyond
+// them. That tells a root from a jump, and a touched 0 from where intervals prove nothing, as at 0
+// / 0.
+bool IsosurfaceSearch::vanishes(const Piece& piece) {
   constexpr double far = 0x1p20, share = 0x1p-10;
   values_ += 4;
   const double middle = (piece.from + piece.to) / 2, off = least_ * far;
@@ -221,30 +223,30 @@ bool FieldSearch::vanishes(const Piece& piece) {
          size_at(piece.to) <= share * around;
 }
 
-// Where the field only rises or only falls.
-bool FieldSearch::cross_once(double from, double to, bool inside_from, bool inside_to, double guess,
-                             std::string_view how) {
+// Domain: a stretch in which the function is monotonic.
+bool IsosurfaceSearch::cross_once(double from, double to, bool inside_from, bool inside_to,
+                                  double guess, std::string_view how) {
   if (!settle(from, inside_from)) return false;
   if (inside_from == inside_to) return true;
   const Bracketed<double> in{from, to, guess, inside_from, tolerance_};
   const Bracket bracket{from, to, how};
   if (brackets_alone_) return tell({guess, inside_to, true, bracket, tolerance_});
-  return tell({root_of(along_.field(), along_.line(), in), inside_to, true, bracket});
+  return tell({root_of(along_.function(), along_.line(), in), inside_to, true, bracket});
 }
 
-bool FieldSearch::settle(double t, bool inside) {
+bool IsosurfaceSearch::settle(double t, bool inside) {
   if (told_ && inside == inside_) return true;
   return tell({t, inside, false, {}});
 }
-bool FieldSearch::tell(const FieldEvent& event) {
+bool IsosurfaceSearch::tell(const IsosurfaceEvent& event) {
   told_ = true;
   inside_ = event.inside;
-  return listener_.hear(event);
+  return listener_.on_event(event);
 }
 
 // At the start of a cell: between cells nothing changes.
-bool FieldSearch::inside_before(double t) { return told_ ? inside_ : inside_at(t); }
-bool FieldSearch::inside_at(double t) {
+bool IsosurfaceSearch::inside_before(double t) { return told_ ? inside_ : inside_at(t); }
+bool IsosurfaceSearch::inside_at(double t) {
   if (t == known_t_) return known_inside_;
   ++values_;
   known_t_ = t;

@@ -1,4 +1,4 @@
-// The root of a field in a bracket, on one line or on eight.
+// The root of a function in a bracket, on one line or on eight.
 #pragma once
 
 #include "core/formulas/program.h"
@@ -6,27 +6,28 @@
 
 namespace tia::detail {
 
-/// Bracketed: the stretch of a line in which a field changes its sign once, and where about.
+/// Bracketed: a stretch of a line in which a function changes its sign once, and a guess of where.
 template <class Real>
 struct Bracketed {
   Real from, to, guess;
-  Mask<Real> inside_from;  ///< whether the field is below 0 before its root
-  Real tolerance;          ///< how far off the root may be where halves alone lead to it
+  Mask<Real> inside_from;  ///< whether the function is below 0 before the root
+  Real tolerance;          ///< how far off the root may be where it is found by bisection alone
 };
 
-/// The field and how it changes along the line.
+/// The function and its derivative along the line.
 template <class Real>
-Dual<Real, 1> value_and_slope(const Program& field, const Ray<Real>& line, const Real& t) {
+Dual<Real, 1> value_and_slope(const Program& function, const Ray<Real>& line, const Real& t) {
   using D = Dual<Real, 1>;
   const Vec3<Real> p = line.at(t), &d = line.direction;
   const std::array<D, 3> variables{D{p.x, {d.x}}, D{p.y, {d.y}}, D{p.z, {d.z}}};
-  return evaluate(field, variables.data());
+  return evaluate(function, variables.data());
 }
 
-/// Newton's steps within a bracket that they shrink; its half where they lead out of it.
-/// Source: Press et al., Numerical Recipes (2007), 9.4, rtsafe.
+/// Newton's method within a bracket, which shrinks with each step; bisection where a step leaves
+/// the bracket or converges too slowly. Source: Press et al., Numerical Recipes (2007), 9.4,
+/// rtsafe.
 template <class Real>
-Real root_of(const Program& field, const Ray<Real>& line, const Bracketed<Real>& in) {
+Real root_of(const Program& function, const Ray<Real>& line, const Bracketed<Real>& in) {
   constexpr int most_steps = 120;
   const Real half(0.5);
   Real from = in.from, to = in.to, last = to - from;
@@ -35,7 +36,7 @@ Real root_of(const Program& field, const Ray<Real>& line, const Bracketed<Real>&
   Real t = select(in.guess > from && in.guess < to, in.guess, (from + to) * half);
   Mask<Real> done = !(from <= to);  // NaN
   for (int i = 0; i < most_steps && any(!done); ++i) {
-    const auto [value, slope] = value_and_slope(field, line, t);
+    const auto [value, slope] = value_and_slope(function, line, t);
     const Mask<Real> zero = value == Real(0.0);
     const Mask<Real> before = (value < Real(0.0)) == in.inside_from;
     from = select(before, t, from);

@@ -1,35 +1,36 @@
-#include "core/shapes/formula/field.h"
+#include "core/shapes/formula/isosurface.h"
 
 #include <bit>
 #include <cmath>
 
-#include "core/shapes/formula/field_root.h"
-#include "core/shapes/formula/field_search.h"
 #include "core/shapes/formula/gradient.h"
+#include "core/shapes/formula/isosurface_root.h"
+#include "core/shapes/formula/isosurface_search.h"
 
 namespace tia {
 
-FieldForm field_form(Program field, const Region& region) {
-  FieldForm form{std::move(field), region, nullptr};
-  form.cells = std::make_shared<const FieldCells>(cells_of(form.field, region));
+IsosurfaceForm isosurface_form(Program function, const Region& region) {
+  IsosurfaceForm form{std::move(function), region, nullptr};
+  form.cells = std::make_shared<const IsosurfaceCells>(cells_of(form.function, region));
   return form;
 }
 
-bool detail::is_inside(const FieldForm& form, const Vec3d& p) {
-  return FieldLine(form.field, {p, {0, 0, 0}}).value(0) < 0;
+bool detail::is_inside(const IsosurfaceForm& form, const Vec3d& p) {
+  return IsosurfaceLine(form.function, {p, {0, 0, 0}}).value(0) < 0;
 }
 
-// `enough` ends the search between cells and never cuts one, so that it moves no root's last bit.
-std::int64_t detail::follow(const FieldForm& form, const Line& line, const FieldStretch& stretch,
-                            FieldListener& listener) {
+// The search ends at `enough` only between cells: to cut one would change the last bits of its
+// roots.
+std::int64_t detail::follow(const IsosurfaceForm& form, const Line& line,
+                            const IsosurfaceStretch& stretch, IsosurfaceListener& listener) {
   const double from = stretch.from, to = stretch.to;
-  FieldSearch search(form.field, line, std::max(std::fabs(from), std::fabs(to)), listener,
-                     stretch.brackets_alone);
+  IsosurfaceSearch search(form.function, line, std::max(std::fabs(from), std::fabs(to)), listener,
+                          stretch.brackets_alone);
   const Vec3d start = line.origin - form.cells->tree.middle;
   const std::int64_t nodes = traverse(
       form.cells->tree, line, from, to, [&](std::uint32_t leaf, double in, double out, double end) {
         if (in > stretch.enough) return -Aabb::far;
-        const FieldCell& cell = form.cells->cells[leaf];
+        const IsosurfaceCell& cell = form.cells->cells[leaf];
         return search.visit(cell, start, in, out) ? end : -Aabb::far;
       });
   return 4 * nodes + search.work();
@@ -40,12 +41,12 @@ namespace {
 // The first crossing beyond `after`, or what brackets it.
 class FirstEvent {
  public:
-  FirstEvent(const FieldForm& form, const Line& line, double after, double before,
+  FirstEvent(const IsosurfaceForm& form, const Line& line, double after, double before,
              bool brackets_alone) {
     const Chord within = chord(form.region, line);
     const double from = std::max(within.in.t, after);
     if (within.empty() || !(from <= std::min(within.out.t, before))) return;
-    detail::Hearing listener([&](const FieldEvent& event) {
+    detail::CallbackListener listener([&](const IsosurfaceEvent& event) {
       const double last = event.tolerance < 0 ? event.t : event.bracket.to;
       found = event.is_root && last > after;
       if (found) root = event;
@@ -55,25 +56,25 @@ class FirstEvent {
   }
 
   bool found = false;
-  FieldEvent root;
+  IsosurfaceEvent root;
   std::int64_t work = 0;
 };
 
-/// EightBrackets: of those lanes whose root is yet to be found.
+/// EightBrackets: the brackets of the lanes whose roots are not yet found.
 class EightBrackets {
  public:
-  void set(std::size_t lane, const FieldEvent& event) {
+  void set(std::size_t lane, const IsosurfaceEvent& event) {
     const std::array<double, 4> all{event.bracket.from, event.bracket.to, event.t, event.tolerance};
     for (std::size_t k = 0; k < all.size(); ++k) parts_[k][lane] = all[k];
     open_ |= 1U << lane;
     if (!event.inside) inside_from_ |= 1U << lane;
   }
   unsigned open() const { return open_; }
-  Octet roots(const Program& field, const Ray<Octet>& line) const {
+  Octet roots(const Program& function, const Ray<Octet>& line) const {
     const auto of = [&](std::size_t k) { return Octet::load_unaligned(parts_[k].data()); };
     const Octet nowhere(std::numeric_limits<double>::quiet_NaN());
     return detail::root_of<Octet>(
-        field, line,
+        function, line,
         {select(mask_of(open_), of(0), nowhere), of(1), of(2), mask_of(inside_from_), of(3)});
   }
 
@@ -84,7 +85,7 @@ class EightBrackets {
 
 }  // namespace
 
-EightCrossings first_crossings(const FieldForm& form, const EightLines& eight) {
+EightCrossings first_crossings(const IsosurfaceForm& form, const EightLines& eight) {
   EightCrossings all;
   EightBrackets brackets;
   const auto search = [&](int i, bool brackets_alone) {
@@ -98,11 +99,11 @@ EightCrossings first_crossings(const FieldForm& form, const EightLines& eight) {
   for (unsigned left = eight.wanted; left != 0; left &= left - 1)
     search(std::countr_zero(left), true);
   if (brackets.open() != 0) {
-    const Octet t = brackets.roots(form.field, eight.line);
+    const Octet t = brackets.roots(form.function, eight.line);
     for (unsigned left = brackets.open(); left != 0; left &= left - 1) {
       const int i = std::countr_zero(left);
       all.t[static_cast<std::size_t>(i)] = lane(t, i);
-      // Of a bracket that holds `after` the root may come before that.
+      // Where a bracket contains `after`, the root may be before it.
       if (!(lane(t, i) > lane(eight.after, i))) search(i, false);
     }
   }
@@ -116,29 +117,31 @@ EightCrossings first_crossings(const FieldForm& form, const EightLines& eight) {
 namespace {
 
 template <class Real>
-Vec3<Real> direction_of_gradient(const Program& field, const Vec3<Real>& p) {
+Vec3<Real> direction_of_gradient(const Program& function, const Vec3<Real>& p) {
   using D = Dual<Real, 3>;
   const std::array<D, 3> at{D::variable(p.x, 0), D::variable(p.y, 1), D::variable(p.z, 2)};
-  return direction_of(evaluate(field, at.data()).slope);
+  return direction_of(evaluate(function, at.data()).slope);
 }
 
 }  // namespace
 
-Vec3d normal(const FieldForm& form, const Vec3d& p, int element) {
-  return element > 0 ? normal(form.region, p, element - 1) : direction_of_gradient(form.field, p);
+Vec3d normal(const IsosurfaceForm& form, const Vec3d& p, int element) {
+  return element > 0 ? normal(form.region, p, element - 1)
+                     : direction_of_gradient(form.function, p);
 }
-Vec3<Octet> normals(const FieldForm& form, const Vec3<Octet>& p) {
-  return direction_of_gradient(form.field, p);
+Vec3<Octet> normals(const IsosurfaceForm& form, const Vec3<Octet>& p) {
+  return direction_of_gradient(form.function, p);
 }
 
-Vec2d uv(const FieldForm& form, const Vec3d& p, int element) {
+Vec2d uv(const IsosurfaceForm& form, const Vec3d& p, int element) {
   if (element > 0) return uv(form.region, p, element - 1);
   return longitude_latitude(p - bounds(form.region).center());
 }
 
-std::size_t heap_bytes(const FieldForm& form) {
-  return heap_bytes(form.field.instructions) + heap_bytes(form.field.results) + 2 * heap_block +
-         sizeof(FieldCells) + heap_bytes(form.cells->tree.nodes) + heap_bytes(form.cells->cells);
+std::size_t heap_bytes(const IsosurfaceForm& form) {
+  return heap_bytes(form.function.instructions) + heap_bytes(form.function.results) +
+         2 * heap_block + sizeof(IsosurfaceCells) + heap_bytes(form.cells->tree.nodes) +
+         heap_bytes(form.cells->cells);
 }
 
 }  // namespace tia

@@ -1,40 +1,40 @@
-// The search for a field's roots along one line, cell by cell.
+// The search for the roots of a function along one line, cell by cell.
 #pragma once
 
-#include "core/shapes/formula/field_form.h"
+#include "core/shapes/formula/isosurface_form.h"
 
 namespace tia::detail {
 
-/// FieldLine: a field along a line.
-class FieldLine {
+/// IsosurfaceLine: a function along a line.
+class IsosurfaceLine {
  public:
-  FieldLine(const Program& field, const Line& line) : field_(field), line_(line) {}
+  IsosurfaceLine(const Program& function, const Line& line) : function_(function), line_(line) {}
 
   double value(double t) const;
   /// Over eight stretches of the line at once. Space/units: stretches ascending in t.
   Dual<Interval<Octet>, 1> over(const Interval<Octet>& t, Definedness<Octet>& where) const;
   Interval<Octet> at(const Octet& t, Definedness<Octet>& where) const;
-  const Program& field() const { return field_; }
+  const Program& function() const { return function_; }
   const Line& line() const { return line_; }
   const Vec3d& direction() const { return line_.direction; }
-  int cost() const { return field_.cost; }
+  int cost() const { return function_.cost; }
 
  private:
-  const Program& field_;
+  const Program& function_;
   const Line& line_;
 };
 
-class FieldSearch {
+class IsosurfaceSearch {
  public:
   /// Space/units: `reach` is how far from the line's origin the search goes. With `brackets_alone`
   /// roots are told of that are bracketed and not yet found.
-  FieldSearch(const Program& field, const Line& line, double reach, FieldListener& listener,
-              bool brackets_alone);
+  IsosurfaceSearch(const Program& function, const Line& line, double reach,
+                   IsosurfaceListener& listener, bool brackets_alone);
 
-  /// Searches the line's stretch within a cell, but for what has been searched before; cells come
-  /// in the order of the line. Space/units: `start` is the line's origin less the cells' middle.
+  /// Searches the part of the line in a cell, less what has been searched already; cells come in
+  /// the order of the line. Space/units: `start` is the line's origin less the cells' middle.
   /// Returns: whether to go on.
-  bool visit(const FieldCell& cell, const Vec3d& start, double in, double out);
+  bool visit(const IsosurfaceCell& cell, const Vec3d& start, double in, double out);
   /// In tests of a sphere, roughly.
   std::int64_t work() const;
 
@@ -50,13 +50,13 @@ class FieldSearch {
   bool finish(const Piece& piece);
   bool finish_least(const Piece& piece);
   bool vanishes(const Piece& piece);
-  bool tell(const FieldEvent& event);
+  bool tell(const IsosurfaceEvent& event);
   bool settle(double t, bool inside);
   bool inside_before(double t);
   bool inside_at(double t);
 
-  FieldLine along_;
-  FieldListener& listener_;
+  IsosurfaceLine along_;
+  IsosurfaceListener& listener_;
   bool brackets_alone_;
   double tolerance_;  ///< of roots
   double least_;      ///< a stretch that is parted no further

@@ -1,4 +1,4 @@
-#include "core/shapes/formula/field_cells.h"
+#include "core/shapes/formula/isosurface_cells.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,9 +14,9 @@ using Box8 = std::array<Interval<Octet>, 3>;
 using Slopes = Dual<Interval<Octet>, 3>;
 
 constexpr std::size_t most_field_cells = 1 << 16;
-// By what part of the whole region's size every box is walked beyond itself, and by twice that
-// proven: so neighbours overlap, a node by no more than its children, and rounding leads no line
-// out of what is proven.
+// Boxes are traversed enlarged by this share of the region's size, and what is said of them is
+// proven for twice the enlargement. So neighbours overlap, and a line cannot pass between two of
+// them by rounding, nor leave what is proven.
 constexpr double walked_room = 0x1p-19;
 
 struct Pending {
@@ -56,7 +56,7 @@ bool beyond(const Region& region, const Aabb& box) {
   return dot(apart, apart) > ball->radius * ball->radius * (1 + 1e-9);
 }
 
-/// What eight boxes hold of the field.
+/// Bounds of the function in eight boxes.
 struct EightBoxes {
   Octet low, high;     // f
   Octet value, error;  // f at the middles
@@ -66,14 +66,14 @@ struct EightBoxes {
 
 class CellBuilder {
  public:
-  CellBuilder(const Program& field, const Region& region)
-      : field_(field), region_(region), box_(bounds(region)) {
+  CellBuilder(const Program& function, const Region& region)
+      : function_(function), region_(region), box_(bounds(region)) {
     all_.tree.middle = box_.center();
     const Vec3d size = box_.size();
     room_ = walked_room * std::max({size.x, size.y, size.z});
   }
 
-  FieldCells build() {
+  IsosurfaceCells build() {
     const Vec3d middle = all_.tree.middle;
     pending_.push_back({{box_.min - middle, box_.max - middle}, 0, 0});
     all_.tree.nodes.emplace_back();
@@ -91,22 +91,23 @@ class CellBuilder {
  private:
   void split(const Pending& from) {
     const std::array<Aabb, 8> parts = eighths(from.box);
-    cost_ += field_.cost;
+    cost_ += function_.cost;
     const EightBoxes eight = proven(parts);
     const unsigned some = bits(eight.where.some), whole = bits(eight.where.whole);
     const unsigned above = bits(eight.low > Octet(0)), below = bits(eight.high < Octet(0));
-    // What is below 0 where it is defined and undefined elsewhere has an edge, for solids.
+    // A box in which f is below 0 where it is defined, but not defined everywhere, bounds the
+    // solid.
     const unsigned held = some & ~above & ~(below & whole);
     for (std::size_t i = 0; i < 8; ++i) {
       if ((held >> i & 1) == 0 || beyond(region_, absolute(parts[i]))) continue;
-      const FieldCell cell = cell_of(eight, i, (whole >> i & 1) != 0, parts[i]);
+      const IsosurfaceCell cell = cell_of(eight, i, (whole >> i & 1) != 0, parts[i]);
       put(parts[i], cell, from);
     }
   }
   Aabb absolute(const Aabb& box) const {
     return {box.min + all_.tree.middle, box.max + all_.tree.middle};
   }
-  void put(const Aabb& box, const FieldCell& cell, const Pending& from) {
+  void put(const Aabb& box, const IsosurfaceCell& cell, const Pending& from) {
     const bool is_one = is_flat(cell);
     const Aabb walked = with_room(box, room_);
     if (is_one || from.level + 1 == detail::most_tree_levels || full()) {
@@ -122,11 +123,11 @@ class CellBuilder {
   }
   bool full() const {
     const std::size_t to_come = 8 * (pending_.size() + 1);
-    const double cost = cost_ + field_.cost * static_cast<double>(pending_.size() + 1);
+    const double cost = cost_ + function_.cost * static_cast<double>(pending_.size() + 1);
     return all_.cells.size() + to_come > most_field_cells || cost > detail::most_tree_cost;
   }
-  static bool is_flat(const FieldCell& cell) {
-    // Their squares might vanish or overflow.
+  static bool is_flat(const IsosurfaceCell& cell) {
+    // Scaled first, for their squares might underflow or overflow.
     const Vec3d spread = static_cast<Vec3d>(cell.spread), g = cell.gradient;
     const double steepest = std::max({std::fabs(g.x), std::fabs(g.y), std::fabs(g.z)});
     const double scale = 1 / steepest;
@@ -134,7 +135,7 @@ class CellBuilder {
            length(spread * scale) <= detail::flat_enough * length(g * scale);
   }
 
-  // The field over boxes, by its own intervals and by those of its slopes around the middle.
+  // The function over boxes, by its own intervals and by those of its slopes around the middle.
   EightBoxes proven(const std::array<Aabb, 8>& parts) const {
     std::array<Slopes, 3> variables;
     Box8 middles;
@@ -153,9 +154,9 @@ class CellBuilder {
       middles[a] = {center, center};
       eight.reach[a] = interval::up(max_of(Octet(high - center), Octet(center - low)));
     }
-    const Slopes whole = evaluate(field_, variables.data(), eight.where);
+    const Slopes whole = evaluate(function_, variables.data(), eight.where);
     Definedness<Octet> at_middles;
-    const Interval<Octet> value = evaluate(field_, middles.data(), at_middles);
+    const Interval<Octet> value = evaluate(function_, middles.data(), at_middles);
     eight.value = value.middle();
     eight.error = interval::up(Octet(value.width()));
     Octet most = eight.error;
@@ -165,7 +166,7 @@ class CellBuilder {
       most = interval::up(Octet(
           most + interval::up(Octet((abs_of(eight.slope[a]) + eight.spread[a]) * eight.reach[a]))));
     }
-    // A comparison with NaN, where slopes are unbounded, leaves the field's own interval.
+    // A comparison with NaN, where slopes are unbounded, leaves the function's own interval.
     const auto trusted = eight.where.whole && at_middles.whole;
     eight.low = select(trusted, max_of(Octet(eight.value - most), whole.value.lo), whole.value.lo);
     eight.high = select(trusted, min_of(Octet(eight.value + most), whole.value.hi), whole.value.hi);
@@ -173,13 +174,13 @@ class CellBuilder {
     return eight;
   }
 
-  FieldCell cell_of(const EightBoxes& eight, std::size_t lane_number, bool whole,
-                    const Aabb& box) const {
+  IsosurfaceCell cell_of(const EightBoxes& eight, std::size_t lane_number, bool whole,
+                         const Aabb& box) const {
     const int i = static_cast<int>(lane_number);
     const auto of = [&](const std::array<Octet, 3>& each) {
       return Vec3d{lane(each[0], i), lane(each[1], i), lane(each[2], i)};
     };
-    FieldCell cell;
+    IsosurfaceCell cell;
     const Vec3d spread = of(eight.spread), reach = of(eight.reach);
     cell.gradient = of(eight.slope);
     const double value = lane(eight.value, i);
@@ -192,18 +193,18 @@ class CellBuilder {
     return cell;
   }
 
-  const Program& field_;
+  const Program& function_;
   const Region& region_;
   Aabb box_;
-  FieldCells all_;
+  IsosurfaceCells all_;
   std::deque<Pending> pending_;
   double cost_ = 0, room_ = 0;
 };
 
 }  // namespace
 
-FieldCells cells_of(const Program& field, const Region& region) {
-  return CellBuilder(field, region).build();
+IsosurfaceCells cells_of(const Program& function, const Region& region) {
+  return CellBuilder(function, region).build();
 }
 
 }  // namespace tia
