@@ -61,8 +61,8 @@ Vec3<Real> Integrator<IntegratorName::shadow>::radiance(WorldView& world_view, c
   if (lights.empty() || !any(isect.here)) return {Real(1), Real(1), Real(1)};
   Real lit(0);
   for (const WorldLight& light : lights) {
-    const auto from = world_view.from_middle(light, isect.at.p);
-    lit = lit + from_place(world_view, light, from, isect, ray.direction, {}).visible;
+    const auto middle = world_view.sample_middle(light, isect.at.p);
+    lit = lit + estimate_direct(world_view, light, middle, isect, ray.direction, {}).visible;
   }
   const Real share = select(isect.here, lit / Real(static_cast<float>(lights.size())), Real(1));
   return {share, share, share};

@@ -1,4 +1,4 @@
-// What the surfaces of a packet do with light besides scattering it, each lane its own.
+// What the surfaces that a packet has hit do with light besides scattering it, lane by lane.
 #pragma once
 
 #include <utility>
@@ -10,23 +10,23 @@ namespace tia {
 /// Finishes. Colours are linear RGB, shares of light 0 .. 1.
 template <class Real>
 struct Finishes {
-  Vec3<Real> ambient{};  ///< light that it sends back of what comes from everywhere, untextured
-  Gloss<Real> gloss{};
+  Vec3<Real> ambient{};  ///< ambient reflection times the scene's ambient light, untextured
+  Phong<Real> phong{};
   Real reflection{}, transmission{};
   Mask<Real> fresnel{};
   Medium<Real> inside{};
   Real object{};  ///< the number of its object
 
-  /// Lanes outside `here` keep what they have, unless it is the first.
+  /// Sets the lanes of `here`. The first call sets all lanes, which spares selecting.
   void take(const ShadingParameters& shading, int number, Mask<Real> here, bool first) {
     const auto put = [&](auto& to, const auto& from) {
       to = first ? from : select(here, from, to);
     };
     const auto into = [&](Real& to, double from) { put(to, lift<Real>(from)); };
     put(ambient, lift<Real>(shading.ambient));
-    into(gloss.brilliance, shading.brilliance);
-    into(gloss.specular, shading.specular);
-    into(gloss.exponent, shading.exponent);
+    into(phong.brilliance, shading.brilliance);
+    into(phong.specular, shading.specular);
+    into(phong.exponent, shading.exponent);
     into(reflection, shading.reflection);
     into(transmission, shading.transmission);
     if (shading.fresnel) fresnel = fresnel || here;
@@ -47,35 +47,37 @@ Finishes<Real> finishes(const World& world, const Hit<Real>& hit, Mask<Real> act
   return all;
 }
 
-/// SpecularSplit: where light goes on from a surface, and how much of it.
+/// SpecularSplit: how light divides at a surface between the reflected and the refracted ray.
 template <class Real>
 struct SpecularSplit {
-  Real mirror = Real(0), glass = Real(0);  ///< the shares of either way
-  Refraction<Real> bent{};                 ///< the way through the glass
-  Medium<Real> behind{};                   ///< what that leads into
+  Real reflection = Real(0), refraction = Real(0);  ///< the weights of the two rays
+  Refraction<Real> refracted{};                     ///< the refracted ray
+  Medium<Real> medium_t{};                          ///< the medium that it goes on in
 };
 
-/// Domain: unit direction and n, direction.n <= 0; `front`: where the ray comes from outside.
-/// Source: the slides; with Fresnel's equations in the place of T where a finish says so.
+/// Domain: unit direction and n, direction.n <= 0; `front`: where the ray comes from outside of the
+/// object; `transitions`: the surfaces that it has passed through before.
+/// Source: the slides; where a finish says `fresnel`, Fresnel's equations in addition.
 template <class Real>
 SpecularSplit<Real> split_specular(const Vec3<Real>& direction, const Vec3<Real>& n,
                                    const Real& instance, Mask<Real> here, Mask<Real> front,
-                                   const Finishes<Real>& finish, const Interface<Real>* through) {
+                                   const Finishes<Real>& finish,
+                                   const MediumTransition<Real>* transitions) {
   const Real zero(0), one(1);
   SpecularSplit<Real> split;
-  split.mirror = select(here, (one - finish.transmission) * finish.reflection, zero);
-  const Mask<Real> glass = here && finish.transmission > zero;
-  if (!any(glass)) return split;
+  split.reflection = select(here, (one - finish.transmission) * finish.reflection, zero);
+  const Mask<Real> transmits = here && finish.transmission > zero;
+  if (!any(transmits)) return split;
   const Medium<Real>& inside = finish.inside;
-  const auto outside = medium_around(through, glass, !front, finish.object, instance);
-  const Real before = select(front, outside.ior, inside.ior);
-  split.behind = {select(front, inside.ior, outside.ior),
-                  select(front, inside.absorption, outside.absorption)};
-  split.bent = refracted(direction, n, before / split.behind.ior);
-  const Real mirrored = select(finish.fresnel, fresnel(before, split.behind.ior, split.bent),
-                               select(split.bent.total, one, zero));
-  split.mirror = split.mirror + select(glass, finish.transmission * mirrored, zero);
-  split.glass = select(glass, finish.transmission * (one - mirrored), zero);
+  const auto outside = medium_around(transitions, transmits, !front, finish.object, instance);
+  const Real eta_i = select(front, outside.ior, inside.ior);
+  const Real eta_t = select(front, inside.ior, outside.ior);
+  split.medium_t = {eta_t, select(front, inside.absorption, outside.absorption)};
+  split.refracted = refract(direction, n, eta_i / eta_t);
+  const Real reflected = select(finish.fresnel, fr_dielectric(eta_i, eta_t, split.refracted),
+                                select(split.refracted.total, one, zero));
+  split.reflection = split.reflection + select(transmits, finish.transmission * reflected, zero);
+  split.refraction = select(transmits, finish.transmission * (one - reflected), zero);
   return split;
 }
 

@@ -1,4 +1,4 @@
-// What a ray is inside of: the objects that it has entered on its way and not yet left.
+// The medium that a ray is in: that of the last object that it has entered and not yet left.
 #pragma once
 
 #include <array>
@@ -14,31 +14,32 @@ struct Medium {
   Vec3<Real> absorption{Real(0), Real(0), Real(0)};
 };
 
-/// Interface: a surface that a packet's rays went through on their way to where they are. The way
-/// is the list of them, the last first; the frames of the recursion hold it.
+/// MediumTransition: a surface of a transmitting object that a packet's rays have passed through.
+/// The transitions of a path are a linked list, the last first, whose elements lie on the stack, in
+/// the calls that trace the rays.
 template <class Real>
-struct Interface {
-  const Interface* before;  ///< null: none
-  Mask<Real> here;          ///< the lanes that went through
-  Mask<Real> entering;      ///< where they entered the object; else they left it
+struct MediumTransition {
+  const MediumTransition* previous;  ///< the one before it on the path; null: none
+  Mask<Real> here;                   ///< the lanes whose rays have passed through
+  Mask<Real> entering;               ///< where they entered the object; elsewhere they left it
   Real object, instance;
   Medium<Real> inside;
 };
 
 namespace detail {
 
-/// One lane's: the last interface that was entered and not left since, where `left` has been left
-/// (or is being left) besides. Null: none.
+/// Of one lane: the last transition into an object that the ray has not left since. If it is
+/// `leaving`, then that object of that instance counts as left. Null: none.
 template <class Real>
-const Interface<Real>* innermost(const Interface<Real>* last, int i, bool leaving, float object,
-                                 float instance) {
+const MediumTransition<Real>* innermost(const MediumTransition<Real>* last, int i, bool leaving,
+                                        float object, float instance) {
   struct Left {
     float object, instance;
   };
   std::array<Left, 72> left;
   std::size_t count = 0;
   if (leaving) left[count++] = {object, instance};
-  for (const Interface<Real>* at = last; at != nullptr; at = at->before) {
+  for (const MediumTransition<Real>* at = last; at != nullptr; at = at->previous) {
     if ((bits(at->here) >> i & 1U) == 0) continue;
     const Left own{static_cast<float>(lane(at->object, i)),
                    static_cast<float>(lane(at->instance, i))};
@@ -56,10 +57,11 @@ const Interface<Real>* innermost(const Interface<Real>* last, int i, bool leavin
 
 }  // namespace detail
 
-/// What the lanes of `here` are in: the innermost object that they have entered and not left, the
-/// object of this number not counted once where lanes are `leaving` it. Empty space elsewhere.
+/// The medium around the lanes of `here`: that of the last object that they have entered and not
+/// left. Where lanes are `leaving` the object of this number, it counts as left. In other lanes,
+/// and outside of all objects, it is empty space: index 1, no absorption.
 template <class Real>
-Medium<Real> medium_around(const Interface<Real>* last, Mask<Real> here, Mask<Real> leaving,
+Medium<Real> medium_around(const MediumTransition<Real>* last, Mask<Real> here, Mask<Real> leaving,
                            const Real& object, const Real& instance) {
   constexpr auto n = static_cast<std::size_t>(lanes<Real>);
   Medium<Real> medium;

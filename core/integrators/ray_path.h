@@ -1,4 +1,4 @@
-// The way of a packet's rays from the eye.
+// The path of a packet's rays from the camera.
 #pragma once
 
 #include <array>
@@ -9,8 +9,8 @@
 
 namespace tia {
 
-/// SamplerState: which pixels' rays these are, and which of the pixels' samples: what is drawn at
-/// random depends on that alone, and on where along the path it is drawn.
+/// SamplerState: the pixels that the rays belong to and the index of the sample. Random numbers
+/// depend on these and on the dimension that they are drawn for, and on nothing else.
 template <class Real>
 struct SamplerState {
   static constexpr auto n = static_cast<std::size_t>(lanes<Real>);
@@ -22,22 +22,36 @@ struct SamplerState {
 /// RayKind: what rays count as.
 enum class RayKind { primary, reflection, refraction };
 
-/// RayPath: how rays came to be.
+/// RayCounts: exact numbers of rays by kind. For each light sample with n.l > 0 at a hit there is
+/// one shadow ray.
+struct RayCounts {
+  std::int64_t primary = 0, shadow = 0, reflection = 0, refraction = 0;
+  bool operator==(const RayCounts&) const = default;
+  std::int64_t all() const { return primary + shadow + reflection + refraction; }
+  void count(RayKind kind, int rays) {
+    (kind == RayKind::primary      ? primary
+     : kind == RayKind::reflection ? reflection
+                                   : refraction) += rays;
+  }
+};
+
+/// RayPath: how the rays of a packet have come from the camera.
 template <class Real>
 struct RayPath {
   const SamplerState<Real>& sampler_state;
   RayKind kind = RayKind::primary;
-  int depth = 0;                             ///< how many reflections and refractions it took
-  std::uint32_t node = 1;                    ///< which branch of the tree of rays
-  const Interface<Real>* through = nullptr;  ///< the last surface that they went through
-  Vec3<Real> absorption{};                   ///< of what they are in
+  int depth = 0;           ///< how many reflections and refractions there were
+  std::uint32_t node = 1;  ///< tells the branches of the tree of rays apart, for random numbers
+  const MediumTransition<Real>* transitions = nullptr;  ///< the last surface passed through
+  Vec3<Real> absorption{};  ///< of the medium that they are in, per scene unit
 
-  RayPath mirrored() const {
-    return {sampler_state, RayKind::reflection, depth + 1, branch(0x9E3779B1), through, absorption};
+  RayPath reflected() const {
+    return {sampler_state,      RayKind::reflection, depth + 1,
+            branch(0x9E3779B1), transitions,         absorption};
   }
-  RayPath refracted(const Interface<Real>& at, const Medium<Real>& behind) const {
+  RayPath refracted(const MediumTransition<Real>& at, const Medium<Real>& medium_t) const {
     return {sampler_state, RayKind::refraction, depth + 1, branch(0x85EBCA77),
-            &at,           behind.absorption};
+            &at,           medium_t.absorption};
   }
 
  private:

@@ -1,4 +1,4 @@
-// What an integrator can tell about a ray while it computes its light: every term of the sum.
+// The tree of a camera ray for /explain: every ray, and every term of the sums of their light.
 #pragma once
 
 #include <array>
@@ -23,15 +23,16 @@ struct Names<TermName> {
       "background", "emission", "ambient", "diffuse", "specular", "reflection", "refraction"};
 };
 
-/// LightRecord: what a light is to a point. The way is that to its middle.
+/// LightRecord: a light as a point sees it. Direction and distance are those to its middle.
 struct LightRecord {
   int light = -1;  ///< which of the world's; -1: none
-  Incoming<float> from{};
+  LightSample<float> middle{};
   float n_dot_l = 0;
-  float visible = 0;  ///< the share of its places that are seen; none below the horizon is
+  float visible = 0;  ///< the share of its samples that are seen; those below the horizon are not
   float fade = 1;
-  std::optional<int> blocker{};  ///< the primitive that takes light first on the way, -1: none;
-                                 ///< nothing where all is seen or none of it casts a shadow ray
+  std::optional<int>
+      blocker{};  ///< the first primitive towards the middle that takes light, -1:
+                  ///< none; nothing where all samples are seen or are below the horizon
   std::int64_t blocker_instance = 0;
 };
 
@@ -57,7 +58,7 @@ struct RayNode {
   Vec3f transmittance{1, 1, 1};  ///< what the medium that it came through has left of that
 };
 
-/// NoRecorder: what a picture takes down: nothing.
+/// NoRecorder: records nothing, for pictures.
 struct NoRecorder {
   static constexpr bool records = false;
   void begin(const auto&...) {}
@@ -66,19 +67,20 @@ struct NoRecorder {
   void end(const auto&...) {}
 };
 
-/// RayTreeLimit: is asked before a ray or a term is taken down, so that no tree outgrows its
-/// answer. Errors: what these throw where there is no room for it.
+/// RayTreeLimit: is asked before a ray or a term is recorded, so that no tree becomes larger than
+/// an answer may be. Errors: what these throw where there is no room for it.
 struct RayTreeLimit {
   std::function<void(const Hit<float>&)> ray;
   std::function<void(TermName, const LightRecord&)> term;
 };
 
-/// RayTreeRecorder: takes down every term of a single ray and of those that it makes. A ray begins,
-/// has its terms, among them children that begin and end, and ends. Errors: the limit's.
+/// RayTreeRecorder: records the terms of one camera ray and of the rays that follow from it. For
+/// each ray it is called in the order begin, terms and children, end; a child's calls lie between
+/// those of its parent. Errors: what the limit throws.
 class RayTreeRecorder {
  public:
   static constexpr bool records = true;
-  LightRecord light{};  ///< whose terms come next
+  LightRecord light{};  ///< the light that the next terms belong to
 
   explicit RayTreeRecorder(const RayTreeLimit& limit) : limit_(limit) {}
 
@@ -97,7 +99,7 @@ class RayTreeRecorder {
     term.value = value;
     term.light = light;
   }
-  /// The light of the ray that ended last, as a term of the one that it came from.
+  /// Adds the ray that ended last as a term of its parent.
   void child(TermName name, float weight, const Vec3f& value) {
     term(name, weight, value);
     open_.back()->terms.back().node = std::move(ended_);
@@ -108,7 +110,7 @@ class RayTreeRecorder {
     ended_->color = color;
     ended_->transmittance = transmittance;
   }
-  /// The ray that ended last: the first one, once all is done.
+  /// The ray that ended last; once all is traced, the camera ray.
   std::unique_ptr<RayNode> take() { return std::move(ended_); }
 
  private:

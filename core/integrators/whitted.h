@@ -1,6 +1,7 @@
-// The slides' integrator (Whitted 1980): at the nearest surface the ambient, diffuse and specular
-// light of the lights that it sees, then what its mirror and its glass show, traced the same way.
-// The thesis' integrator is its preset without depth, with one point a light.
+// The slides' integrator (Whitted 1980): at the nearest surface emission, ambient light, and the
+// diffuse and specular light of all lights that the point sees; then the light along the reflected
+// and the refracted ray, found in the same way. The thesis' integrator is its preset with max_depth
+// 0 and one sample a light, at the light's middle.
 #pragma once
 
 #include "core/integrators/finishes.h"
@@ -8,7 +9,7 @@
 
 namespace tia {
 
-/// The recorder takes down what is computed.
+/// The recorder gets every term of the sum (ray_tree.h); NoRecorder, of pictures, drops them.
 template <class AnyWorldView, class Real, class Recorder = NoRecorder>
 class Whitted {
   using V = Vec3<Real>;
@@ -27,18 +28,19 @@ class Whitted {
     if (any(isect.here)) L = select(isect.here, shade(ray, hit, isect, path), L);
     else recorder_.term(TermName::background, Real(1), L);
     if constexpr (AnyWorldView::plain) return L;
-    const V transmittance = left_by(path.absorption, hit.t);
+    const V transmittance = transmittance_of(path.absorption, hit.t);
     recorder_.end(L, transmittance);
     return L * transmittance;
   }
 
  private:
-  // With T the finish's transmission and F Fresnel's share (0, or 1 where light cannot pass):
+  // With T the finish's transmission and F the share that Fresnel's equations reflect, or, without
+  // them, 1 at total internal reflection and else 0:
   //   (1 - T) (emission + ambient * color
   //            + sum over lights of visible * fade * light
   //                * (color * diffuse * (n.l)^brilliance + specular * (r.l)^(1/roughness)))
-  //   + ((1 - T) reflection + T F) * mirrored + T (1 - F) * refracted
-  // The lights' terms are from_light's (direct.h), the two last weights split_specular's
+  //   + ((1 - T) reflection + T F) * reflected + T (1 - F) * refracted
+  // The lights' terms are sample_ld's (direct.h), the two last weights split_specular's
   // (finishes.h).
   template <class Point>
   V shade(const Ray<Real>& ray, const Hit<Real>& hit, const SurfaceInteraction<Point, Real>& isect,
@@ -52,7 +54,7 @@ class Whitted {
       const Real keep = Real(1) - finish.transmission;  // of the surface's own light
       add(L, TermName::emission, keep, isect.emission);
       add(L, TermName::ambient, keep, finish.ambient * isect.tint);
-      add_lights(L, ray, isect, finish.gloss, keep, path);
+      add_lights(L, ray, isect, finish.phong, keep, path);
       if (path.depth < world_view_.rules.max_depth) add_children(L, ray, hit, isect, finish, path);
     }
     return L;
@@ -63,16 +65,16 @@ class Whitted {
     recorder_.term(name, weight, value);
   }
 
-  // ---- light straight from the lights ----------------------------------------------------------
+  // ---- direct light -----------------------------------------------------------------------------
 
   template <class Point>
   void add_lights(V& L, const Ray<Real>& ray, const SurfaceInteraction<Point, Real>& isect,
-                  const Gloss<Real>& gloss, const Real& keep, const RayPath<Real>& path) {
+                  const Phong<Real>& phong, const Real& keep, const RayPath<Real>& path) {
     const auto& lights = world_view_.world.lights;
     for (std::size_t i = 0; i < lights.size(); ++i) {
       const int number = static_cast<int>(i);
       const std::int64_t shadow_rays = world_view_.rays.shadow;
-      const auto direct = from_light(world_view_, number, isect, ray.direction, gloss, path);
+      const auto direct = sample_ld(world_view_, number, isect, ray.direction, phong, path);
       if constexpr (Recorder::records)
         recorder_.light = record_of(number, isect, direct, world_view_.rays.shadow > shadow_rays);
       const V color = lift<Real>(lights[i].color);
@@ -83,41 +85,43 @@ class Whitted {
     if constexpr (Recorder::records) recorder_.light = {};
   }
 
-  // What has cast no shadow ray lies below the horizon and needs no blocker.
+  // Without a shadow ray the light is below the horizon, and there is no blocker to look for.
   template <class Point>
   LightRecord record_of(int number, const SurfaceInteraction<Point, Real>& isect,
-                        const DirectLight<Real>& direct, bool cast) {
-    const Incoming<Real>& from = direct.middle;
-    LightRecord record{number, from, dot(isect.at.n, from.wi), direct.visible, direct.fade};
+                        const LightContribution<Real>& direct, bool cast) {
+    const LightSample<Real>& middle = direct.middle;
+    LightRecord record{number, middle, dot(isect.at.n, middle.wi), direct.visible, direct.fade};
     if (!cast || record.visible >= 1) return record;
     const WorldLight& light = world_view_.world.lights[static_cast<std::size_t>(number)];
     const auto [primitive, instance] =
-        world_view_.blocker(isect.shadow_ray(from.wi), from.distance, light);
+        world_view_.blocker(isect.shadow_ray(middle.wi), middle.distance, light);
     record.blocker = primitive;
     record.blocker_instance = instance;
     return record;
   }
 
-  // ---- mirrored and refracted light -----------------------------------------------------------
+  // ---- reflected and refracted light ----------------------------------------------------------
 
   void add_children(V& L, const Ray<Real>& ray, const Hit<Real>& hit,
                     const SurfaceInteraction<SurfacePoint<Real>, Real>& isect,
                     const Finishes<Real>& finish, const RayPath<Real>& path) {
     const SurfacePoint<Real>& at = isect.at;
-    // A smooth normal that looks away from the viewer would send rays through the surface.
+    // An interpolated normal may face away from the viewer, and the reflected ray would then go
+    // through the surface; the geometric normal takes its place.
     const V n = select(dot(at.n, ray.direction) < Real(0), at.n, at.ng);
-    const SpecularSplit<Real> on =
-        split_specular(ray.direction, n, hit.instance, isect.here, at.front, finish, path.through);
-    const V aside = at.ng * isect.offset;
-    if (const Mask<Real> here = on.mirror > Real(0); any(here)) {
-      const Ray<Real> child{at.p + aside, normalize(mirrored(ray.direction, n))};
-      add_child(L, TermName::reflection, on.mirror, child, here, path.mirrored());
+    const SpecularSplit<Real> split = split_specular(ray.direction, n, hit.instance, isect.here,
+                                                     at.front, finish, path.transitions);
+    const V offset = at.ng * isect.offset;
+    if (const Mask<Real> here = split.reflection > Real(0); any(here)) {
+      const Ray<Real> child{at.p + offset, normalize(reflect(ray.direction, n))};
+      add_child(L, TermName::reflection, split.reflection, child, here, path.reflected());
     }
-    if (const Mask<Real> here = on.glass > Real(0); any(here)) {
-      const Ray<Real> child{at.p - aside, on.bent.wt};
-      const Interface<Real> entry{path.through,  here,         at.front,
-                                  finish.object, hit.instance, finish.inside};
-      add_child(L, TermName::refraction, on.glass, child, here, path.refracted(entry, on.behind));
+    if (const Mask<Real> here = split.refraction > Real(0); any(here)) {
+      const Ray<Real> child{at.p - offset, split.refracted.wt};
+      const MediumTransition<Real> transition{path.transitions, here,         at.front,
+                                              finish.object,    hit.instance, finish.inside};
+      add_child(L, TermName::refraction, split.refraction, child, here,
+                path.refracted(transition, split.medium_t));
     }
   }
 
@@ -129,20 +133,21 @@ class Whitted {
     recorder_.child(name, weight, value);
   }
 
-  // What a medium leaves of light on its way. Source: the law of Beer and Lambert.
-  static V left_by(const V& absorption, const Real& t) {
-    const auto left = [&](const Real& a) {
+  // The share of light that a medium lets pass along t. Source: the law of Beer and Lambert.
+  static V transmittance_of(const V& absorption, const Real& t) {
+    const auto passed = [&](const Real& a) {
       const Mask<Real> absorbs = a > Real(0);
       return any(absorbs) ? select(absorbs, exp_of(-a * t), Real(1)) : Real(1);
     };
-    return {left(absorption.x), left(absorption.y), left(absorption.z)};
+    return {passed(absorption.x), passed(absorption.y), passed(absorption.z)};
   }
 
   AnyWorldView& world_view_;
   Recorder& recorder_;
 };
 
-/// The light along camera rays in a world of few balls; in any other it is an Integrator's.
+/// The light along camera rays in a world of few balls. In any other world that is
+/// Integrator<IntegratorName::whitted>::radiance.
 template <class Real>
 Vec3<Real> whitted(FewBallsView& world_view, const Ray<Real>& ray, Mask<Real> active,
                    const SamplerState<Real>& sampler_state) {
@@ -151,7 +156,8 @@ Vec3<Real> whitted(FewBallsView& world_view, const Ray<Real>& ray, Mask<Real> ac
       .trace(ray, active, RayPath<Real>{sampler_state});
 }
 
-/// The whole tree of one camera ray, by the picture's own arithmetic. Errors: the limit's.
+/// The tree of rays of one camera ray, computed as in the picture, to the same bits. Errors: what
+/// the limit throws.
 std::unique_ptr<RayNode> explain_whitted(WorldView& world_view, const Ray<float>& ray,
                                          const SamplerState<float>& sampler_state,
                                          const RayTreeLimit& limit);

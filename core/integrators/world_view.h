@@ -9,32 +9,22 @@
 
 namespace tia {
 
-/// RayTally: rays of one block by kind, exact.
-struct RayTally {
-  std::int64_t primary = 0, shadow = 0, reflection = 0, refraction = 0;
-  std::int64_t all() const { return primary + shadow + reflection + refraction; }
-  void count(RayKind kind, int rays) {
-    (kind == RayKind::primary      ? primary
-     : kind == RayKind::reflection ? reflection
-                                   : refraction) += rays;
-  }
-};
-
-/// WorldView: the world as one block of the picture sees it, and what the block's rays count to. Of
-/// two kinds, which ask the same in their own way; an integrator is a template over them. In a
-/// plain one surfaces scatter light and do nothing else.
+/// WorldView: the queries that an integrator asks of the world, and the counters of one block's
+/// rays and work. There are two kinds with the same functions, and an integrator is a template over
+/// them. In a `plain` one surfaces scatter light and do nothing else.
 struct WorldView {
   static constexpr bool plain = false;
   const World& world;
   WorkCounter work;
   Rules rules{};
-  RayTally rays{};
+  RayCounts rays{};
 
   template <class Real>
   Hit<Real> closest(const Ray<Real>& ray, Mask<Real> active) {
     return closest_hit(world, ray, active, work);
   }
-  /// The share of the light that comes from t_max to the ray's origin.
+  /// The share of the light that passes from t_max to the ray's origin, 0 or 1 unless shadows are
+  /// transparent.
   template <class Real>
   Real visible(const Ray<Real>& ray, const Real& t_max, const WorldLight& light,
                Mask<Real> active) {
@@ -42,7 +32,7 @@ struct WorldView {
     const Mask<Real> dark = occluded(world, ray, t_max, light, active, work);
     return select(dark, Real(0), Real(1));
   }
-  /// What takes light first on the way from the ray's origin to t_max.
+  /// The first thing between the ray's origin and t_max that takes light.
   Blocker blocker(const Ray<float>& ray, float t_max, const WorldLight& light) {
     return first_blocker(world, ray, t_max, light, shadows_are_transparent(), work);
   }
@@ -50,8 +40,8 @@ struct WorldView {
     return world.transparent_shadows && rules.transparent_shadows;
   }
   template <class Real>
-  Incoming<Real> from_middle(const WorldLight& light, const Vec3<Real>& p) const {
-    return std::visit([&](const auto& form) { return incoming_from_middle(form, p); }, light.form);
+  LightSample<Real> sample_middle(const WorldLight& light, const Vec3<Real>& p) const {
+    return std::visit([&](const auto& form) { return tia::sample_middle(form, p); }, light.form);
   }
   template <class Real>
   SurfacePoint<Real> surface_of(const Ray<Real>& ray, const Hit<Real>& hit, int primitive,
@@ -65,13 +55,13 @@ struct WorldView {
   }
 };
 
-/// A world of few plain balls, lit from points, and nothing else, of which the camera rays may meet
-/// those listed: small enough to be tried one after another in registers.
+/// FewBallsView: a world of few plain balls, lit from points. It is so small that every ray is
+/// tried on all balls, camera rays on those of `balls` alone, which the block's beam may meet.
 struct FewBallsView {
   static constexpr bool plain = true;
   const World& world;
   std::vector<int> balls;
-  RayTally rays{};
+  RayCounts rays{};
 
   template <class Real>
   Hit<Real> closest(const Ray<Real>& ray, Mask<Real>) const {
@@ -82,8 +72,8 @@ struct FewBallsView {
     return select(occluded_by_balls(world, ray, t_max, light), Real(0), Real(1));
   }
   template <class Real>
-  Incoming<Real> from_middle(const WorldLight& light, const Vec3<Real>& p) const {
-    return incoming_from(lift<Real>(light.middle), p);
+  LightSample<Real> sample_middle(const WorldLight& light, const Vec3<Real>& p) const {
+    return sample_from(lift<Real>(light.middle), p);
   }
   template <class Real>
   BallPoint<Real> surface_of(const Ray<Real>& ray, const Hit<Real>& hit, int primitive,
@@ -92,7 +82,7 @@ struct FewBallsView {
   }
 };
 
-/// What rays meet first. Lanes that are not active do not count.
+/// The first hit of the rays, which are counted. Lanes that are not active do not count.
 template <class AnyWorldView, class Real>
 Hit<Real> first_hit(AnyWorldView& world_view, const Ray<Real>& ray, Mask<Real> active,
                     RayKind kind = RayKind::primary) {
@@ -100,19 +90,19 @@ Hit<Real> first_hit(AnyWorldView& world_view, const Ray<Real>& ray, Mask<Real> a
   return world_view.closest(ray, active);
 }
 
-/// SurfaceInteraction: the surfaces that a packet's rays have hit, each lane its own, so that what
-/// follows, their shadow rays above all, is done for all lanes at once.
+/// SurfaceInteraction: the surfaces that a packet's rays have hit, lane by lane. What follows, such
+/// as shadow rays, is then done for all lanes at once, whatever primitives they have hit.
 template <class Point, class Real>
 struct SurfaceInteraction {
-  Mask<Real> here;  ///< the lanes that have hit anything; the others are meaningless
+  Mask<Real> here;  ///< the lanes that have hit something; the others are meaningless
   Point at{};
   Vec3<Real> albedo{}, emission{};
   Vec3<Real> tint{Real(1), Real(1), Real(1)};  ///< a texture's colour
-  bool tinted = false;                         ///< whether any lane has one; albedo has it then
-  Real offset{};  ///< how far above or below the surface new rays start
+  bool tinted = false;  ///< whether any lane has one, which albedo then includes
+  Real offset{};        ///< how far from the surface new rays start, along its normal (offset_of)
 
   Ray<Real> shadow_ray(const Vec3<Real>& wi) const { return {at.p + at.side() * offset, wi}; }
-  /// Lanes but those keep what they have, unless it is the first that they get.
+  /// Sets those lanes. The first call sets all lanes, which spares selecting.
   void take(const Point& point, const ShadingParameters& shading, Mask<Real> those, bool first) {
     const Vec3<Real> own_albedo = lift<Real>(shading.albedo);
     const Vec3<Real> own_emission = lift<Real>(shading.emission);
@@ -129,9 +119,8 @@ auto surfaces(const AnyWorldView& world_view, const Ray<Real>& ray, const Hit<Re
   using Point = decltype(world_view.surface_of(ray, hit, 0, active));
   SurfaceInteraction<Point, Real> isect{active && hit.t < Real(infinity)};
   if (!any(isect.here)) return isect;
-  // SurfaceInteraction::take would do for plain views as well, but its choice by `first` costs the
-  // thesis' frame 8 % more instructions: their surfaces are so cheap that selecting always is
-  // cheaper.
+  // Measured: with SurfaceInteraction::take, which chooses by `first`, plain views take 8 % more
+  // instructions for the thesis' frame than by selecting always.
   if constexpr (AnyWorldView::plain) {
     for_each_winner(hit, active, [&](int primitive, Mask<Real> here) {
       const ShadingParameters& shading = world_view.world.shading_of(primitive);
@@ -140,7 +129,7 @@ auto surfaces(const AnyWorldView& world_view, const Ray<Real>& ray, const Hit<Re
       isect.emission = select(here, lift<Real>(shading.emission), isect.emission);
     });
   } else {
-    bool first = true;  // most packets see one thing: there is nothing to select
+    bool first = true;  // most packets hit a single primitive, and nothing has to be selected
     for_each_winner(hit, active, [&](int primitive, Mask<Real> here) {
       isect.take(world_view.surface_of(ray, hit, primitive, here),
                  world_view.world.shading_of(primitive), here, std::exchange(first, false));

@@ -1,4 +1,4 @@
-// DirectionalLight: light from infinitely far, the same way everywhere.
+// DirectionalLight: a light infinitely far away, whose light has the same direction everywhere.
 #pragma once
 
 #include <optional>
@@ -6,7 +6,7 @@
 
 #include "core/input/errors.h"
 #include "core/input/fields.h"
-#include "core/lights/incoming.h"
+#include "core/lights/light_sample.h"
 #include "core/math/onb.h"
 
 namespace tia {
@@ -28,11 +28,11 @@ struct DirectionalLight {
 
   static constexpr const char* place_field = "direction";
   bool waits() const { return !direction; }
-  /// Infinitely far: it has none that can be told.
+  /// None: it is infinitely far.
   std::optional<Vec3d> place() const { return std::nullopt; }
   /// Shines from there towards the target.
   void move_to(const Vec3d& from, const Vec3d& target) { direction = target - from; }
-  void move_by(const Vec3d&) {}  // it shines the same way everywhere
+  void move_by(const Vec3d&) {}  // its direction is the same everywhere
 };
 
 struct DirectionalForm {
@@ -42,7 +42,7 @@ inline DirectionalForm prepare(const DirectionalLight& light) {
   return {unit(*light.direction) * -1.0};
 }
 template <class Real>
-Incoming<Real> incoming(const DirectionalForm& light, const Vec3<Real>&) {
+LightSample<Real> sample_li(const DirectionalForm& light, const Vec3<Real>&) {
   return {lift<Real>(light.wi), Real(infinity), Real(1)};
 }
 static_assert(LitForm<DirectionalForm>);

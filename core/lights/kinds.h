@@ -1,44 +1,44 @@
-// What a kind of light must bring, and what it may bring, a concept each; the list (light.h) checks
-// every kind, so that one that brings half of something does not compile.
+// What a kind of light must have, and what it may have, a concept each. The list (light.h) checks
+// every kind: one that has only part of what a concept asks for does not compile there.
 #pragma once
 
 #include <concepts>
 #include <optional>
 
-#include "core/lights/incoming.h"
+#include "core/lights/light_sample.h"
 #include "core/shapes/shape.h"
 
 namespace tia {
 
-/// A kind that says whether it is endless: at no distance by which it could fade.
+/// A kind that says by `endless` whether it is infinitely far. Such a one cannot fade.
 template <class Kind>
 concept TellsDistance = requires {
   { Kind::endless } -> std::convertible_to<bool>;
 };
-/// A kind that takes the background's place: rays see it that leave the scene. It says so,
+/// A kind that replaces the background: its colour is what rays get that hit nothing. It says
 ///   static constexpr bool background = true;
-/// and has no form.
+/// and has no form, for it lights no surface.
 template <class Kind>
 concept BackgroundLight = requires {
   requires Kind::background;
 };
-/// A kind that shines on points: prepare() makes a form of it that tells what comes in from it.
+/// A kind that lights surfaces: prepare() makes a form of it, which is sampled (light_sample.h).
 template <class Kind>
 concept ShiningLight = requires(const Kind& kind) {
   { prepare(kind) } -> LitForm;
 };
 
-/// A kind that goes along with all that it lights where the world moves its origin: `move_by(way)`
-/// moves every point that it is given by. Domain of that: one that does not wait.
+/// A kind that can be translated: `move_by(way)` adds `way` to every point that it is given by. The
+/// world does so where it moves its own origin. Domain of move_by: a light that awaits nothing.
 template <class Kind>
 concept MovesAlong = !ShiningLight<Kind> || requires(Kind & kind, const Vec3d& way) {
   { kind.move_by(way) } -> std::same_as<void>;
 };
 
-/// A kind that stands somewhere, and that a key can put elsewhere: `place_field` names the field
-/// that says where, `waits()` tells whether that is not known yet, `place()` is its middle if it
-/// has one, and `move_to(place, target)` puts it there; what has no middle shines from there
-/// towards the target.
+/// A kind that a key can move: `place_field` is the name of the field that says where it is,
+/// `waits()` tells whether that field is still missing, `place()` is its middle, none where it is
+/// infinitely far, and `move_to(place, target)` moves its middle to the place; one without a middle
+/// then shines from the place towards the target.
 template <class Kind>
 concept MovableLight = requires(Kind& kind, const Kind& still, const Vec3d& p) {
   { Kind::place_field } -> std::convertible_to<const char*>;
@@ -56,8 +56,8 @@ concept NamesPlace = requires {
 template <class Kind>
 concept MovesWhollyOrNot = MovableLight<Kind> || !NamesPlace<Kind>;
 
-/// A kind that shines from an area: its form tells what comes in from each place of it, and
-/// `samples` at how many a point looks.
+/// A kind with an area: its form is sampled over the area, `samples` times for each point that it
+/// lights.
 template <class Kind>
 concept AreaLight = ShiningLight<Kind> && AreaForm<FormOf<Kind>> && requires(const Kind& kind) {
   { kind.samples } -> std::same_as<const int&>;
@@ -71,16 +71,17 @@ concept HasAreaForm = ShiningLight<Kind> && AreaForm<FormOf<Kind>>;
 template <class Kind>
 concept HasAreaWhollyOrNot = AreaLight<Kind> || !(NamesSamples<Kind> || HasAreaForm<Kind>);
 
-/// What of a light can be seen: a shape that is a surface, or a mesh.
+/// The shapes that the surface of a light may have: a surface or a mesh.
 template <class S>
 concept IsSeenSurface = IsSurface<S> || std::same_as<S, Mesh>;
-/// A kind that is seen itself: surface() makes the shape that rays meet. It blocks other lights,
-/// never its own. Space/units: world space.
+/// A kind that rays can hit: surface() makes its shape. The shape blocks the light of other lights
+/// and not its own. Space/units: world space.
 template <class Kind>
 concept SeenLight = ShiningLight<Kind> && requires(const Kind& kind) {
   { surface(kind) } -> IsSeenSurface;
 };
-/// An area that shines and is not seen would leave a mirror black.
+/// A light with an area must be one that rays can hit: a mirror that reflects it would be black
+/// otherwise.
 template <class Kind>
 concept AreaIsSeen = SeenLight<Kind> || !AreaLight<Kind>;
 

@@ -1,6 +1,5 @@
-// THE LIST of lights. A new kind is one file beside this one and one entry here: its description,
-// and a form that tells what comes in from it (incoming.h). What else it must or may bring:
-// kinds.h.
+// THE LIST of lights. A new kind is one file beside this one, with its description and the form
+// that is sampled (light_sample.h), and one entry here. What else it must or may have: kinds.h.
 #pragma once
 
 #include <variant>
@@ -16,11 +15,12 @@
 
 namespace tia {
 
-/// LightList: checks every kind once, where it is listed.
+/// LightList: checks each kind of the list against IsLight.
 template <IsLight... Kinds>
 using LightList = std::variant<Kinds...>;
 
-/// Light: a kind and what all kinds share. It sends color * intensity.
+/// Light: a kind, and the fields that all kinds share. What it sends is color * intensity, linear
+/// RGB.
 struct Light {
   static constexpr std::string_view schema_name = "light";
   using Kinds =
@@ -46,27 +46,27 @@ struct Light {
     visit("fade_power", &Light::fade_power,
           Spec{.about = "how fast it fades", .min = 0, .max = 100});
   }
-  /// What its kind finds wrong with it, at places relative to the light.
+  /// Adds the faults that its kind finds, with pointers relative to the light.
   void check_kind(Faults& faults) const;
-  /// Fading of what has no distance.
+  /// A fade_distance of a light that is infinitely far.
   void check(const Place& at, Faults& faults) const;
   bool operator==(const Light&) const = default;
 
   /// The name of its kind.
   std::string_view type() const;
-  /// Whether rays meet it.
+  /// Whether it has a surface that rays can hit.
   bool seen() const;
   bool movable() const;
-  /// The field that it needs to shine and does not have yet, else null.
+  /// The name of the field that it lacks and needs to shine; null where it lacks none.
   const char* awaited() const;
-  /// Its middle, if it has one and that is known.
+  /// Its middle; none where it is infinitely far, or still awaits one.
   std::optional<Vec3d> place() const;
-  /// Puts its middle there; what has none shines from there towards the target.
+  /// Moves its middle to `to`. A directional light then shines from `to` towards the target.
   /// Domain: a movable one.
   void move_to(const Vec3d& to, const Vec3d& target);
 };
 
-// A key puts a light of the first kind where a scene has none that moves.
+// Where a scene has no movable light, a key adds one of the first kind.
 static_assert(MovableLight<std::variant_alternative_t<0, Light::Kinds>>);
 
 /// LightForm: any light made ready.

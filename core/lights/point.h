@@ -1,11 +1,11 @@
-// PointLight: light from one unseen point.
+// PointLight: a point that shines in all directions and cannot be seen.
 #pragma once
 
 #include <optional>
 #include <string_view>
 
 #include "core/input/fields.h"
-#include "core/lights/incoming.h"
+#include "core/lights/light_sample.h"
 
 namespace tia {
 

@@ -1,5 +1,5 @@
-// QuadLight: a luminous parallelogram that shines to both sides. It is seen and blocks other
-// lights, never its own.
+// QuadLight: a luminous parallelogram that shines to both sides. Rays hit it; it blocks the light
+// of others and not its own.
 #pragma once
 
 #include <optional>
@@ -30,7 +30,7 @@ struct QuadLight {
           Spec{.about = "the other edge from there", .min = -1e9, .max = 1e9, .required = true});
     visit("samples", &QuadLight::samples, light_samples);
   }
-  /// Edges that span nothing.
+  /// Edges whose parallelogram has no area.
   void check(const Place& at, Faults& faults) const;
   bool operator==(const QuadLight&) const = default;
 
@@ -48,16 +48,17 @@ struct QuadLight {
 struct QuadForm {
   Constant middle, corner, u, v;
 };
-/// What is seen of it: two triangles.
+/// The surface that rays hit: two triangles.
 Mesh surface(const QuadLight& light);
 inline QuadForm prepare(const QuadLight& light) {
   return {*light.place(), *light.corner, light.u, light.v};
 }
-/// Even over its area.
+/// Uniform over its area.
 template <class Real>
-Incoming<Real> incoming(const QuadForm& light, const Vec3<Real>& p, const Real& u, const Real& v) {
-  return incoming_from(lift<Real>(light.corner) + lift<Real>(light.u) * u + lift<Real>(light.v) * v,
-                       p);
+LightSample<Real> sample_li(const QuadForm& light, const Vec3<Real>& p, const Real& u,
+                            const Real& v) {
+  return sample_from(lift<Real>(light.corner) + lift<Real>(light.u) * u + lift<Real>(light.v) * v,
+                     p);
 }
 static_assert(AreaForm<QuadForm>);
 

@@ -9,7 +9,8 @@
 
 namespace tia {
 
-/// SkyLight: takes the background's place. In whitted it is seen and mirrored, and lights nothing.
+/// SkyLight: replaces the background. In whitted, rays that hit nothing get its colour, those from
+/// mirrors too, and it lights no surface.
 struct SkyLight {
   static constexpr std::string_view type = "sky";
   static constexpr bool endless = true, background = true;

@@ -1,21 +1,23 @@
-// SphereLight: a luminous ball. It is seen and blocks other lights, never its own.
+// SphereLight: a luminous ball. Rays hit it; it blocks the light of others and not its own.
 #pragma once
 
 #include <optional>
 #include <string_view>
 
 #include "core/input/fields.h"
-#include "core/lights/incoming.h"
+#include "core/lights/light_sample.h"
 #include "core/math/onb.h"
 #include "core/math/warp.h"
 #include "core/shapes/simple/sphere.h"
 
 namespace tia {
 
-/// The most places of its area that a light is asked for at one point.
+/// The most samples of a light for one point that it lights.
 inline constexpr int most_light_samples = 4096;
 inline constexpr Spec light_samples{
-    .about = "places of its area that shine on a point, at random but evenly spread; 1: its middle",
+    .about =
+        "samples of its area for each point that it lights, at random in strata of equal area; "
+        "1: its middle",
     .min = 1,
     .max = most_light_samples};
 
@@ -47,21 +49,22 @@ struct SphereForm {
   Constant middle;
   double radius;
 };
-/// What is seen of it.
+/// The surface that rays hit.
 inline Sphere surface(const SphereLight& light) { return {*light.position, light.radius}; }
 inline SphereForm prepare(const SphereLight& light) { return {*light.position, light.radius}; }
-/// Even over the solid angle of the ball; from within it, from its centre.
-/// Source: Shirley, Wang, "Direct lighting calculation by Monte Carlo integration", 1991: cosines
-/// of the cone are even between 1 and that of its edge.
+/// Uniform over the solid angle that the ball fills, seen from p; where p is inside of it, all
+/// samples are its centre.
+/// Source: Shirley, Wang, "Direct lighting calculation by Monte Carlo integration", 1991: the
+/// cosine to the axis of the cone is uniform between 1 and that of its edge.
 template <class Real>
-Incoming<Real> incoming(const SphereForm& light, const Vec3<Real>& p, const Real& u,
-                        const Real& v) {
+LightSample<Real> sample_li(const SphereForm& light, const Vec3<Real>& p, const Real& u,
+                            const Real& v) {
   using std::sqrt;
-  const Incoming<Real> middle = incoming_from_middle(light, p);
+  const LightSample<Real> middle = sample_middle(light, p);
   const Real radius = lift<Real>(light.radius);
   const Mask<Real> outside = middle.distance > radius;
   const Real sine = select(outside, radius / middle.distance, Real(0)), square = sine * sine;
-  // 1 - cos of the edge, without its cancellation.
+  // 1 - cos of the edge, as sin^2 / (1 + cos), which subtracts no nearly equal numbers.
   const Real height = square / (Real(1) + sqrt(Real(1) - square));
   const DiscPoint<Real> at = square_to_disc(u, v);
   const Real rise = (at.x * at.x + at.y * at.y) * height;
@@ -69,7 +72,7 @@ Incoming<Real> incoming(const SphereForm& light, const Vec3<Real>& p, const Real
   const auto [x, y] = axes_around(middle.wi);
   const Vec3<Real> wi =
       normalize(middle.wi * (Real(1) - rise) + x * (at.x * aside) + y * (at.y * aside));
-  // As far as the near side of the ball; the ball itself never blocks.
+  // The distance to the near side of the ball, which does not block its own light.
   const Real along = dot(wi, middle.wi);
   const Real reach = square - (Real(1) - along * along);
   const Real near = middle.distance * (along - sqrt(max_of(reach, Real(0))));

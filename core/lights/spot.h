@@ -1,4 +1,4 @@
-// SpotLight: a point that lights a cone.
+// SpotLight: a point that shines into a cone.
 #pragma once
 
 #include <optional>
@@ -6,7 +6,7 @@
 
 #include "core/input/errors.h"
 #include "core/input/fields.h"
-#include "core/lights/incoming.h"
+#include "core/lights/light_sample.h"
 #include "core/math/onb.h"
 #include "core/math/powers.h"
 
@@ -56,16 +56,17 @@ inline SpotForm prepare(const SpotLight& light) {
 }
 /// cos^tightness times a smooth step of the cosine from the falloff's to the radius'.
 template <class Real>
-Incoming<Real> incoming(const SpotForm& light, const Vec3<Real>& p) {
-  Incoming<Real> from = incoming_from(lift<Real>(light.position), p);
-  const Real cosine = -dot(from.wi, lift<Real>(light.axis));
+LightSample<Real> sample_li(const SpotForm& light, const Vec3<Real>& p) {
+  LightSample<Real> sample = sample_from(lift<Real>(light.position), p);
+  const Real cosine = -dot(sample.wi, lift<Real>(light.axis));
   const Real inner = lift<Real>(light.cos_radius), outer = lift<Real>(light.cos_falloff);
   const Real share = min_of(max_of((cosine - outer) / (inner - outer), Real(0)), Real(1));
   const Real smooth = share * share * (Real(3) - (share + share));
-  from.strength = select(cosine >= inner, Real(1), select(cosine > outer, smooth, Real(0)));
+  sample.strength = select(cosine >= inner, Real(1), select(cosine > outer, smooth, Real(0)));
   if (light.tightness > 0)
-    from.strength = from.strength * pow_of(max_of(cosine, Real(0)), lift<Real>(light.tightness));
-  return from;
+    sample.strength =
+        sample.strength * pow_of(max_of(cosine, Real(0)), lift<Real>(light.tightness));
+  return sample;
 }
 static_assert(LitForm<SpotForm>);
 

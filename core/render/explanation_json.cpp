@@ -114,12 +114,12 @@ class Writer {
       add_copy(object, "light_copy", light.primitive, light.instance);
     }
     // A directional light's is infinite, which JSON has no number for.
-    object.emplace_back("distance",
-                        record.from.distance < infinity ? Value(record.from.distance) : Value());
-    object.emplace_back("direction", triple(record.from.wi));
+    object.emplace_back(
+        "distance", record.middle.distance < infinity ? Value(record.middle.distance) : Value());
+    object.emplace_back("direction", triple(record.middle.wi));
     object.emplace_back("n_dot_l", record.n_dot_l);
     object.emplace_back("visible", record.visible);
-    object.emplace_back("fade", record.fade * record.from.strength);
+    object.emplace_back("fade", record.fade * record.middle.strength);
     if (!record.blocker) return;
     object.emplace_back("blocker", name_of_primitive(*record.blocker));
     if (*record.blocker < 0) return;

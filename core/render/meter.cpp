@@ -8,8 +8,8 @@
 
 namespace tia {
 
-void RayMeter::add(RayTally& rays) {
-  const RayTally more = std::exchange(rays, {});
+void RayMeter::add(RayCounts& rays) {
+  const RayCounts more = std::exchange(rays, {});
   primary_ += more.primary;
   shadow_ += more.shadow;
   reflection_ += more.reflection;
@@ -26,7 +26,7 @@ void RayMeter::add_work(std::int64_t work) {
   tell();
 }
 
-void RayMeter::add_many(RayTally& rays) {
+void RayMeter::add_many(RayCounts& rays) {
   end_if_asked(stop_);
   add(rays);
 }

@@ -11,12 +11,6 @@
 
 namespace tia {
 
-/// RayCounts: exact numbers of rays by kind; a shadow ray for each light and hit with n.l > 0.
-struct RayCounts {
-  std::int64_t primary = 0, shadow = 0, reflection = 0, refraction = 0;
-  bool operator==(const RayCounts&) const = default;
-};
-
 /// Told now and then, by any thread, how many rays and tests of them (WorkCounter) a render has
 /// taken so far; may throw, which ends the render.
 using Spent = std::function<void(std::int64_t rays, std::int64_t tests)>;
@@ -34,9 +28,9 @@ class RayMeter {
         spent_(std::move(spent)) {}
   /// Adds the rays and sets them to none. Errors: InputError once the sum passes the limit, which
   /// no order of threads changes; what `spent` throws.
-  void add(RayTally& rays);
+  void add(RayCounts& rays);
   /// Adds them where they have become many. Errors: also Stopped, if that is asked for.
-  void add_if_many(RayTally& rays) {
+  void add_if_many(RayCounts& rays) {
     if (rays.all() >= often) add_many(rays);
   }
   /// Adds a portion of work. Errors: as add()'s; Stopped.
@@ -44,7 +38,7 @@ class RayMeter {
   RayCounts counts() const { return {primary_, shadow_, reflection_, refraction_}; }
 
  private:
-  void add_many(RayTally& rays);
+  void add_many(RayCounts& rays);
   void tell() const {
     if (spent_) spent_(all_, work_);
   }

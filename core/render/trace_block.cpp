@@ -24,7 +24,7 @@ class Tracer {
       return whitted(world_view_, ray, active, sampler_state);
     else return radiance(shot_.integrator, world_view_, ray, active, sampler_state);
   }
-  RayTally& rays() { return world_view_.rays; }
+  RayCounts& rays() { return world_view_.rays; }
 
   Eye<Real> eye;
 

@@ -15,10 +15,10 @@ namespace tia {
 /// How light is gathered along a ray.
 enum class IntegratorName { thesis, whitted, normal, depth, albedo, object, shadow, cost };
 
-/// Rules: how far light is followed.
+/// Rules: how far light is followed, and how lights and shadows are simplified.
 struct Rules {
   int max_depth = std::numeric_limits<int>::max();  ///< how often it may be mirrored or refracted
-  bool areas = true;  ///< whether lights shine from all of their places, else from their middle
+  bool area_lights = true;  ///< whether lights are sampled over their area, else at their middle
   bool transparent_shadows = true;  ///< whether they are, where the world has them
 };
 

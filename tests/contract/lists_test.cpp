@@ -87,11 +87,11 @@ static_assert(!IsTexture<TextureWithoutColor>);
 // ---- lights ---------------------------------------------------------------------------------
 
 struct PlainForm {};
-Incoming<Wide> incoming(const PlainForm&, const Vec3<Wide>&);
+LightSample<Wide> sample_li(const PlainForm&, const Vec3<Wide>&);
 struct PlaneForm {  // that shines from an area
   Constant middle;
 };
-Incoming<Wide> incoming(const PlaneForm&, const Vec3<Wide>&, const Wide&, const Wide&);
+LightSample<Wide> sample_li(const PlaneForm&, const Vec3<Wide>&, const Wide&, const Wide&);
 
 template <class Kind>
 struct Near : Described<Kind> {
@@ -166,7 +166,7 @@ static_assert(IsLight<SeenArea>);
 struct FormOfTwoMinds {
   Constant middle;
 };
-Incoming<Wide> incoming(const FormOfTwoMinds&, const Vec3<Wide>&);
+LightSample<Wide> sample_li(const FormOfTwoMinds&, const Vec3<Wide>&);
 static_assert(ShinesFromPoint<FormOfTwoMinds> && !LitForm<FormOfTwoMinds>);
 struct LightOfTwoMinds : Near<LightOfTwoMinds> {};
 FormOfTwoMinds prepare(const LightOfTwoMinds&);

@@ -12,18 +12,18 @@ namespace {
 // ---- few balls --------------------------------------------------------------------------------
 
 constexpr std::size_t few_balls = 16;
-// Beyond so many lights a ray takes so long that its work has to be counted, which this way does
-// not.
+// With more lights a ray takes so long that its work has to be counted, which FewBallsView does not
+// do.
 constexpr std::size_t few_lights = 64;
 
 // Whether it shines from one point and does not fade.
-bool is_plain_point(const WorldLight& shining) {
+bool is_plain_point(const WorldLight& light) {
   const bool from_point =
-      std::visit([]<class Form>(const Form&) { return ShinesFromPoint<Form>; }, shining.form);
-  return from_point && shining.fade_distance == 0 && shining.places == nullptr;
+      std::visit([]<class Form>(const Form&) { return ShinesFromPoint<Form>; }, light.form);
+  return from_point && light.fade_distance == 0 && light.strata == nullptr;
 }
 
-// Whether it scatters light and does nothing else.
+// Whether the surface has a diffuse term alone.
 bool is_plain(const ShadingParameters& shading) {
   return !emits(shading.ambient.exact) && shading.brilliance == 1 && shading.specular == 0 &&
          shading.reflection == 0 && shading.transmission == 0 && shading.texture < 0;
@@ -34,7 +34,7 @@ bool is_plain_balls(const Geometry& geometry) {
          geometry.balls.size() <= few_balls && std::ranges::all_of(geometry.shadings, is_plain);
 }
 
-// Lists all balls, if they are so few and plain that they are tried in turn.
+// Lists the balls of a world that FewBallsView can draw; of another none.
 void list_few_balls(World& world) {
   std::vector<Ball> all;
   for (const Geometry* each : world.geometries()) {
@@ -78,7 +78,7 @@ class Lighting {
     if (skies_) world_.background = *skies_;
   }
   void add(const Light& light, const std::string& name) {
-    if (light.awaited() != nullptr) return;  // a key light that no key has lit yet
+    if (light.awaited() != nullptr) return;  // a key light whose key has not been pressed
     const Vec3d color = rgb_of(light.color) * light.intensity;
     std::visit(
         [&]<class Kind>(const Kind& kind) {
@@ -96,11 +96,11 @@ class Lighting {
     if (light.fade_distance) shining.fade_distance = *light.fade_distance;
     shining.fade_power = light.fade_power;
     shining.name = name;
-    if constexpr (AreaLight<Kind>) shining.places = places(kind.samples);
+    if constexpr (AreaLight<Kind>) shining.strata = strata_of(kind.samples);
     if constexpr (SeenLight<Kind>) shining.primitive = add_seen(surface(kind), color);
     if (emits(color)) world_.lights.push_back(shining);
   }
-  std::shared_ptr<const Strata> places(int samples) {
+  std::shared_ptr<const Strata> strata_of(int samples) {
     if (samples == 1) return nullptr;
     std::shared_ptr<const Strata>& shared = strata_[samples];
     if (!shared) shared = std::make_shared<const Strata>(samples);
@@ -122,7 +122,7 @@ class Lighting {
   Geometry& lights_ = world_.of_lights;
   GeometryBuilder builder_{lights_, workers_};
   std::map<int, std::shared_ptr<const Strata>> strata_;
-  std::optional<Vec3d> skies_;  // the light of all backgrounds; none: the scene's own is seen
+  std::optional<Vec3d> skies_;  // the sum of the sky lights; none: the scene's background is seen
 };
 
 }  // namespace

@@ -23,17 +23,18 @@
 
 namespace tia {
 
-/// WorldLight: a light that shines on points.
+/// WorldLight: a light that lights surfaces.
 struct WorldLight {
   LightForm form;
   Constant middle;           ///< of a form that shines from a point (ShinesFromPoint)
   Constant color;            ///< color * intensity
   double fade_distance = 0;  ///< 0: it does not fade
   double fade_power = 0;
-  /// Of its area, that shine; null: its middle alone. Lights of as many places share them.
-  std::shared_ptr<const Strata> places{};
-  int primitive = -1;  ///< its own surface, which never blocks it; -1: none
-  int instance = 0;    ///< which instance of it
+  /// Of its area, one a sample; null: one sample, its middle. Lights with as many samples share
+  /// them.
+  std::shared_ptr<const Strata> strata{};
+  int primitive = -1;  ///< its own surface, which does not block its light; -1: none
+  int instance = 0;    ///< which instance of that surface
   std::string name{};  ///< the JSON Pointer of one of the scene's lights; "": a luminous object
 };
 

@@ -189,7 +189,7 @@ TEST(Samples, LimitAndStopAreSeenWithinOneTile) {
   const auto nothing = [](const Block&) {};
   EXPECT_THROW(render(world, view, {0, 0, 32, 32}, options, pool, {}, nothing), InputError);
 
-  RayTally many;
+  RayCounts many;
   many.primary = RayMeter::often;
   std::stop_source source;
   RayMeter meter(1LL << 60, 1LL << 60, source.get_token());
