@@ -4,11 +4,15 @@
 #include <cmath>
 #include <limits>
 
+#include "core/math/tolerances.h"
+
 namespace tia {
 namespace {
 
-// A ray that runs in the plane of a face, no matter how far, is not to leave the box by a rounding.
-double outwards(double x) { return std::max(std::fabs(x) * 0x1p-22, 1e-20); }
+// How far a face is moved, so that a ray that runs in its plane is in the box despite rounding.
+double outwards(double x) {
+  return std::max(std::fabs(x) * tolerance::box_face, tolerance::box_face_least);
+}
 float below(double x) { return rounded_down(x - outwards(x)); }
 float above(double x) { return rounded_up(x + outwards(x)); }
 

@@ -4,14 +4,16 @@
 #include <array>
 
 #include "core/boxes/box32.h"
+#include "core/math/tolerances.h"
 #include "core/math/wide.h"
 
 namespace tia {
 
-/// Far beyond the three roundings of a slab's t, and beyond the one of a hit's t_max.
-inline constexpr float box_shrink = 1 - 0x1p-20F, box_grow = 1 + 0x1p-20F;
+/// Factors on where a ray enters and leaves a box.
+inline constexpr float box_shrink = 1 - tolerance::box_t, box_grow = 1 + tolerance::box_t;
 
-/// BoxRay: the ray as the slabs of boxes need it. A test never misses a box that the ray meets.
+/// BoxRay: a ray in the form that the slab test needs. The test never misses a box that the ray
+/// meets.
 /// Source: Ize, "Robust BVH Ray Traversal", JCGT 2 (2013).
 template <class Real>
 class BoxRay {
@@ -25,7 +27,7 @@ class BoxRay {
         backwards_{first_below_zero(direction.x), first_below_zero(direction.y),
                    first_below_zero(direction.z)} {}
 
-  /// The same from elsewhere.
+  /// The same directions from another origin.
   BoxRay from(const Vec3<Real>& origin, const Real& blur) const {
     BoxRay moved = *this;
     moved.low_ = {origin.x + blur, origin.y + blur, origin.z + blur};
@@ -63,7 +65,8 @@ class BoxRay {
     f(1, low_.y, high_.y, inverse_.y);
     f(2, low_.z, high_.z, inverse_.z);
   }
-  /// Whether the first lane runs against an axis: which of two boxes to try first.
+  /// Whether the first lane's direction is negative along an axis, to choose which of two boxes to
+  /// try first.
   bool backwards(int axis) const { return backwards_[static_cast<std::size_t>(axis)]; }
 
  private:
@@ -71,7 +74,8 @@ class BoxRay {
   friend class BoxRay;
   BoxRay() = default;
 
-  // A direction of 0 becomes one that is parallel enough, so that no 0 * infinity arises.
+  // A component below 1e-30 becomes 1e-30, so that its inverse is finite and 0 * infinity cannot
+  // occur. Within the greatest distance, some 1e9, such a ray moves 1e-21: less than rounding.
   static Real away_from_zero(const Real& d) {
     constexpr float tiny = 1e-30F;
     const Real least = select(d < Real(0), Real(-tiny), Real(tiny));

@@ -9,8 +9,9 @@
 namespace tia {
 
 /// OffsetBvh. Space/units: floats around `middle`, so that small boxes far from the origin of space
-/// keep their size; lines are tried on them in float, so boxes must be larger than what they hold
-/// by 2^-20 of the whole tree. A leaf is one thing, and `first` its number; there is no `order`.
+/// keep their size. Lines are tried on them in float, so boxes must be larger than what they
+/// contain by tolerance::cell_box of the whole tree. A leaf is one thing, and `first` its number;
+/// there is no `order`.
 struct OffsetBvh : Bvh {
   Vec3d middle{};
 
@@ -53,7 +54,7 @@ inline unsigned stretches(const BoxSet& boxes, const BoxLine& line, float from, 
     const Eight low = load(boxes.faces[axis]), high = load(boxes.faces[axis + 3]);
     const Eight o(line.origin[axis]), d(line.inverse[axis]);
     if (!std::isfinite(line.inverse[axis])) {
-      // It does not move there: 0 * infinity, in a face, would be no number.
+      // The line is parallel to these faces; in one of them the product would be 0 * infinity.
       met &= at_most(low, o, boxes) & at_most(o, high, boxes);
       continue;
     }

@@ -6,6 +6,7 @@ namespace tia {
 
 void QuadLight::check(const Place& at, Faults& faults) const {
   const Vec3d across = cross(u, v);
+  // The sine between the edges. With less, rounding would turn the normal by some 1e-4.
   if (length(across) > 1e-12 * length(u) * length(v)) return;
   const bool no_u = u == Vec3d{0, 0, 0};
   faults.add({FaultKind::out_of_range, at.at(no_u ? "u" : "v").pointer(), write_value(no_u ? u : v),

@@ -7,7 +7,8 @@ namespace tia {
 namespace {
 
 constexpr int most_splits = 48;
-constexpr double least_share = 0x1p-12;  // of what is left of a polynomial, to be tried alone
+constexpr double least_share =
+    0x1p-12;  // of what is left of a polynomial: a stretch that is smaller is given up as unsure
 
 /// Which lanes' coefficients prove what, as bits.
 struct Verdict {

@@ -8,8 +8,11 @@
 namespace tia {
 namespace {
 
-constexpr double parallel = 1e-9;  // sine of the least angle between axes
-constexpr double widest = 1e9;     // the view's extent, per unit of the eye's distance from it
+// The sine of the least angle between axes: with less, rounding would turn the axis that is made
+// perpendicular to them by more than 1e-7, float's own rounding.
+constexpr double parallel = 1e-9;
+// The greatest extent of the view, per unit of the eye's distance from it: the inverse of the same.
+constexpr double widest = 1e9;
 
 // |a x b| as a share of |a| |b|: 0 where the two are parallel or one is zero.
 double sine_between(const Vec3d& a, const Vec3d& b) {
@@ -152,7 +155,8 @@ void Check::view_plane() {
 }  // namespace
 
 void Basis::check(const Place& at, Faults& faults) const {
-  constexpr double tolerance = 1e-6;
+  constexpr double tolerance =
+      1e-6;  // more than vectors are off that are written with seven digits
   const std::size_t before = faults.count();
   const auto fault = [&](const char* field, const Vec3d& got, const char* allowed) {
     faults.add({FaultKind::out_of_range, at.at(field).pointer(), write_value(got), allowed});

@@ -9,7 +9,7 @@ Vec3d triple(const std::vector<double>& values, std::size_t i) {
 
 Vec3d area_vector(const Vec3d& a, const Vec3d& b, const Vec3d& c) { return cross(b - a, c - a); }
 
-// Longest edge squared: what an area is large or small against.
+// The square of the longest edge, which areas are compared with.
 double extent(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
   const Vec3d edges[] = {b - a, c - b, a - c};
   return std::max({dot(edges[0], edges[0]), dot(edges[1], edges[1]), dot(edges[2], edges[2])});
@@ -43,8 +43,9 @@ MeshIndex::MeshIndex(const Mesh& mesh, const Workers& workers) {
   pack(workers);
 }
 
-// So that both windings are one mesh, to the bit: sums depend on the order of the corners. Where
-// the normals are for neither side, the numbers of the corners decide.
+// Triangles are wound to the side that their normals point to. So a mesh wound the other way gives
+// the same picture to the bit, though sums depend on the order of corners. Where the normals favour
+// neither side, the indices of the corners decide.
 void MeshIndex::wind_to_normals() {
   for (auto& [i, j, k] : triangles) {
     const Vec3d across = area_vector(positions[i], positions[j], positions[k]);
@@ -53,10 +54,11 @@ void MeshIndex::wind_to_normals() {
   }
 }
 
-// Whether it has an area, and so can be hit.
+// Whether it has an area. Others are never hit.
 bool MeshIndex::is_sound(std::size_t triangle) const {
-  constexpr double thinnest =
-      1e-14;  // an area below this share of the longest edge's square is none
+  // Twice the area as a share of the longest edge's square: 45 times the 2^-52 that the rounding of
+  // the products makes of no area.
+  constexpr double thinnest = 1e-14;
   const Vec3d &a = corner(triangle, 0), &b = corner(triangle, 1), &c = corner(triangle, 2);
   const Vec3d across = area_vector(a, b, c);
   const double most = thinnest * extent(a, b, c);
@@ -92,7 +94,7 @@ double MeshIndex::plane_distance(std::size_t triangle, const Line& line) const {
   return dot(n, a - line.origin) / dot(n, line.direction);
 }
 
-// Larger than the rounded triangle by more than what the test of a ray from nearby rounds.
+// Larger than the triangle by more than what the test in float errs by.
 Box32 MeshIndex::measured_box(std::size_t triangle) const {
   Vec3f low{infinity, infinity, infinity}, high = -low;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -100,7 +102,7 @@ Box32 MeshIndex::measured_box(std::size_t triangle) const {
     low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
     high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
   }
-  const Vec3f more{room, room, room};
+  const Vec3f more = Vec3f{1, 1, 1} * tolerance::mesh_box;
   return {low - more, high + more};
 }
 

@@ -9,6 +9,7 @@
 #include "core/accel/mesh/triangle.h"
 #include "core/boxes/bvh_builder.h"
 #include "core/boxes/packed_leaves.h"
+#include "core/math/tolerances.h"
 #include "core/shapes/crossing.h"
 #include "core/shapes/mesh/mesh.h"
 
@@ -27,8 +28,6 @@ struct MeshIndex {
   /// they keep their digits in float wherever the mesh stands and whatever its size.
   Vec3d middle{};
   double unit = 1;  ///< a power of two
-  /// By how much of it boxes are larger than the triangles in them.
-  static constexpr float room = 0x1p-18F;
   /// Of each triangle the nine coordinates of its corners.
   PackedLeaves<float, 9> packed;
 
@@ -60,15 +59,12 @@ struct MeshPoint {
 /// At a point of that triangle; the uvs are barycentric where the mesh has none.
 MeshPoint point_of(const MeshIndex& mesh, std::size_t triangle, const Vec3d& p);
 
-/// A mesh is large whose unit times this is beyond the distance that it is met at.
-inline constexpr float large_mesh = 0.4F;
-
 /// MeshRay: rays in a mesh's own measure, from where they are or, if that is far away, from next to
 /// the mesh: t = start + m * rate for the distance m in that measure.
 ///
-/// Float keeps places in a mesh to 2^-22 of its unit. Where a ray begins on a large one, its offset
-/// from surfaces (offset_of) is not far beyond that, and what is near is settled in double: a
-/// surface would shadow itself.
+/// Where a mesh is large beside the distances of a ray, the offset from its surface (offset_of) is
+/// less than what float errs by (tolerance::mesh_large). Near hits are then settled in double, or
+/// the surface would shadow itself.
 template <class Real>
 struct MeshRay {
   using P = Precise<Real>;
@@ -114,8 +110,8 @@ MeshRay<Real>::MeshRay(const MeshIndex& mesh, const RootRay<Real>& ray, bool uni
   origin = rounded(exact_origin);
   direction = rounded(exact_direction);
   const Real distance = max_of(extent, narrow<Real>(start));
-  const Mask<Real> is_large = !(distance >= narrow<Real>(rate) * Real(large_mesh));
-  near = select(is_large, Real(0x1p-14F), Real(0));
+  const Mask<Real> is_large = !(distance >= narrow<Real>(rate) * Real(tolerance::mesh_large));
+  near = select(is_large, Real(tolerance::mesh_near), Real(0));
 }
 
 }  // namespace tia

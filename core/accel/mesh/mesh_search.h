@@ -50,13 +50,12 @@ class NearHits {
       : mesh_(mesh), ray_(ray), i_(i), near_(static_cast<float>(lane(ray.near, i))) {}
 
   /// From where on a hit may be ahead.
-  float least() const { return near_ * -0x1p-5F; }
+  float least() const { return near_ * -tolerance::mesh_behind; }
   /// Returns: m, or something below 0 where the hit is not ahead.
   float settled(float m, std::size_t triangle) const {
     if (m >= near_) return m;
-    constexpr double most = 0x1p-10;  // beyond, its plane is met elsewhere
     const double exact = mesh_.plane_distance(triangle, ray_.exact(i_));
-    return exact > 0 && exact < most ? std::max(m, 0x1p-30F) : -1;
+    return exact > 0 && exact < tolerance::mesh_near_plane ? std::max(m, 0x1p-30F) : -1;
   }
 
  private:
@@ -186,7 +185,8 @@ class MeshSearch {
     if constexpr (std::is_same_v<Real, double>) {
       return m;
     } else {
-      const unsigned near = bits(here && m < root_.near && m > root_.near * Real(-0x1p-5F));
+      const unsigned near =
+          bits(here && m < root_.near && m > root_.near * Real(-tolerance::mesh_behind));
       if (near == 0) return m;
       std::array<float, static_cast<std::size_t>(lanes<Real>)> each;
       store(m, each.data());

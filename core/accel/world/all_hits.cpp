@@ -125,7 +125,9 @@ class Collector {
   double endless_ = Aabb::far;
 };
 
-// Two triangles of one mesh met at one place: their shared edge or corner.
+// Whether two triangles of one mesh are hit at the same point, on an edge or corner that they
+// share. Their t are found in double, and differ by some 1e-16 over the sine between ray and
+// triangle.
 bool same_place(const World& world, const Meeting& a, const Meeting& b) {
   constexpr double slack = 1e-12;
   return a.primitive == b.primitive && a.instance == b.instance &&

@@ -9,7 +9,8 @@
 namespace tia {
 namespace {
 
-// By how much a map scales all lengths alike; nothing where it does not.
+// The factor by which a map scales all lengths; nothing where it scales some more than others. The
+// slack is 45 roundings of double, more than a dozen products of maps leave.
 std::optional<double> similarity(const Affine& map) {
   constexpr double slack = 1e-14;
   const double xx = dot(map.x, map.x), yy = dot(map.y, map.y), zz = dot(map.z, map.z);
@@ -69,8 +70,8 @@ int GeometryBuilder::add(SharedMesh mesh, const Setting& at) {
   Aabb box;
   for (const Vec3d& p : mesh->positions) box = around(box, at.place.point(p));
   // As much larger as the boxes of its triangles are.
-  const double more =
-      MeshIndex::room * mesh->unit * (length(at.place.x) + length(at.place.y) + length(at.place.z));
+  const double more = tolerance::mesh_box * mesh->unit *
+                      (length(at.place.x) + length(at.place.y) + length(at.place.z));
   box = {box.min - Vec3d{more, more, more}, box.max + Vec3d{more, more, more}};
   const int primitive = add_primitive(Sphere{}, at, geometry_.objects++);
   geometry_.degenerate += mesh->degenerate;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/math/tolerances.h"
+
 namespace tia {
 
 std::array<int, 3> InstanceGrid::place(std::int64_t number) const {
@@ -40,7 +42,8 @@ Box32 InstanceRange::box(const InstanceGrid& grid) const {
 
 float InstanceGrid::slack_of(const Aabb& all) {
   const Vec3d far = upper(all.max, all.min * -1.0);
-  return static_cast<float>(std::max({far.x, far.y, far.z}) * 0x1p-21 + 1e-20);
+  return static_cast<float>(std::max({far.x, far.y, far.z}) * tolerance::grid_box +
+                            tolerance::box_face_least);
 }
 
 }  // namespace tia

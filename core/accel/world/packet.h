@@ -7,6 +7,7 @@
 #include "core/boxes/box_ray.h"
 #include "core/math/octet.h"
 #include "core/math/ray.h"
+#include "core/math/tolerances.h"
 #include "core/math/transform.h"
 #include "core/shapes/crossing.h"
 
@@ -78,7 +79,8 @@ class Packet {
     return {narrow<Real>(v.x), narrow<Real>(v.y), narrow<Real>(v.z)};
   }
   static Real blur_of(const Vec3<Real>& origin) {
-    return max_of(max_of(abs_of(origin.x), abs_of(origin.y)), abs_of(origin.z)) * Real(0x1p-22F);
+    return max_of(max_of(abs_of(origin.x), abs_of(origin.y)), abs_of(origin.z)) *
+           Real(tolerance::group_origin);
   }
 };
 

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <variant>
 
+#include "core/math/tolerances.h"
 #include "core/math/transform.h"
 #include "core/shapes/shape.h"
 
@@ -46,12 +47,12 @@ auto with_own_line(const Primitive& primitive, const Line& line, F f) {
   return std::visit([&](const auto& form) { return f(form, own, shift, length); }, primitive.form);
 }
 
-/// How far along its own line a primitive is searched: a t beyond the limit may be no longer so
-/// once it is rounded, and then order in the scene decides.
+/// How far along its own line a primitive is searched: a little beyond t_max (tolerance::search_t),
+/// and beyond what double rounds the shift by, four times 2^-52.
 template <class Real>
 Real search_limit(const Real& t_max, const Real& shift, const Real& length) {
-  constexpr double slack = 1e-6, rounding = 0x1p-50;
-  return t_max * Real(1 + slack) * length - shift + Real(rounding) * abs_of(shift);
+  constexpr double rounding = 0x1p-50;
+  return t_max * Real(1 + tolerance::search_t) * length - shift + Real(rounding) * abs_of(shift);
 }
 
 /// The work that a function of a form returns, 0 where it returns nothing.

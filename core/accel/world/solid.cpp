@@ -7,7 +7,8 @@
 namespace tia {
 namespace {
 
-// Two faces count as one where they are no farther apart than roots in double are wrong.
+// How far apart along the line two faces may be to count as one: 2^12 roundings of double of the
+// origin's distance, for roots lose some digits, those of high degree most.
 double same_distance(const Line& line) {
   const Vec3d& o = line.origin;
   const double reach = std::max({std::fabs(o.x), std::fabs(o.y), std::fabs(o.z)});

@@ -149,10 +149,9 @@ Vec3<Real> texture_colors(const World& world, const Ray<Real>& ray, const Hit<Re
     const Vec2d uv =
         wants_uv ? uv_at(world, p, primitive, static_cast<int>(lane(hit.element, i)), instance)
                  : Vec2d{};
-    // The point is off its surface along the ray, by the rounding of t and of what t is made of.
     const double reach = std::max(
         {std::fabs(p.x), std::fabs(p.y), std::fabs(p.z), static_cast<double>(lane(hit.t, i))});
-    const double blur = 4e-6 * reach * length(map.vector(line.direction));
+    const double blur = tolerance::texture_point * reach * length(map.vector(line.direction));
     const Vec3d color = color_at(texture, map.point(p), uv, blur);
     const double channels[] = {color.x, color.y, color.z};
     for (std::size_t k = 0; k < 3; ++k) rgb[k][at] = static_cast<LaneOf<Real>>(channels[k]);

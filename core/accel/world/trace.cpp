@@ -19,10 +19,10 @@ double settled_distance(const Geometry& geometry, const Primitive& primitive, co
   const Affine map = to_object(geometry, primitive, instance);
   const Vec3d direction = map.vector(line.direction) * (1 / mesh.unit);
   const double rate = 1 / length(direction);
-  if (!(t < large_mesh * rate)) return t;
+  if (!(t < tolerance::mesh_large * rate)) return t;
   const double exact =
       mesh.plane_distance(triangle, {mesh.measured(map.point(line.origin)), direction});
-  return exact > 0 && std::fabs(exact - t) < 0x1p-12 * rate ? exact : t;
+  return exact > 0 && std::fabs(exact - t) < tolerance::mesh_settled * rate ? exact : t;
 }
 
 // After the search, which compares what float has found: so it does not matter what comes first.

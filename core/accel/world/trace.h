@@ -36,12 +36,12 @@ template <class Real>
 Mask<Real> occluded(const World& world, const Ray<Real>& ray, const Real& t_max,
                     const WorldLight& light, Mask<Real> active, WorkCounter& work);
 
-/// How far a ray starts from its surface: 1e-4 at the thesis' distances, in proportion to the
-/// distance elsewhere, so that scenes of other scales have neither acne nor leaks.
+/// How far from its surface a ray starts: in proportion to the distances, so that scenes of every
+/// scale have neither shadow acne nor light leaks.
 template <class Real>
 Real offset_of(const Real& t, const Vec3<Real>& p) {
   const Real extent = max_of(max_of(abs_of(p.x), abs_of(p.y)), abs_of(p.z));
-  return Real(5e-6F) * max_of(t, extent);
+  return Real(tolerance::ray_offset) * max_of(t, extent);
 }
 
 /// The share of a light's light that goes straight from t_max to the ray's origin through all that

@@ -123,7 +123,8 @@ double polished(const AlgebraicForm& algebraic, const Line& line, const RootBrac
     last = t;
     const double next = t - at.value / at.slope;
     if (!(bracket.low < next && next < bracket.high)) return t;
-    // What is left goes with the square of a step.
+    // The error after a step is about its square: 2^-80, below double's rounding even where the
+    // derivative is small.
     const double step = std::fabs(next - t);
     if (step <= 0x1p-40 * (std::fabs(p.x) + std::fabs(p.y) + std::fabs(p.z))) return next;
     t = next;

@@ -139,7 +139,8 @@ IsosurfaceForm prepare(const Blend& blend) {
                       {&builder, builder.variable(2)}};
   const Symbol f = distance(blend, p);
   const Aabb box = bounds(blend);
-  const Vec3d more = box.size() * 0x1p-20;  // the surface must not lie in a face
+  const Vec3d more =
+      box.size() * 0x1p-20;  // so that the surface does not lie in a face of the region
   return isosurface_form(builder.program({f.number}), Region{Box{box.min - more, box.max + more}});
 }
 

@@ -79,7 +79,7 @@ double outermost(const std::array<double, most_coefficients>& sizes, int n, doub
       sum += sizes[static_cast<std::size_t>(k)] / power;
       power *= size;
     }
-    return sum < size * (1 - 1e-9);
+    return sum < size * (1 - 1e-9);  // the margin is far above the rounding of the sum
   };
   double low = 0, high = 0x1p-30;
   while (!outweighed(high) && high < 0x1p30) high *= 2;

@@ -5,7 +5,7 @@
 namespace tia {
 namespace {
 
-// Up to where boundaries are one with that at t.
+// Boundaries up to here count as the one at t: `same`, and 2^-40 of t for the rounding of t itself.
 double end_of_one(double t, double same) {
   return std::isfinite(t) ? t + same + 0x1p-40 * std::fabs(t) : t;
 }

@@ -5,6 +5,7 @@
 #include <deque>
 
 #include "core/input/stopped.h"
+#include "core/math/tolerances.h"
 #include "core/shapes/subdivision.h"
 
 namespace tia {
@@ -13,11 +14,11 @@ namespace {
 using Box8 = std::array<Interval<Octet>, 3>;
 using Slopes = Dual<Interval<Octet>, 3>;
 
-constexpr std::size_t most_field_cells = 1 << 16;
+constexpr std::size_t most_cells = 1 << 16;
 // Boxes are traversed enlarged by this share of the region's size, and what is said of them is
 // proven for twice the enlargement. So neighbours overlap, and a line cannot pass between two of
 // them by rounding, nor leave what is proven.
-constexpr double walked_room = 0x1p-19;
+constexpr double walked_room = tolerance::cell_box;
 
 struct Pending {
   Aabb box;  // around the middle
@@ -53,6 +54,7 @@ bool beyond(const Region& region, const Aabb& box) {
   if (ball == nullptr) return false;
   const Vec3d nearest = upper(box.min, lower(box.max, ball->center));
   const Vec3d apart = nearest - ball->center;
+  // The margin is far above the rounding of the squares, some 1e-15 of them.
   return dot(apart, apart) > ball->radius * ball->radius * (1 + 1e-9);
 }
 
@@ -124,7 +126,7 @@ class CellBuilder {
   bool full() const {
     const std::size_t to_come = 8 * (pending_.size() + 1);
     const double cost = cost_ + function_.cost * static_cast<double>(pending_.size() + 1);
-    return all_.cells.size() + to_come > most_field_cells || cost > detail::most_tree_cost;
+    return all_.cells.size() + to_come > most_cells || cost > detail::most_tree_cost;
   }
   static bool is_flat(const IsosurfaceCell& cell) {
     // Scaled first, for their squares might underflow or overflow.
@@ -187,6 +189,7 @@ class CellBuilder {
     cell.offset = value - dot(cell.gradient, box.center());
     cell.spread = {rounded_up(spread.x), rounded_up(spread.y), rounded_up(spread.z)};
     const Vec3d far = upper(box.max, -box.min), steep = upper(cell.gradient, -cell.gradient);
+    // 16 times 2^-52, for the dozen operations of the linear approximation.
     const double rounding = 0x1p-48 * (std::fabs(value) + dot(steep, far));
     cell.slack = (dot(spread, reach) + lane(eight.error, i)) * (1 + 0x1p-40) + rounding;
     cell.smooth = whole && std::isfinite(cell.slack) && std::isfinite(cell.offset);

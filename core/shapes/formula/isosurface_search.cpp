@@ -113,8 +113,8 @@ IsosurfaceSearch::IsosurfaceSearch(const Program& function, const Line& line, do
     : along_(function, line), listener_(listener), brackets_alone_(brackets_alone) {
   const Vec3d& o = line.origin;
   const double size = std::max({reach, std::fabs(o.x), std::fabs(o.y), std::fabs(o.z)});
-  tolerance_ = 0x1p-52 * size;
-  least_ = 0x1p-40 * reach;
+  tolerance_ = 0x1p-52 * size;  // two roundings of a point's coordinate
+  least_ = 0x1p-40 * reach;     // the smallest piece: roots are told apart down to it
 }
 
 std::int64_t IsosurfaceSearch::work() const {
@@ -214,6 +214,8 @@ bool IsosurfaceSearch::finish_least(const Piece& piece) {
 // them. That tells a root from a jump, and a touched 0 from where intervals prove nothing, as at 0
 // / 0.
 bool IsosurfaceSearch::vanishes(const Piece& piece) {
+  // Compared with the values 2^20 pieces away, a root of the first order has 2^-20 of them here,
+  // one where f goes with the square root of t 2^-10. A jump has about as much here as there.
   constexpr double far = 0x1p20, share = 0x1p-10;
   values_ += 4;
   const double middle = (piece.from + piece.to) / 2, off = least_ * far;

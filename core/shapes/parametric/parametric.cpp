@@ -47,6 +47,7 @@ std::int64_t hits(const ParametricForm& form, const Line& line, double after, do
                                         return search.visit(static_cast<int>(leaf));
                                       });
   const Vec3d size = form.patches->box.size();
+  // A seam's hit is found by both patches, which agree to about 1e-14 of the size.
   detail::put_in_order(found, 1e-10 * std::max({size.x, size.y, size.z}));
   return 4 * nodes + search.work();
 }
@@ -62,7 +63,8 @@ FirstCrossing first_crossing(const ParametricForm& form, const Line& line, doubl
 
 namespace {
 
-// Where on the patch the surface is nearest to a point, from its middle on (Gauss and Newton).
+// The point of the patch that is nearest to p, by the Gauss-Newton method from the patch's middle.
+// It ends with a step of 1e-9 of the patch, whose error is about the step's square.
 detail::SurfaceAt nearest_on(const ParametricForm& form, const Vec3d& p, int element) {
   constexpr int most_steps = 12;
   const SurfacePatch& patch = form.patches->patches[static_cast<std::size_t>(element)];
@@ -89,12 +91,14 @@ detail::SurfaceAt nearest_on(const ParametricForm& form, const Vec3d& p, int ele
 
 }  // namespace
 
-// Where the slopes vanish, at a pole, the patch as a whole still has a side.
+// At a pole, where the derivatives' cross product vanishes, the normal of the patch's middle is
+// taken.
 Vec3d normal(const ParametricForm& form, const Vec3d& p, int element) {
   const detail::SurfaceAt at = nearest_on(form, p, element);
   const SurfacePatch& patch = form.patches->patches[static_cast<std::size_t>(element)];
   const Vec3d whole = cross(patch.by_u, patch.by_v), own = cross(at.by_u, at.by_v);
   const auto usable = [](const Vec3d& n) { return dot(n, n) > 0 && std::isfinite(dot(n, n)); };
+  // A cross product of 1e-8 of the patch's own has lost half of double's digits.
   const bool vanishes = dot(own, own) <= 1e-16 * dot(whole, whole);
   const Vec3d& n = usable(own) && !(usable(whole) && vanishes) ? own : whole;
   return usable(n) ? unit(n) : Vec3d{0, 1, 0};

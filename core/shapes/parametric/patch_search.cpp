@@ -9,14 +9,15 @@
 namespace tia::detail {
 namespace {
 
-// What one line may take, in evaluations of eight patches: a patch a share of what is left, and
-// enough for a pole, until all is spent.
+// The budget of one line, in evaluations of eight patches. One patch may take a share of what is
+// left, and at least enough for a pole.
 constexpr int most_evaluations = 400, patch_share = 4, least_evaluations = 16,
               last_evaluations = 1600;
-// A patch that is parted no further, as a share of the whole domain's sides, or of the whole
-// surface's size: at a pole any u is the same point.
+// A patch of these shares of the domain's sides, or of the surface's size, is divided no further.
+// The second ends the division at a pole, where all u are the same point.
 constexpr double least_share = 0x1p-30, least_size = 0x1p-36;
-// A rectangle reaches over its edge by this part of itself, so that no line slips through a seam.
+// Rectangles are enlarged by this share, so that a line cannot pass between two of them: Newton's
+// solution in either is good to some 1e-14.
 constexpr double overlap = 1e-9;
 constexpr std::string_view alone = "interval arithmetic proves one solution in the patch at most";
 constexpr std::string_view small = "the patch is as small as the numbers tell apart";
@@ -139,10 +140,10 @@ double PatchSearch::visit(std::int32_t leaf) {
   return before_;
 }
 
-// Newton's steps, kept within the patch; so they come to its solution if there is one.
+// Newton's method with u and v clamped to the patch, so that it converges to the patch's solution.
 void PatchSearch::solve(const SurfacePatch& patch, const Projected& p) {
   constexpr int most_steps = 30, most_own = 10;
-  constexpr double close = 1e-7;  // from here the next step, whose error is a square, is exact
+  constexpr double close = 1e-7;  // the error after a step is about its square, 1e-14
   const Rectangle& r = patch.where;
   const Matrix first = p.slopes.inverse();
   const auto in_u = [&](double u) {

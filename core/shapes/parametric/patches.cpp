@@ -5,13 +5,15 @@
 #include <deque>
 
 #include "core/input/stopped.h"
+#include "core/math/tolerances.h"
 #include "core/shapes/subdivision.h"
 
 namespace tia {
 namespace {
 
 constexpr std::size_t most_patches = 1 << 15;
-// Small enough is one of this part of the whole, flat or not, such as at a pole.
+// A patch of this share of the whole surface is divided no further, flat or not: at a pole none
+// would ever be flat.
 constexpr double smallest = 0x1p-14;
 
 using PatchSlopes = Dual<Interval<Octet>, 2>;
@@ -146,7 +148,7 @@ class PatchBuilder {
     if (all.box.empty()) return all;
     all.tree.middle = all.box.center();
     all.tree.nodes.resize(nodes_.size());
-    const double size = longest(all.box) * 0x1p-19;  // of rounding along a line in float
+    const double size = longest(all.box) * tolerance::cell_box;
     const Vec3d more{size, size, size};
     for (std::size_t n = 0; n < nodes_.size(); ++n)
       for (std::size_t i = 0; i < 8; ++i) {

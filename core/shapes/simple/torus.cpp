@@ -9,7 +9,8 @@
 namespace tia {
 namespace {
 
-// All below is in units of the major radius.
+// All below is in units of the major radius. The margin makes the stretch begin and end outside of
+// the torus; it is far above the rounding of the stretch's ends, some 1e-15.
 constexpr double margin = 1 + 1e-6;
 
 double distance_from_axis(const Vec3d& p) { return std::sqrt(p.x * p.x + p.z * p.z); }

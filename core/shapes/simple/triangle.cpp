@@ -12,6 +12,7 @@ double largest(const Vec3d& v) {
 }  // namespace
 
 void Triangle::check(const Place& at, Faults& faults) const {
+  // The sine between the edges. With less, rounding would turn the normal by some 1e-4.
   constexpr double thinnest = 1e-12;
   const Vec3d to_b = b - a, to_c = c - a;
   const bool spans =

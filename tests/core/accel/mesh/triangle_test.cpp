@@ -138,7 +138,7 @@ TEST(Triangle, HitsAreWithinItsBoxHoweverThinItIsSeen) {
     const TriangleHit<float> hit = intersect(sheared(origin, way), corners);
     if (!hit.inside || !(hit.t > 0) || !(hit.t < 8)) continue;
     ++hits;
-    constexpr float room = MeshIndex::room;
+    constexpr float room = tolerance::mesh_box;
     Vec3f low{infinity, infinity, infinity}, high = -low;
     for (std::size_t k = 0; k < 3; ++k) {
       const auto p = static_cast<Vec3f>(corner(k));

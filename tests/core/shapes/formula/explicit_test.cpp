@@ -3,7 +3,7 @@
 
 #include "core/shapes/algebraic/algebraic.h"
 #include "core/shapes/algebraic/quadric.h"
-#include "tests/core/shapes/fields.h"
+#include "tests/core/shapes/isosurfaces.h"
 
 namespace tia {
 namespace {

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "core/accel/world/all_hits.h"
-#include "tests/core/shapes/fields.h"
+#include "tests/core/shapes/isosurfaces.h"
 
 namespace tia {
 namespace {

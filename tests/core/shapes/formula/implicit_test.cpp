@@ -6,7 +6,7 @@
 #include "core/shapes/algebraic/quadric.h"
 #include "core/shapes/simple/sphere.h"
 #include "core/shapes/simple/torus.h"
-#include "tests/core/shapes/fields.h"
+#include "tests/core/shapes/isosurfaces.h"
 
 namespace tia {
 namespace {

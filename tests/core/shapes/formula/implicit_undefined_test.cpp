@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/core/formulas/trees.h"
-#include "tests/core/shapes/fields.h"
+#include "tests/core/shapes/isosurfaces.h"
 
 namespace tia {
 namespace {
