@@ -1,4 +1,4 @@
-// Bins: how the builder of a tree finds out where to part boxes.
+// Bins: how the builder of a tree finds where to split a list of boxes.
 #pragma once
 
 #include <algorithm>
@@ -58,7 +58,7 @@ struct Run {
 /// BinScale: where centres fall among the bins of an axis.
 struct BinScale {
   float low = 0, bins_per_length = 0;
-  bool parts = false;  // whether it tells anything apart
+  bool parts = false;  // whether the centres differ
 
   BinScale(const Extent& centers, std::size_t axis) : low(centers.least[axis]) {
     bins_per_length = static_cast<float>(bins) / centers.size(axis);

@@ -1,4 +1,4 @@
-// Boxes in float that hold what boxes in double do.
+// Box32: boxes in float that contain boxes in double.
 #pragma once
 
 #include "core/math/aabb.h"
@@ -12,8 +12,8 @@ struct Box32 {
 };
 /// The least box in float that holds one in double.
 Box32 enclosing(const Aabb& box);
-/// A little beyond that, so that it holds all that the exact one holds for a ray that runs in one
-/// of its faces, too.
+/// A little larger (tolerance::box_face), so that a ray in the plane of one of its faces enters it
+/// as well.
 Box32 rounded_outwards(const Aabb& box);
 
 /// The next float that is not above, or not below, a number.

@@ -1,4 +1,4 @@
-// A ray, or a register's lanes of them, as boxes are tried with it.
+// BoxRay: a packet of rays, or a single ray, in the form that the test with boxes needs.
 #pragma once
 
 #include <array>
@@ -34,7 +34,7 @@ class BoxRay {
     moved.high_ = {origin.x - blur, origin.y - blur, origin.z - blur};
     return moved;
   }
-  /// The lanes that are in the box somewhere from 0 to t_max.
+  /// The lanes whose rays are in the box for some t from 0 to t_max.
   [[gnu::always_inline]] Mask<Real> enters(const Box32& box, const Real& t_max) const {
     Real near(0), far = t_max;
     const auto slab = [&](float from, float to, const Real& low, const Real& high,

@@ -1,5 +1,5 @@
 // Bounding volume hierarchy: a tree of boxes over numbered things, up to eight children a node. It
-// knows boxes only; what is in them is the visitor's business.
+// knows boxes only; the things in them are known to the visitor alone.
 #pragma once
 
 #include <algorithm>
@@ -56,8 +56,10 @@ class BvhStack {
       return {node.first[i], node.count[i], static_cast<std::uint16_t>(i), parent, near[i]};
     };
     const unsigned others = entered & (entered - 1);
-    if ((others & (others - 1)) == 0) {  // one or two, mostly: nobody can foretell which, nor which
-      const auto a = static_cast<unsigned>(std::countr_zero(entered));  // is nearer: no branches
+    // Mostly one or two are entered. Which, and which of them is nearer, could not be predicted, so
+    // there are no branches.
+    if ((others & (others - 1)) == 0) {
+      const auto a = static_cast<unsigned>(std::countr_zero(entered));
       const auto b = 31 - static_cast<unsigned>(std::countl_zero(entered));
       const unsigned nearer = a ^ ((a ^ b) & (0U - static_cast<unsigned>(near[b] < near[a])));
       entries_[top_] = child(a ^ b ^ nearer);
@@ -112,14 +114,15 @@ void traverse(const Bvh& bvh, std::uint32_t root, const LoneRay& ray, const floa
   }
 }
 
-/// So few rays of a packet go alone. Measured: 2 to 5 are alike, more or fewer are slower.
+/// Up to so many rays of a packet go on one by one. Measured: 2 to 5 are equally fast, more or
+/// fewer are slower.
 inline constexpr int few_lanes = 4;
 
-/// A packet through all of it: what no ray of the interval enters is left out at once, and of the
-/// rest the lanes that do not. Where at most `few` lanes go on into a node, or all ways at once,
-/// alone(node, lanes) has to take them through it: a packet of few costs as much as one of many.
-/// Source: Benthin, Wald, Woop, Ernst, "Combining single and packet-ray tracing for arbitrary ray
-/// distributions on the Intel MIC architecture" (2012).
+/// Traverses the tree with a packet. Nodes that no ray of the interval enters are left out at once;
+/// in the others only the lanes that enter them go on. Where those are at most `few`, alone(node,
+/// lanes) has to trace them through the node one by one, because a packet costs as much with few
+/// rays as with many. Source: Benthin, Wald, Woop, Ernst, "Combining single and packet-ray tracing
+/// for arbitrary ray distributions on the Intel MIC architecture" (2012).
 template <class Real, class Leaf, class Alone>
 void traverse(const Bvh& bvh, const BoxRay<Real>& ray, const RayInterval& interval,
               Mask<Real> active, const Real& t_max, WorkCounter& work, Leaf leaf, int few,
@@ -135,7 +138,7 @@ void traverse(const Bvh& bvh, const BoxRay<Real>& ray, const RayInterval& interv
     else if (!stack.pop(furthest, next)) return;
     for (;;) {
       Mask<Real> entered = active;
-      if constexpr (lanes < Real >> 1) {  // of one ray the interval has told all
+      if constexpr (lanes < Real >> 1) {  // for a single ray the test of the interval was exact
         work.test();
         entered = active && ray.enters(bvh.nodes[next.parent].boxes.box(next.slot), t_max);
       }
@@ -150,7 +153,7 @@ void traverse(const Bvh& bvh, const BoxRay<Real>& ray, const RayInterval& interv
   }
 }
 
-/// The same, never alone.
+/// The same, without going on one by one.
 template <class Real, class Leaf>
 void traverse(const Bvh& bvh, const BoxRay<Real>& ray, Mask<Real> active, const Real& t_max,
               WorkCounter& work, Leaf leaf) {

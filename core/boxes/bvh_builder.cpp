@@ -133,7 +133,8 @@ class Builder {
       const auto widest = std::ranges::max_element(children, {}, width);
       if (widest->count <= smallest) break;
       const Run whole = *widest;
-      children.erase(widest);  // of equals the ones that wait longest: it stays shallow
+      children.erase(
+          widest);  // of equal ones those that were added first, which keeps the tree shallow
       part(whole, depth, children);
     }
     return children;
@@ -145,7 +146,7 @@ class Builder {
     const Scales scales = scales_of(run.centers);
     const Split split = depth < Bvh::deepest / 2 ? best_split(run, scales) : Split{};
     if (split.cost < infinity) return part(run, split, scales[split.axis], children);
-    const std::size_t half = run.count / 2;  // equal centres cannot be told apart
+    const std::size_t half = run.count / 2;  // no split separates equal centres
     for (const auto& [first, count] :
          {std::pair(run.first, half), std::pair(run.first + half, run.count - half)}) {
       Run& each = children.emplace_back(Run{first, count});
@@ -155,8 +156,8 @@ class Builder {
       }
     }
   }
-  // Nobody can foretell on which side the next one falls: each is written to both, without a
-  // branch.
+  // Each box is written to both sides, and the end of one of them is moved. A branch could not be
+  // predicted.
   void part(const Run& run, const Split& split, const BinScale& scale, Children& children) {
     Extent* const list = &list_[run.first];
     Extent* const spare = &spare_[run.first];
@@ -219,7 +220,7 @@ class Builder {
   }
   List list_, spare_;
   Run all_;
-  static constexpr std::size_t smallest = 6;  // what is not worth two children
+  static constexpr std::size_t smallest = 6;  // runs up to this size become leaves
 };
 
 }  // namespace

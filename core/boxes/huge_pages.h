@@ -1,4 +1,4 @@
-// Memory for large lists that rays jump about in.
+// HugePages: memory for large lists that are accessed in random order.
 #pragma once
 
 #include <cstddef>

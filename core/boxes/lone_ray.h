@@ -1,4 +1,4 @@
-// One ray against eight boxes.
+// LoneRay: one ray, tested with eight boxes.
 #pragma once
 
 #include <array>
@@ -8,7 +8,7 @@
 
 namespace tia {
 
-/// LoneRay: one ray, which knows of each pair of a box's faces which it meets first.
+/// LoneRay: one ray, with the index of the face that it meets first, for each axis.
 /// Source: Wald, Benthin, Boulos, "Getting rid of packets: efficient SIMD single-ray traversal
 /// using multi-branching BVHs" (2008).
 class LoneRay {
@@ -16,9 +16,9 @@ class LoneRay {
   explicit LoneRay(const BoxRay<float>& ray) {
     ray.for_each_axis([&](int i, float low, float high, float inverse) {
       const auto axis = static_cast<std::size_t>(i);
-      const std::size_t backwards = inverse < 0;  // no branch: nobody can foretell it
+      const std::size_t backwards = inverse < 0;  // no branch, which could not be predicted
       const float from[] = {low, high};
-      // Here BoxRay's room for roundings costs nothing.
+      // BoxRay's factors for rounding are applied here, once for each ray.
       near_[axis] = {detail::Eight(from[backwards]), detail::Eight(inverse * box_shrink),
                      axis + 3 * backwards};
       far_[axis] = {detail::Eight(from[1 - backwards]), detail::Eight(inverse * box_grow),

@@ -1,5 +1,6 @@
-// What the leaves of an index hold, word by word: of all things in a leaf the first word, then of
-// all the second … so that one ray loads a word of several things at once.
+// PackedLeaves: the numbers of the things in a tree's leaves as a structure of arrays: for each
+// leaf the first word of all its things, then the second, so that a register loads a word of
+// several things.
 #pragma once
 
 #include <cstdint>

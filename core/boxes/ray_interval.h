@@ -1,4 +1,4 @@
-// The rays of a packet, together against eight boxes.
+// RayInterval: all rays of a packet at once, tested with eight boxes.
 #pragma once
 
 #include <array>
@@ -9,8 +9,8 @@
 
 namespace tia {
 
-/// The greatest of the lanes that count, rounded to float; -infinity where none does.
-/// NaN never counts: a register's maximum would forget others for it.
+/// The greatest of the lanes of `here`, rounded to float; -infinity if there is none. NaN is left
+/// out, because the maximum of a register would return it or forget others for it.
 inline float greatest(float a, bool here) { return here ? a : -infinity; }
 inline float greatest(double a, bool here) { return here ? static_cast<float>(a) : -infinity; }
 inline float greatest(const Wide& a, const WideMask& here) {
@@ -40,7 +40,7 @@ class RayInterval {
     });
   }
 
-  /// Whether its rays go so many ways that it parts next to nothing.
+  /// Whether its directions differ so much in sign that it would exclude hardly any box.
   bool scattered() const { return axes_[0].mixed + axes_[1].mixed + axes_[2].mixed >= 2; }
 
   /// Returns: as bits, which boxes of its rays may enter somewhere from 0 to t_max; in
@@ -66,7 +66,7 @@ class RayInterval {
   struct Axis {
     float near_from, far_from;  // the origins nearest to what is ahead, and farthest from it
     float least, greatest;      // of the inverse directions
-    bool backwards, mixed;      // with rays both ways an axis parts nothing
+    bool backwards, mixed;      // with directions of both signs an axis excludes nothing
   };
   std::array<Axis, 3> axes_;
 };

@@ -1,4 +1,4 @@
-// WorkCounter: what tracing has cost so far.
+// WorkCounter: the work that tracing has taken so far.
 #pragma once
 
 #include <cstdint>
@@ -7,8 +7,8 @@
 
 namespace tia {
 
-/// WorkCounter: counts tests of boxes and surfaces, and hands the work that they are on in portions
-/// to whoever bounds it: a ray that meets a million things that overlap must not be one step.
+/// WorkCounter: counts tests of boxes and surfaces, and reports their work in portions, so that it
+/// can be limited even within one ray, which may be tried on a million things that overlap.
 /// Space/units: work in tests of a box or a ball by a whole packet, or of a register of boxes,
 /// triangles or balls by one ray; so its sum depends on how rays are packed.
 class WorkCounter {
@@ -27,7 +27,7 @@ class WorkCounter {
     left_ -= work;
     if (left_ <= 0) tell();
   }
-  /// What a test cost beyond what it was counted for. Errors: what the report throws.
+  /// Adds what a test cost beyond what it was counted for. Errors: what the report throws.
   void add(std::int64_t work) {
     left_ -= work;
     if (left_ <= 0) tell();
@@ -42,7 +42,8 @@ class WorkCounter {
 
   std::int64_t tests_ = 0;
   Report report_;
-  std::int64_t left_ = portion;  // apart from tests_: or compilers count both in one slow register
+  std::int64_t left_ =
+      portion;  // apart from tests_, for else compilers keep both in one slow register
 };
 
 }  // namespace tia

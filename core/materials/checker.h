@@ -28,12 +28,12 @@ inline CheckerForm prepare(const Checker& checker) {
   return {prepare(static_cast<const Pattern&>(checker)), {rgb_of(even), rgb_of(odd)}};
 }
 
-/// Whether an integer is odd, however large. Infinities and NaN are.
+/// Whether an integer of any size is odd. Infinities and NaN count as odd.
 inline bool is_odd(double integer) { return integer - 2 * std::floor(integer / 2) != 0; }
 
 inline Vec3d color_at(const CheckerForm& form, const Vec3d& p, const Vec2d&, double blur) {
   const Vec3d q = form.space.point(p), off = form.space.blur(blur);
-  // Each for itself: far from the origin the sum would round.
+  // Not of the sum, which would be rounded far from the origin.
   const bool odd = is_odd(floor_of(q.x, off.x)) !=
                    (is_odd(floor_of(q.y, off.y)) != is_odd(floor_of(q.z, off.z)));
   return form.colors[odd ? 1 : 0];

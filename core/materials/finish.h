@@ -1,4 +1,4 @@
-// Finish: the slides' and POV-Ray's surface words.
+// Finish: the material of the slides, with POV-Ray's names.
 #pragma once
 
 #include <optional>
@@ -10,7 +10,7 @@
 
 namespace tia {
 
-/// Finish: what a surface does with light, the words of POV-Ray; the arithmetic is whitted's.
+/// Finish: the parameters of a material, named as in POV-Ray. What they do is defined in whitted.h.
 struct Finish {
   static constexpr std::string_view type = "finish";
   Color color{1, 1, 1};
@@ -19,7 +19,7 @@ struct Finish {
   double reflection = 0, transmission = 0, ior = 1.5;
   bool fresnel = false;
   Color absorption{}, emission{};
-  std::optional<Texture> texture{};  ///< in the colour's place
+  std::optional<Texture> texture{};  ///< replaces the colour
 
   template <class Visitor>
   static void fields(Visitor&& visit) {
@@ -52,7 +52,7 @@ struct Finish {
   bool operator==(const Finish&) const = default;
 };
 
-/// What it is to shading, its texture left out, in light from everywhere of that linear RGB.
+/// Its shading parameters, without the texture, for ambient light of that linear RGB.
 ShadingParameters shading_of(const Finish& finish, const Vec3d& ambient_light);
 inline const Texture* texture_of(const Finish& finish) {
   return finish.texture ? &*finish.texture : nullptr;

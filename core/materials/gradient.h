@@ -1,4 +1,4 @@
-// The gradient: a list of colours along x, over and over.
+// Gradient: a list of colours along x, repeated.
 #pragma once
 
 #include "core/materials/pattern.h"

@@ -17,7 +17,7 @@ using Bytes = std::vector<std::uint8_t>;
 constexpr std::size_t most_digits = (most_picture_bytes + 2) / 3 * 4;
 constexpr std::string_view text_words = "a PNG or JPEG file in base64 (RFC 4648)";
 
-// Whole groups of four digits, the last padded, its unused bits 0.
+// The regular expression of base64: groups of four digits, the last one padded, its unused bits 0.
 constexpr std::string_view file_pattern =
     "^([A-Za-z0-9+/]{4})*([A-Za-z0-9+/][AQgw]==|[A-Za-z0-9+/]{2}[AEIMQUYcgkosw048]=)?$";
 // A PNG of one white pixel.
@@ -32,7 +32,7 @@ void add(const PictureFault& fault, const Place& at, Faults& faults) {
   else detail::wrong_type(Value(fault.got), at, fault.allowed, faults);
 }
 
-// The file's bytes, or a fault and nothing.
+// The bytes of the file; nothing, and a fault, if the text is no base64.
 std::optional<Bytes> read_file(const Value& v, const Place& at, Faults& faults) {
   const auto* text = v.as<std::string>();
   Bytes bytes;
@@ -53,7 +53,7 @@ std::optional<Bytes> read_file(const Value& v, const Place& at, Faults& faults) 
   return std::nullopt;
 }
 
-// Whether so many pixels are left for this picture; else a fault.
+// Whether the input may still have so many pixels. If not, adds a fault.
 bool take(Bulk bulk, std::int64_t pixels, std::string_view counted, const Place& at,
           Faults& faults) {
   if (faults.take(bulk, pixels)) return true;
@@ -64,7 +64,7 @@ bool take(Bulk bulk, std::int64_t pixels, std::string_view counted, const Place&
   return false;
 }
 
-// What the file shows, or a fault and null.
+// The picture in the file; null, and a fault, if it cannot be decoded.
 std::shared_ptr<const Image8> read_pixels(const Bytes& file, const Place& at, Faults& faults) {
   const auto size = measure_picture(file);
   if (const auto* fault = std::get_if<PictureFault>(&size)) return add(*fault, at, faults), nullptr;
@@ -113,7 +113,7 @@ LightOf light_of(Transfer transfer) {
   return light;
 }
 
-// The place within the picture, 0 to its number of pixels. NaN is 0.
+// A surface coordinate in pixels, from 0 to their number, repeated. NaN is 0.
 double place_in(double coordinate, int pixels) {
   const double rest = coordinate - std::floor(coordinate);
   return rest > 0 ? rest * pixels : 0;
@@ -134,7 +134,7 @@ Vec3d light_at(const ImageForm& form, int column, int row_from_below) {
 
 Vec3d between(const Vec3d& a, const Vec3d& b, double share) { return a + (b - a) * share; }
 
-// A pixel's colour stands in its middle.
+// The centre of a pixel has its colour.
 Vec3d bilinear(const ImageForm& form, double x, double y) {
   const double left = std::floor(x - 0.5), below = std::floor(y - 0.5);
   const int i = static_cast<int>(left), j = static_cast<int>(below);

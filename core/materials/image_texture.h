@@ -1,4 +1,4 @@
-// The image: a picture on the surface, by the surface's own coordinates.
+// ImageTexture: a picture on a surface, looked up by the surface coordinates.
 #pragma once
 
 #include <array>
@@ -12,10 +12,10 @@
 
 namespace tia {
 
-/// PictureFile: a PNG or JPEG file in base64, and what it shows. Copies share the pixels.
+/// PictureFile: a PNG or JPEG file in base64, and its pixels, which copies share.
 struct PictureFile {
   std::string base64;
-  std::shared_ptr<const Image8> pixels;  ///< set once it is read
+  std::shared_ptr<const Image8> pixels;  ///< set by reading it
   bool operator==(const PictureFile& other) const { return base64 == other.base64; }
 };
 
@@ -30,7 +30,7 @@ struct Codec<PictureFile> {
   static std::string allowed(const Spec&);
 };
 
-/// How colours between the middles of pixels come about.
+/// How colours between the centres of pixels are found.
 enum class Filter { bilinear, nearest };
 template <>
 struct Names<Filter> {
@@ -38,7 +38,7 @@ struct Names<Filter> {
 };
 
 /// ImageTexture: a picture that fills [0,1] x [0,1] of the surface coordinates, u to the right, v
-/// up, and stands beside itself outside of it.
+/// up, and is repeated outside of it.
 struct ImageTexture {
   static constexpr std::string_view type = "image";
   PictureFile data;
@@ -66,16 +66,16 @@ struct ImageTexture {
 
 struct ImageForm {
   std::shared_ptr<const Image8> pixels;
-  const std::array<double, 256>* light = nullptr;  ///< of each code
+  const std::array<double, 256>* light = nullptr;  ///< the linear light of each code
   Filter filter = Filter::bilinear;
   std::array<double, 2> repeat{1, 1};
 };
 
 /// Domain: an image that was read without a fault.
 ImageForm prepare(const ImageTexture& image);
-/// Its picture, in full, though copies share it.
+/// The bytes of its picture, in full, though copies share it.
 std::size_t heap_bytes(const ImageForm& form);
-/// Returns: linear RGB; of `bilinear` the mean of the four pixels' light around, by area.
+/// Returns: linear RGB; for `bilinear` the mean of the four pixels around, weighted by area.
 Vec3d color_at(const ImageForm& form, const Vec3d& p, const Vec2d& uv, double blur);
 
 }  // namespace tia

@@ -1,4 +1,4 @@
-// Marble: veins across x that turbulence bends.
+// Marble: veins perpendicular to x, distorted by turbulence.
 #pragma once
 
 #include "core/materials/pattern.h"

@@ -11,15 +11,15 @@
 namespace tia {
 
 /// What a kind must bring:
-///   shading_of   what shading needs of it, in light from everywhere of that linear RGB
-///   texture_of  what gives its points their colours, null where nothing does
+///   shading_of  its shading parameters, for ambient light of that linear RGB
+///   texture_of  its texture, null if it has none
 template <class Kind>
 concept IsMaterial = IsKind<Kind> && requires(const Kind& kind, const Vec3d& ambient_light) {
   { shading_of(kind, ambient_light) } -> std::same_as<ShadingParameters>;
   { texture_of(kind) } -> std::same_as<const Texture*>;
 };
 
-/// MaterialList: checks every kind once, where it is listed.
+/// MaterialList: checks each kind of the list against IsMaterial.
 template <IsMaterial... Kinds>
 using MaterialList = std::variant<Kinds...>;
 

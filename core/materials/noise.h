@@ -1,4 +1,4 @@
-// Noise: soft blots.
+// Noise: a gradient of colours by Perlin's noise.
 #pragma once
 
 #include "core/materials/pattern.h"

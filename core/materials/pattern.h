@@ -1,4 +1,4 @@
-// What the patterns of space share: where a pattern stands, and a list of colours to run through.
+// What solid textures have in common: scale and transform, and lists of colours.
 #pragma once
 
 #include <concepts>
@@ -11,8 +11,8 @@
 
 namespace tia {
 
-/// Pattern: what every pattern of space says besides its colours. It fills the space of the object,
-/// of which the surface shows a part. Space/units: scene units, object space.
+/// Pattern: the fields of every solid texture besides its colours. The texture is a function of the
+/// point in object space. Space/units: scene units, object space.
 struct Pattern {
   double scale = 1;
   TransformSteps transform;
@@ -30,22 +30,22 @@ struct Pattern {
   bool operator==(const Pattern&) const = default;
 };
 
-/// PatternSpace: from object space to the pattern's own, in which a cell has the size 1.
+/// PatternSpace: the map from object space to the pattern's own, in which a cell has the size 1.
 struct PatternSpace {
-  Affine to_pattern;     ///< the transform undone
-  double scale = 1;      ///< by which the result is divided, for that rounds but once
-  Vec3d reach{1, 1, 1};  ///< how far a step of 1 in object space can go along each axis
+  Affine to_pattern;     ///< the inverse of the transform
+  double scale = 1;      ///< the result is divided by it, which rounds once
+  Vec3d reach{1, 1, 1};  ///< the longest that a unit vector of object space can be along each axis
   Vec3d point(const Vec3d& p) const;
-  /// What an error in the place of a point may make of each coordinate.
+  /// By how much an error of that length in a point may change each coordinate.
   Vec3d blur(double length) const { return reach * length; }
 };
 PatternSpace prepare(const Pattern& pattern);
 
 /// floor(x), but a number that lies less than `blur` below an integer counts as that integer.
 ///
-/// A point that was computed lies a little off its surface, on this side or that. The plane y = 0
-/// would show both colours of a checker in speckles, as would every face of a box that ends where
-/// a cell does.
+/// A hit point is a little off its surface, on either side. Without the blur the plane y = 0 would
+/// show both colours of a checker in speckles, and so would a face of a box along the edges of
+/// cells.
 inline double floor_of(double x, double blur) { return std::floor(x + blur); }
 /// x - floor(x), in [0, 1]; 0 where x counts as an integer that it lies below.
 inline double fraction_of(double x, double blur) {
@@ -53,12 +53,12 @@ inline double fraction_of(double x, double blur) {
   return rest > 0 ? rest : 0;
 }
 
-/// The colours of patterns that have two.
+/// The colours of patterns with two colours.
 using TwoColors = std::array<Color, 2>;
 inline constexpr TwoColors black_on_white{Color{1, 1, 1}, Color{0, 0, 0}};
 inline constexpr Spec two_colors{.about = "the linear RGB of even and odd cells", .max = 1e6};
 
-/// The colours of patterns that run through a list.
+/// The colours of patterns with a gradient.
 using ColorStops = std::vector<Color>;
 inline constexpr Spec color_stops{.about =
                                       "linear RGB at even distances from 0 to 1, straight "
@@ -69,18 +69,18 @@ inline ColorStops white_to_black() { return {Color{1, 1, 1}, Color{0, 0, 0}}; }
 
 inline Vec3d rgb_of(const Color& color) { return {color.r, color.g, color.b}; }
 
-/// Ramp: stops made ready.
+/// Ramp: a piecewise linear gradient through stops at equal distances.
 struct Ramp {
   std::vector<Vec3d> stops;
 
   Ramp() = default;
   /// Domain: at least one colour.
   explicit Ramp(const ColorStops& colors);
-  /// Domain: any; below 0 as 0, above 1 as 1, NaN as 0.
+  /// Domain: any number. Below 0 is as 0, above 1 as 1, NaN as 0.
   Vec3d at(double share) const;
 };
 
-/// A form whose colours run through a ramp owns its stops.
+/// A form with a ramp owns the ramp's stops.
 template <class Form>
 concept HasRamp = requires(const Form& form) {
   { form.ramp } -> std::same_as<const Ramp&>;

@@ -1,4 +1,4 @@
-// Stripes: layers of two colours across x.
+// Stripes: layers of two colours along x.
 #pragma once
 
 #include "core/materials/checker.h"

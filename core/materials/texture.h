@@ -29,11 +29,11 @@ concept IsTexture = IsKind<Kind> && requires(const Kind& kind) {
   { prepare(kind) } -> IsTextureForm;
 };
 
-/// TextureList: checks every kind once, where it is listed.
+/// TextureList: checks each kind of the list against IsTexture.
 template <IsTexture... Kinds>
 using TextureList = std::variant<Kinds...>;
 
-/// Texture: a surface's linear RGB from place to place.
+/// Texture: the linear RGB of a surface as a function of the point.
 struct Texture {
   static constexpr std::string_view schema_name = "texture";
   using Kinds = TextureList<Checker, Stripes, Gradient, Noise, Marble, Wood, ImageTexture>;
@@ -46,7 +46,7 @@ struct Texture {
   bool operator==(const Texture&) const = default;
 };
 
-/// TextureForm: a texture with its numbers made ready.
+/// TextureForm: a texture of any kind, prepared for lookups.
 struct TextureForm {
   FormsOf<Texture::Kinds> kind;
 };
@@ -58,8 +58,8 @@ inline TextureForm prepare(const Texture& texture) {
 
 /// Returns: linear RGB, each >= 0, at the point p of a surface whose coordinates there are uv.
 /// Space/units: scene units, the space of the object that has the texture.
-/// Domain: blur >= 0: how far p may be off the surface that it was computed on. What lies within it
-/// below the edge of a cell counts as beyond the edge, lest surfaces along edges show speckles.
+/// Domain: blur >= 0: how far p may be off its surface. A point less than that below the edge of a
+/// cell counts as beyond the edge, because a surface along the edge would show speckles otherwise.
 inline Vec3d color_at(const TextureForm& texture, const Vec3d& p, const Vec2d& uv, double blur) {
   return std::visit([&](const auto& kind) { return color_at(kind, p, uv, blur); }, texture.kind);
 }

@@ -1,4 +1,4 @@
-// Wood: rings around the y axis that turbulence bends.
+// Wood: rings around the y axis, distorted by turbulence.
 #pragma once
 
 #include "core/materials/pattern.h"

@@ -118,7 +118,7 @@ template <class Real>
   return {widen(v.x), widen(v.y), widen(v.z)};
 }
 
-/// Rounds to nearest: the door through which a root computed in double leaves.
+/// Rounds to nearest. Results that are computed in double become Real here, and nowhere else.
 template <class Real>
 Real narrow(double value) {
   return static_cast<Real>(value);

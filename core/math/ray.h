@@ -1,5 +1,4 @@
-// A ray and the cheap half of a hit. What a hit means (normal, colour) is found later, once, for
-// the winner only.
+// Rays and hits. Normal and colour are not in a hit: they are computed later, for the closest one.
 #pragma once
 
 #include "core/math/lanes.h"
@@ -16,7 +15,7 @@ struct Ray {
 };
 
 /// RootRay: the same ray in double, made once and shared by all shapes that it is tried on, so that
-/// roots are computed in double in every width and rounded once, at the door.
+/// for every scalar roots are computed in double and rounded once, at the end.
 template <class Real>
 struct RootRay {
   using P = Precise<Real>;

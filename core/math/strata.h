@@ -1,4 +1,4 @@
-// Even parts of the unit square.
+// Strata: a division of the unit square into parts of equal area.
 #pragma once
 
 #include <cstdint>

@@ -41,7 +41,7 @@ struct ScalarTraits<Wide> {
   using Precise = WideDouble;
   static constexpr int lanes = static_cast<int>(Wide::size);
 };
-/// One register: what one ray is tried on at once.
+/// FloatRegister: one register, for as many things as one ray is tried on at once.
 template <>
 struct ScalarTraits<FloatRegister> {
   using Mask = FloatRegister::batch_bool_type;

@@ -1,5 +1,5 @@
-// Why a pixel looks as it does: what its ray meets, in double, and every term that makes its
-// colour, as the picture adds them.
+// Explanations of pixels: all hits of a pixel's ray, in double, and every term of its colour, as
+// the picture adds them.
 #pragma once
 
 #include <memory>
@@ -33,7 +33,7 @@ struct Explanation {
   std::vector<Meeting> hits;  ///< all along the ray, the nearest first
   std::unique_ptr<RayNode> tree;
   std::map<int, std::string> pointers{};  ///< into the scene, of all objects that are told of
-  std::size_t most_bytes = 0;             ///< what its JSON takes at most
+  std::size_t most_bytes = 0;             ///< an upper bound of its JSON's length
 };
 
 /// A ray that belongs to no picture. Domain: the scene's world; a unit direction; an integrator

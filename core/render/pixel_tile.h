@@ -1,4 +1,4 @@
-// Which pixels go together.
+// PixelTile: which pixels are traced together.
 #pragma once
 
 #include <algorithm>

@@ -29,7 +29,7 @@ class Tracer {
   Eye<Real> eye;
 
  private:
-  // A tree of rays may grow without end: its rays are counted while it does.
+  // A tree of rays may become very large, so its rays are counted while they are traced.
   void spent(std::int64_t work) {
     shot_.meter.add_work(work);
     shot_.meter.add(rays());
@@ -48,7 +48,7 @@ class Tracer {
   AnyWorldView world_view_;
 };
 
-// ---- one ray a pixel of a perspective view: what most pictures are -----------------------------
+// ---- one ray a pixel of a perspective view, as for most pictures --------------------------------
 
 template <class Real, class AnyWorldView>
 [[gnu::flatten]] void trace_centers(const Shot& shot, int x0, int y0, Block& block) {
@@ -85,8 +85,8 @@ template <class Real, class AnyWorldView>
 
 // ---- many rays a pixel --------------------------------------------------------------------------
 
-// What a pixel's rays have brought so far. The deviations are those of the light, clamped to [0,1],
-// from the first ray's: so their squares do not vanish in the rounding of the sums.
+// The sums over a pixel's rays so far. Deviations are those of the light, clamped to [0,1], from
+// that of the first ray, so that their squares do not vanish in the rounding of the sums.
 struct Estimate {
   Vec3d light{}, deviations{}, squares{};
   Vec3f first{};
@@ -246,7 +246,7 @@ void trace(const Shot& shot, int x0, int y0, Block& block) {
   else trace_samples<Real, AnyWorldView>(shot, x0, y0, block);
 }
 
-// The thesis' pictures have few plain balls and want to be fast.
+// Worlds of few plain balls, as the thesis has, are traced in registers.
 template <class Real>
 void trace(const Shot& shot, int x0, int y0, Block& block) {
   if (shot.world.few_balls && row_of(shot.integrator).is_whitted)

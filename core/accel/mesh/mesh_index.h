@@ -1,5 +1,5 @@
-// MeshIndex: a mesh as the tracer needs it: triangles in an index, packed for rays in single
-// precision.
+// MeshIndex: a mesh with a tree over its triangles, and these packed in float in the order of the
+// tree's leaves.
 #pragma once
 
 #include <array>
@@ -19,13 +19,13 @@ struct MeshIndex {
   std::vector<Vec3d> positions;
   std::vector<Vec3d> normals;  ///< one a position, unit; empty: flat
   std::vector<Vec2d> uvs;      ///< one a position; empty: none
-  /// All of the mesh's, the degenerate too. Where there are normals, wound to their side.
+  /// All of the mesh's, degenerate ones as well. If there are normals, wound to the side of these.
   std::vector<std::array<std::uint32_t, 3>> triangles;
-  Bvh bvh;  ///< over those that are not degenerate
+  Bvh bvh;  ///< over the triangles that are not degenerate
   std::size_t degenerate = 0;
 
-  /// The mesh's own measure, in which its triangles are packed: from -1 to 1 around its middle. So
-  /// they keep their digits in float wherever the mesh stands and whatever its size.
+  /// Triangles are packed in coordinates from -1 to 1 around the middle, in multiples of `unit`, so
+  /// that float is equally precise for a mesh of any size at any place.
   Vec3d middle{};
   double unit = 1;  ///< a power of two
   /// Of each triangle the nine coordinates of its corners.
@@ -36,9 +36,9 @@ struct MeshIndex {
   const Vec3d& corner(std::size_t triangle, std::size_t i) const {
     return positions[triangles[triangle][i]];
   }
-  /// How far along a line in the mesh's own measure the plane of that triangle is, of any sign.
+  /// The distance along a line to the plane of that triangle, in units of the mesh; of any sign.
   double plane_distance(std::size_t triangle, const Line& line) const;
-  /// In the mesh's own measure.
+  /// A point in these coordinates.
   Vec3d measured(const Vec3d& p) const { return (p - middle) * (1 / unit); }
   /// Packs the triangles as the leaves of `bvh` list them.
   void pack(const Workers& workers = {});
@@ -51,16 +51,18 @@ struct MeshIndex {
   Box32 measured_box(std::size_t triangle) const;
 };
 
-/// The geometric normal and the smooth one, both unit, and the surface coordinates.
+/// MeshPoint: the geometric normal and the interpolated one, both unit, and the surface
+/// coordinates.
 struct MeshPoint {
   Vec3d ng, n;
   Vec2d uv;
 };
-/// At a point of that triangle; the uvs are barycentric where the mesh has none.
+/// At a point of that triangle. If the mesh has no uvs, they are barycentric coordinates.
 MeshPoint point_of(const MeshIndex& mesh, std::size_t triangle, const Vec3d& p);
 
-/// MeshRay: rays in a mesh's own measure, from where they are or, if that is far away, from next to
-/// the mesh: t = start + m * rate for the distance m in that measure.
+/// MeshRay: rays in the coordinates in which triangles are packed. A ray that starts far from the
+/// mesh is moved along itself to next to the mesh: t = start + m * rate for a distance m in units
+/// of it.
 ///
 /// Where a mesh is large beside the distances of a ray, the offset from its surface (offset_of) is
 /// less than what float errs by (tolerance::mesh_large). Near hits are then settled in double, or
@@ -71,10 +73,10 @@ struct MeshRay {
   Vec3<P> exact_origin, exact_direction;
   Vec3<Real> origin, direction;
   P start, rate, inverse_rate;
-  Real near;  ///< up to which m it is settled in double whether a hit is ahead; 0: not needed
+  Real near;  ///< hits with m below this are settled in double; 0: none are
 
-  /// Of rays in the mesh's object space; `unit_length`: whether their directions are unit;
-  /// `extent`: how far their origins are from the world's.
+  /// Domain: rays in the mesh's object space. `unit_length`: whether their directions are unit;
+  /// `extent`: the largest coordinate of their origins in world space.
   MeshRay(const MeshIndex& mesh, const RootRay<Real>& ray, bool unit_length, const Real& extent);
   /// One of them.
   Line exact(int i) const {
@@ -100,7 +102,7 @@ MeshRay<Real>::MeshRay(const MeshIndex& mesh, const RootRay<Real>& ray, bool uni
     exact_direction = exact_direction * (P(1) / length);
     rate = rate / length, inverse_rate = inverse_rate * length;
   }
-  // The mesh is less than 2 from its middle.
+  // All of the mesh is less than 2 units from its middle, so 3 units before it nothing is missed.
   const P before = -dot(from, ray.direction) * ray.inverse_a - P(3) * rate;
   start = (before + abs_of(before)) * P(0.5);
   exact_origin = (from + ray.direction * start) * P(per_unit);

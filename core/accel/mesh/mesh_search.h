@@ -1,13 +1,13 @@
-// The search of rays through one mesh.
+// The traversal of one mesh by rays.
 #pragma once
 
 #include "core/accel/mesh/mesh_index.h"
 
 namespace tia {
 
-// ---- queries, in the mesh's own measure -------------------------------------------------------
+// ---- queries, in units of the mesh -------------------------------------------------------------
 
-/// The nearest triangle not farther than the limit; at equal distances the first of the mesh.
+/// NearestTriangle: the closest triangle up to the limit; at equal distances the first of the mesh.
 template <class Real>
 struct NearestTriangle {
   Real limit;
@@ -26,10 +26,10 @@ struct NearestTriangle {
   }
 };
 
-/// Whether there is a triangle before the limit. Domain: limits above 0.
+/// AnyTriangle: whether there is a triangle before the limit. Domain: limits above 0.
 template <class Real>
 struct AnyTriangle {
-  Real limit;  ///< below 0 where there is one: then nothing is left to look for
+  Real limit;  ///< below 0 once there is one, so that nothing further is tried
 
   Mask<Real> found() const { return limit < Real(0); }
   void offer(const Real& m, const Real&, Mask<Real> here) {
@@ -39,19 +39,19 @@ struct AnyTriangle {
   void set_one(int i, const AnyTriangle<float>& ray) { set_lane(limit, i, ray.limit); }
 };
 
-// ---- what is near -----------------------------------------------------------------------------
+// ---- hits near the origin ----------------------------------------------------------------------
 
-/// Settles for hits that float has just before or behind the origin of one of the rays whether they
-/// are ahead: in double, by the triangle's plane.
+/// NearHits: decides in double, by the triangle's plane, whether a hit that float finds close to a
+/// ray's origin is in front of it (tolerance::mesh_near).
 template <class Real>
 class NearHits {
  public:
   NearHits(const MeshIndex& mesh, const MeshRay<Real>& ray, int i)
       : mesh_(mesh), ray_(ray), i_(i), near_(static_cast<float>(lane(ray.near, i))) {}
 
-  /// From where on a hit may be ahead.
+  /// The least distance in float of a hit that may be in front of the origin.
   float least() const { return near_ * -tolerance::mesh_behind; }
-  /// Returns: m, or something below 0 where the hit is not ahead.
+  /// Returns: m, at least 2^-30, if the hit is in front of the origin; else a number below 0.
   float settled(float m, std::size_t triangle) const {
     if (m >= near_) return m;
     const double exact = mesh_.plane_distance(triangle, ray_.exact(i_));
@@ -67,7 +67,7 @@ class NearHits {
 
 // ---- one ray ----------------------------------------------------------------------------------
 
-/// A ray by itself, on as many triangles at once as a register has lanes.
+/// LoneMeshSearch: a single ray, tried on as many triangles at once as a register has lanes.
 template <class Triangles, class Real>
 class LoneMeshSearch {
  public:
@@ -118,7 +118,8 @@ class LoneMeshSearch {
 
 // ---- packets ----------------------------------------------------------------------------------
 
-/// A packet whose rays are longest along the same axis. Where `quick`, few rays go alone.
+/// MeshSearch: a packet whose rays are longest along the same axis. If `quick`, the rays go on one
+/// by one where only few are left.
 template <class Real, class Triangles, bool quick>
 class MeshSearch {
  public:
@@ -143,7 +144,7 @@ class MeshSearch {
     }
   }
 
-  /// Each ray by itself, along whichever axis.
+  /// Traces each ray by itself; they may be longest along different axes.
   void alone(const LongestAxis<Real>& longest, Mask<Real> active) {
     for (unsigned left = bits(active); left != 0; left &= left - 1) {
       const int i = std::countr_zero(left);
@@ -156,7 +157,7 @@ class MeshSearch {
   }
 
  private:
-  // Calls work(lane, search) for each lane.
+  // Calls work(lane, search) for each lane, with a search of its own.
   template <class Work>
   void one_by_one(Mask<Real> here, Work work) {
     for (unsigned left = bits(here); left != 0; left &= left - 1) {
@@ -180,7 +181,8 @@ class MeshSearch {
       triangles_.offer(m, Real(static_cast<float>(triangle)), here && hit.inside && m > Real(0));
     }
   }
-  // Lane by lane where it is near; in double nothing is to be settled.
+  // Settles the lanes with hits near their origins, one by one. In double nothing has to be
+  // settled.
   [[gnu::noinline]] Real settled(const Real& m, std::uint32_t triangle, Mask<Real> here) const {
     if constexpr (std::is_same_v<Real, double>) {
       return m;
@@ -222,7 +224,7 @@ class MeshSearch {
   WorkCounter& work_;
 };
 
-/// Any rays, those along each axis in turn.
+/// Traces a packet of any rays: one group for each axis along which rays are longest.
 template <bool quick, class Real, class Triangles>
 void search(const MeshIndex& mesh, const MeshRay<Real>& ray, Triangles& triangles,
             Mask<Real> active, WorkCounter& work) {

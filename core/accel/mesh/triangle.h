@@ -1,5 +1,5 @@
-// Rays and triangles: a watertight test that reads the same for one triangle and many rays and for
-// one ray and many triangles.
+// A watertight ray/triangle test. One template serves for many rays and one triangle, and for one
+// ray and many triangles.
 #pragma once
 
 #include <array>
@@ -8,7 +8,7 @@
 
 namespace tia {
 
-/// Along which axis each direction is longest, the first of equals.
+/// LongestAxis: the axis of the largest component of each direction, the first of equal ones.
 template <class Real>
 struct LongestAxis {
   Mask<Real> x, y;
@@ -23,13 +23,14 @@ struct LongestAxis {
   }
 };
 
-/// ShearedRay: a ray in axes in which it leaves from 0 and runs along the last: each other axis is
-/// sheared until it does. Of a packet, `axes` may suit some of the rays only.
+/// ShearedRay: a ray after permuting the axes and shearing, so that it starts at 0 and runs along
+/// the last axis. `axes` fits only those rays of a packet that are longest along axes[2].
 template <class Real>
 struct ShearedRay {
-  std::array<std::size_t, 3> axes{};  ///< the two across, and the one along which it is longest
-  std::array<Real, 3> origin{};       ///< in that order
-  std::array<Real, 3> shear{};        ///< across / along, twice, and 1 / along
+  std::array<std::size_t, 3>
+      axes{};                    ///< the other two axes, then the one along which it is longest
+  std::array<Real, 3> origin{};  ///< in that order
+  std::array<Real, 3> shear{};   ///< across / along, twice, and 1 / along
 
   ShearedRay() = default;
   ShearedRay(const Vec3<Real>& from, const Vec3<Real>& direction,
@@ -42,7 +43,7 @@ struct ShearedRay {
     shear = {d.x / d.z, d.y / d.z, Real(1) / d.z};
   }
   void turn_to(std::size_t along) { axes = {(along + 1) % 3, (along + 2) % 3, along}; }
-  /// A ray for all lanes.
+  /// One ray in all lanes.
   template <class Other>
   explicit ShearedRay(const ShearedRay<Other>& one) : axes(one.axes) {
     for (std::size_t i = 0; i < 3; ++i)
@@ -60,13 +61,13 @@ struct ShearedRay {
 template <class Real>
 struct TriangleHit {
   Mask<Real> inside;
-  Real t;  ///< of any sign, and of no meaning outside
+  Real t;  ///< of any sign; meaningless where not inside
 };
 
 namespace detail {
 
-/// Of corners as a sheared ray sees them: on which sides of its edges it passes, and where it meets
-/// it, in whatever precision.
+/// Weights: the edge functions of a triangle in the sheared ray's axes, in any precision. Their
+/// signs tell on which side of each edge the ray passes; depth() is where it meets the plane.
 template <class P>
 struct Weights {
   P u, v, w;
@@ -86,7 +87,7 @@ template <class Real>
 
 }  // namespace detail
 
-/// Decides the lanes that float leaves in doubt.
+/// Repeats the test in double for the lanes in which float may have the wrong sign.
 template <class Real>
 [[gnu::noinline]] void settle(const Vec3<Real>& a, const Vec3<Real>& b, const Vec3<Real>& c,
                               const Real& per_depth, const Mask<Real>& doubtful,
@@ -101,14 +102,15 @@ template <class Real>
   hit.t = select(doubtful, narrow<Real>(weights.depth(pa, pb, pc)) * per_depth, hit.t);
 }
 
-/// Where a ray meets a triangle, of which coordinate(corner, axis) tells.
+/// Where a ray meets a triangle with the corners coordinate(corner, axis).
 ///
-/// Watertight: where a corner lies across the ray comes out the same for every triangle that has
-/// it, and so does the side of the ray on which the edge of two triangles lies, for rounding is
-/// monotonic: it makes a difference of products nothing, but never the opposite. On an edge both
-/// are hit. Where a triangle is seen so nearly edge on that rounding decides, the products are
-/// taken in double, where they are exact; one that is seen just edge on has no thickness to be hit.
-/// Source: Woop, Benthin, Wald, "Watertight Ray/Triangle Intersection", JCGT 2 (2013).
+/// Watertight: a corner's sheared coordinates are the same for every triangle that has the corner,
+/// and an edge function has the same value, up to its sign, for both triangles at the edge.
+/// Rounding is monotonic, so it may make a difference of products 0, but never change its sign. On
+/// an edge both triangles are hit. Where a triangle is seen so nearly edge on that rounding could
+/// decide, the products are computed in double, where they are exact. One that is seen exactly edge
+/// on is missed. Source: Woop, Benthin, Wald, "Watertight Ray/Triangle Intersection", JCGT 2
+/// (2013).
 template <class Real, class Coordinate>
 [[gnu::always_inline]] inline TriangleHit<Real> intersect(const ShearedRay<Real>& ray,
                                                           Coordinate coordinate) {
@@ -124,7 +126,7 @@ template <class Real, class Coordinate>
   if (!any(hit.inside)) return hit;
   hit.t = weights.depth(a, b, c) * ray.shear[2];
   if constexpr (!std::is_same_v<Real, double>) {
-    // An area of at least a sixteenth of the products has lost four bits of float's at most.
+    // If the area is at least 1/16 of the products, cancellation has cost at most four of 24 bits.
     const Real products = abs_of(c.x * b.y) + abs_of(a.x * c.y) + abs_of(b.x * a.y);
     const Mask<Real> doubtful = hit.inside && !(abs_of(weights.area()) * Real(16) >= products);
     if (any(doubtful)) settle(a, b, c, ray.shear[2], doubtful, hit);

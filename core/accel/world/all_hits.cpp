@@ -14,7 +14,7 @@ constexpr std::int64_t most_work = 4'000'000;
   throw InputError({FaultKind::limit, "", std::nullopt, allowed});
 }
 
-// A query (mesh_search.h) that has no limit.
+// A query as those of mesh_search.h, without a limit.
 template <class Add>
 struct EveryTriangle {
   Add add;
@@ -74,7 +74,7 @@ class Collector {
     for (const Boundary& each : spans(solid, geometry_.primitives, line, work_))
       add(each.t, each.primitive, each.element, packet, bracket_of(each, line));
   }
-  // A solid's boundary is a crossing of one of its primitives: the very same t.
+  // A solid's boundary is a crossing of one of its primitives, and has the same t to the bit.
   std::optional<Bracket> bracket_of(const Boundary& at, const Line& line) {
     const Primitive& primitive = geometry_.primitive(at.primitive);
     work_.test(primitive.work);
@@ -156,7 +156,8 @@ std::vector<Meeting> all_hits(const World& world, const Ray<double>& ray) {
     each.point = ray.at(each.t);
     each.normal = normals_at(world, each.point, each.primitive, each.element, each.instance).ng;
     each.uv = uv_at(world, each.point, each.primitive, each.element, each.instance);
-    if (!(dot(each.normal, each.normal) > 0)) each.normal = -ray.direction;  // too small for one
+    if (!(dot(each.normal, each.normal) > 0))
+      each.normal = -ray.direction;  // so small that its normal underflows
     each.front = dot(each.normal, ray.direction) < 0;
   }
   return found;

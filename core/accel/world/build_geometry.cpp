@@ -1,4 +1,4 @@
-// A scene's objects -> Geometry: places are multiplied out, materials handed down.
+// A scene's objects -> Geometry. Transforms are multiplied out, and materials are inherited.
 #include "core/accel/world/geometry_builder.h"
 #include "core/input/stopped.h"
 
@@ -53,7 +53,7 @@ class Compiler {
         object.shape);
     add_numbered(object);
   }
-  // After its one primitive.
+  // Domain: the object's primitive has just been added.
   void add_numbered(const Object& object) {
     if (object.materials.empty()) return;
     std::vector<int> shadings;
@@ -64,7 +64,7 @@ class Compiler {
 
   // ---- surfaces -------------------------------------------------------------------------------
 
-  // A luminous one that lights from its centre is a light.
+  // A luminous surface that has a light_center is a light at that point as well.
   template <IsForm F>
   void add_surface(const F& form, const Setting& own) {
     const int primitive = builder_.add(form, own);
@@ -74,7 +74,7 @@ class Compiler {
         add_lights(own.place.point(light_center(form)), emission, primitive);
     }
   }
-  // One light for each instance of it.
+  // Adds one light for each instance of the surface.
   void add_lights(const Vec3d& center, const Constant& color, int primitive) {
     std::int64_t instances = 1;
     for (int space = geometry_.primitive(primitive).space; geometry_.space(space).grid >= 0;) {
@@ -127,7 +127,7 @@ class Compiler {
                     Solid& solid) {
     if (operation != Operation::difference)
       return add_balanced(children, operation, above, object, solid);
-    // The first without all the others.
+    // The first operand less the union of all others.
     add_operand(children.front(), below(children.front(), above), object, solid);
     if (children.size() == 1) return;
     Setting taken_away = above;
@@ -135,8 +135,8 @@ class Compiler {
     add_balanced(children.subspan(1), Operation::union_, taken_away, object, solid);
     solid.steps.push_back({-1, operation});
   }
-  // Halves before they are merged with each other: one after the other, each would be merged with
-  // all that is there already.
+  // Merges both halves first, then these with each other. Merged one after another, each operand
+  // would be merged with the long list of spans of all before it.
   void add_balanced(Operands children, Operation operation, const Setting& above, int object,
                     Solid& solid) {
     if (children.size() == 1)

@@ -55,7 +55,7 @@ template <class... T>
 std::size_t heap_bytes(const std::variant<T...>& value) {
   return std::visit([](const auto& is) { return heap_bytes(is); }, value);
 }
-// Those of one object share their form.
+// The primitives of one object's numbered materials share its form, which counts once.
 std::size_t heap_bytes(const Primitive& primitive) {
   return primitive.numbers < 0 ? 0 : heap_bytes(primitive.form);
 }
@@ -67,7 +67,7 @@ std::size_t heap_bytes(const Space& space) {
          heap_bytes(space.rest) + heap_bytes(balls.balls) + heap_bytes(balls.bvh) +
          balls.packed.bytes();
 }
-// Of a list with what its elements own.
+// The bytes of a list and of what its elements own.
 template <class T>
 std::size_t deep_heap_of(const std::vector<T>& list) {
   std::size_t bytes = heap_bytes(list);

@@ -1,7 +1,7 @@
-// Geometry: what rays can meet, indexed, and what shading needs of it. It is a tree of spaces: the
-// world itself, and the inside of each repeated group, which is there once however often it is
-// repeated. Each space has its origin amid what stands in it (own_origin.h). Lights, camera and
-// options are the World's business.
+// Geometry: all that rays can hit, with its indices, and what shading needs of it. It is a tree of
+// spaces: the world, and the inside of each repeated group, which is stored once however often it
+// is repeated. Each space has its origin near the things in it (own_origin.h). Lights, camera and
+// options belong to the World.
 #pragma once
 
 #include <array>
@@ -38,8 +38,8 @@ struct WorldLight {
   std::string name{};  ///< the JSON Pointer of one of the scene's lights; "": a luminous object
 };
 
-/// Ball: a sphere as whole packets are tried on it, in its space; one of a small grid's in that
-/// where the grid stands.
+/// Ball: a sphere in the form in which whole packets are tried on it. It is in the space of its
+/// primitive; the instances of a small grid are balls in the space that contains the grid.
 struct Ball {
   Sphere sphere;
   int primitive = 0;
@@ -48,37 +48,37 @@ struct Ball {
   int instance = 0;  ///< which one
 };
 
-/// Flat: a plane as whole packets are tried on it, in its space.
+/// Flat: a plane in the form in which whole packets are tried on it, in the space of its primitive.
 struct Flat {
   PlaneForm plane;
   int primitive = 0;
 };
 
-/// BallIndex: balls, packed for packets and for single rays.
+/// BallIndex: a tree over balls, and their numbers packed in the order of its leaves.
 struct BallIndex {
   std::vector<std::uint32_t> balls;  ///< of the geometry's
   Bvh bvh;                           ///< over them
   PackedLeaves<double, 4> packed;    ///< centre, radius^2
 
-  /// Whether they are so few that they are tried in turn, without an index.
+  /// Whether they are so few that every ray is tried on all of them, without a tree.
   bool few() const { return bvh.nodes.empty(); }
   /// Packs the balls as the leaves of `bvh` list them.
   void pack(const std::vector<Ball>& all, const Workers& workers = {});
 };
 
-/// Item: one thing that a ray is tried on by itself.
+/// Item: a thing in a space other than a ball: what the leaves of the space's tree refer to.
 struct Item {
   enum Kind { flat, primitive, mesh, solid, grid };
   Kind kind = primitive;
   int index = 0;  ///< into the geometry's list of that kind; of a mesh: its primitive
 };
 
-/// Space: a part of the geometry that has an index of its own: the world, or the inside of a
-/// repeated group, which is there once for all instances. What stands in it is in its own
-/// coordinates; a ray enters a group's with the instance that it has reached (instance_grid.h), and
-/// is turned into them. Balls have an index to themselves, for they are most of what scenes have
-/// many of and are tried four at a time; every other thing is an item, and those without bounds
-/// stand beside the tree. Space/units: of the world world space, of a group its own.
+/// Space: a part of the geometry with a tree of its own: the world, or the inside of a repeated
+/// group, which is stored once for all instances. All things in it are in its own coordinates, into
+/// which a ray is transformed for each instance that it reaches (instance_grid.h). Balls have a
+/// tree of their own, because they are tried four at a time and scenes have many of them. Every
+/// other thing is an item; items without bounds are in `rest` instead of the tree. Space/units: of
+/// the world world space, of a group its own.
 struct Space {
   BallIndex balls;
   std::vector<Item> items;
@@ -88,7 +88,7 @@ struct Space {
   int grid = -1;                    ///< what repeats it; -1: the world itself
 };
 
-/// Meshes are shared: whatever moves keeps its index.
+/// Meshes are shared: a mesh keeps its index when the object that has it is moved.
 using SharedMesh = std::shared_ptr<const MeshIndex>;
 
 struct Geometry {
@@ -120,16 +120,16 @@ struct Geometry {
   Affine to_space(int space, std::int64_t instance) const;
 };
 
-/// Geometries are shared: it takes no lock to read one.
+/// Geometries are shared between worlds and threads. They are constant, so reading takes no lock.
 using SharedGeometry = std::shared_ptr<const Geometry>;
 
-/// MeshSource: gives the index of a mesh, made or found. Errors: Stopped.
+/// MeshSource: returns the index of a mesh, newly made or from a store. Errors: Stopped.
 using MeshSource = std::function<SharedMesh(const Mesh&, const Workers&)>;
-/// Makes it.
+/// The MeshSource that makes every index anew.
 SharedMesh indexed(const Mesh& mesh, const Workers& workers);
 
-/// What rays can meet of a scene's objects. It depends on objects, materials and ambient light, and
-/// on nothing else of the scene. Domain: a scene that read_scene has passed.
+/// The geometry of a scene's objects. It depends on objects, materials and ambient light, and on
+/// nothing else of the scene. Domain: a scene that read_scene has passed.
 /// Errors: Stopped once that is asked for.
 Geometry geometry_of(const Scene& scene, const Workers& workers = {},
                      const MeshSource& mesh = indexed);

@@ -69,7 +69,7 @@ int GeometryBuilder::add(Form form, const Setting& at) {
 int GeometryBuilder::add(SharedMesh mesh, const Setting& at) {
   Aabb box;
   for (const Vec3d& p : mesh->positions) box = around(box, at.place.point(p));
-  // As much larger as the boxes of its triangles are.
+  // Enlarged like the boxes of its triangles.
   const double more = tolerance::mesh_box * mesh->unit *
                       (length(at.place.x) + length(at.place.y) + length(at.place.z));
   box = {box.min - Vec3d{more, more, more}, box.max + Vec3d{more, more, more}};
@@ -96,7 +96,7 @@ void GeometryBuilder::add(Solid solid, const Aabb& box, int space) {
   put({Item::solid, pushed(geometry_.solids, std::move(solid))}, box, space);
 }
 
-// A plane is a flat, too, wherever it is.
+// A plane is a flat as well under every transform.
 void GeometryBuilder::put(const PlaneForm& plane, int primitive, const Setting& at) {
   const Vec3d normal = unit(geometry_.primitive(primitive).to_object.row(plane.frame.n));
   const PlaneForm flat{at.place.point(plane.point), onb_around(normal)};
@@ -105,7 +105,7 @@ void GeometryBuilder::put(const PlaneForm& plane, int primitive, const Setting& 
   put({Item::flat, number}, bounds(flat), at.space);
 }
 
-// A sphere that stays round is a ball, too.
+// A sphere that its transform leaves round is a ball as well.
 void GeometryBuilder::put(const Sphere& sphere, int primitive, const Setting& at) {
   const auto scale = similarity(at.place);
   if (!scale)
@@ -133,8 +133,8 @@ void GeometryBuilder::end_grid(int number, const Setting& at) {
   put({Item::grid, number}, bounds_of(at.place, grid.repeat.swept(grid.box)), at.space);
 }
 
-// A small grid of balls is quicker found in the world's index than by itself. All of them together
-// are few, for a short text may have many.
+// The balls of a small grid are found faster in the world's own tree than through the grid. All of
+// them together stay few, because a short text may have many such grids.
 bool GeometryBuilder::is_small(const InstanceGrid& grid) const {
   constexpr std::int64_t most = 8192, most_together = 65536;
   const Space& inside = geometry_.space(grid.inside);
@@ -172,7 +172,7 @@ void GeometryBuilder::put(const Ball& ball, int space) {
 }
 
 namespace {
-// So few are tried in turn: an index costs what it saves.
+// Up to so many are tried one after another, because a tree would cost as much as it saves.
 constexpr std::size_t few_things = 4;
 }  // namespace
 

@@ -1,5 +1,5 @@
-// GeometryBuilder: puts surfaces, solids and grids into the spaces of a geometry, and indexes them
-// there. Of scenes it knows nothing (build_geometry.cpp, compile.cpp).
+// GeometryBuilder: adds surfaces, solids and grids to the spaces of a geometry and builds the
+// trees. Scenes are translated to its calls by build_geometry.cpp and compile.cpp.
 #pragma once
 
 #include <map>
@@ -10,15 +10,15 @@
 
 namespace tia {
 
-/// Setting: how a surface stands in a geometry.
+/// Setting: transform, shading and space of a surface in a geometry.
 struct Setting {
-  Affine place{};  ///< from its own space to the geometry's space where it stands
+  Affine place{};  ///< from its own space to the space that contains it
   int shading = 0;
   int space = 0;
-  bool inverted = false;  ///< whether it is cut out of a solid
+  bool inverted = false;  ///< whether it is subtracted from a solid
 };
 
-/// Puts a value at the end of a list. Returns: its number there.
+/// Appends a value to a list. Returns: its index.
 template <class List, class T>
 int pushed(List& list, T&& value) {
   list.push_back(std::forward<T>(value));
@@ -27,30 +27,30 @@ int pushed(List& list, T&& value) {
 
 class GeometryBuilder {
  public:
-  /// Domain: a geometry without spaces; it and the workers outlive the builder. Stopped is what
-  /// all functions throw once that is asked for.
+  /// Domain: a geometry without spaces; it and the workers outlive the builder.
+  /// Errors, of all functions: Stopped once that is asked for.
   GeometryBuilder(Geometry& geometry, const Workers& workers)
       : geometry_(geometry), workers_(workers) {
     geometry_.spaces.emplace_back();
   }
 
-  /// An object that is one surface. Returns: its primitive.
+  /// Adds an object that is one surface. Returns: its primitive's number.
   int add(Form form, const Setting& at);
   int add(SharedMesh mesh, const Setting& at);
-  /// A surface that belongs to an object, and that nothing meets but the object's solid.
+  /// Adds a surface of a solid: rays are tried on the solid, never on the surface by itself.
   int add_primitive(Form form, const Setting& at, int object);
-  /// Gives the last primitive that was added one more for each of its numbered materials.
+  /// Adds one more primitive for each numbered material of the primitive that was added last.
   void add_numbered(const std::vector<int>& shadings);
-  /// Its primitives are there already. Space/units: the box is in that space.
+  /// Domain: the solid's primitives have been added. Space/units: the box is in that space.
   void add(Solid solid, const Aabb& box, int space);
-  /// A grid, whose inside takes what comes until it ends. Space/units: the box of one instance is
-  /// in the grid's own space. Returns: which of the geometry's instances it is.
+  /// Begins a grid: what is added to its inside until end_grid is repeated. Space/units: the box of
+  /// one instance is in the grid's own space. Returns: the grid's index in the geometry.
   int begin_grid(const Repeat& repeat, const Aabb& box, const Setting& at);
   void end_grid(int grid, const Setting& at);
-  /// Moves the origin of each space amid what stands there (own_origin.h).
-  /// Domain: before finish; after that nothing is added.
+  /// Moves the origin of each space near the things in it (own_origin.h).
+  /// Domain: after all that is added, before finish.
   void settle();
-  /// Indexes all that is there.
+  /// Builds the trees.
   void finish();
 
  private:

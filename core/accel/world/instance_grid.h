@@ -1,5 +1,5 @@
-// InstanceGrid: a grid of instances of a space, and the way of rays through it: an index without
-// memory.
+// InstanceGrid: a grid of instances of a space, and its traversal by rays, which computes the boxes
+// of parts of the grid when they are needed and stores none.
 #pragma once
 
 #include <algorithm>
@@ -12,20 +12,21 @@
 
 namespace tia {
 
-/// InstanceGrid. Space/units: `to_group` leads from the space where the group stands to its own.
+/// InstanceGrid. Space/units: `to_group` maps from the space that contains the group to the group's
+/// own.
 struct InstanceGrid {
   Affine to_group;
   Repeat repeat;
   Aabb box;         ///< of one instance
   int inside = 0;   ///< the space that is repeated
-  int outside = 0;  ///< the space where the group stands
-  float slack = 0;  ///< by how much boxes of instances grow, so that float holds all of them
+  int outside = 0;  ///< the space that contains the group
+  float slack = 0;  ///< how much the boxes of instances are enlarged against rounding
 
-  /// Of instances that fill a box: beyond all roundings of their coordinates.
+  /// The slack of a grid whose instances together fill that box (tolerance::grid_box).
   static float slack_of(const Aabb& all);
-  /// Which one along x, y and z the instance of that number is: x runs fastest, then y.
+  /// The position in the grid of the instance of that number; x varies fastest, then y.
   std::array<int, 3> place(std::int64_t number) const;
-  /// Where it stands.
+  /// Its offset from the first instance's place in the group's own space.
   Vec3d offset(std::int64_t number) const;
 };
 
@@ -34,14 +35,14 @@ struct InstanceRange {
   std::array<int, 3> from, to;
 
   int count(std::size_t axis) const { return to[axis] - from[axis]; }
-  /// The axis along which there are most, weighed by the step.
+  /// The axis along which the range is longest: count times step. It is divided there.
   std::size_t longest(const Vec3d& step) const;
   /// The box around the range's instances.
   Box32 box(const InstanceGrid& grid) const;
 };
 
 /// Calls visit(number, lanes) for each instance whose box lanes of `active` enter before t_max,
-/// roughly from near to far, by halving the grid.
+/// roughly from near to far. The grid is halved along its longest axis, again and again.
 template <class Real, class Visit>
 void traverse(const InstanceGrid& grid, const BoxRay<Real>& ray, Mask<Real> active,
               const Real& t_max, WorkCounter& work, Visit visit) {

@@ -1,4 +1,4 @@
-// What a packet's rays hit of one thing that is searched in double: ray by ray, or eight at once.
+// The hits of a packet with a thing that is searched in double: ray by ray, or eight rays at once.
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@
 
 namespace tia {
 
-/// LaneHits: where each lane hits first; t infinite where it does not.
+/// LaneHits: the first hit of each lane; t is infinite where there is none.
 template <class Real>
 struct LaneHits {
   Real t, primitive, element;
@@ -37,7 +37,8 @@ struct HitArrays {
 
 }  // namespace detail
 
-/// Of the lanes of `here`. Beyond t_max nothing is wanted of crossing_of(line, t_max), a Boundary.
+/// The hits of the lanes of `here`, each found by crossing_of(line, t_max), which returns a
+/// Boundary and need not find one beyond t_max.
 template <class Real, class F>
 LaneHits<Real> hits_by_lanes(const RootRay<Real>& rays, Mask<Real> here, const Real& limit,
                              F crossing_of) {
@@ -51,7 +52,7 @@ LaneHits<Real> hits_by_lanes(const RootRay<Real>& rays, Mask<Real> here, const R
   return hits.all();
 }
 
-/// Of a primitive that goes in eights.
+/// The same for eight lanes at once. Domain: a primitive that goes in eights.
 template <class Real>
 LaneHits<Real> hits_in_eights(const Primitive& primitive, int number, const RootRay<Real>& rays,
                               Mask<Real> here, const Real& limit, WorkCounter& work) {

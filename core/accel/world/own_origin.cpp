@@ -22,11 +22,11 @@ void Crowd::measure(const Vec3d& center, double say, double size) {
 }
 
 Vec3d Crowd::origin() const {
-  constexpr double near = 64;  // as many sizes away float has lost six bits of a size's 24
+  constexpr double near = 64;  // so many sizes away, float keeps 18 of a size's 24 bits
   const Vec3d middle = this->middle();
   const double size = sizes_ / says_, away = greatest(middle);
   if (!(away > near * size && away < 1e300)) return {};  // NaN, where there is nothing
-  if (!(size > 0)) return middle;                        // one endless thing has no size
+  if (!(size > 0)) return middle;                        // a single unbounded thing has no size
   const double step = std::exp2(std::ilogb(size));
   const auto stepped = [&](double x) { return std::round(x / step) * step; };
   return {stepped(middle.x), stepped(middle.y), stepped(middle.z)};
@@ -71,8 +71,8 @@ class Settling {
         if (box.bounded() && size > 0) visit(static_cast<std::size_t>(space), box.center(), size);
       }
   }
-  // Calls visit(space, place) with where each primitive is. It counts where all is endless: then no
-  // thing has a size, but how far they are apart tells one.
+  // Calls visit(space, place) for each primitive. This is used where all things are unbounded: they
+  // have no sizes, and the distances between them take their place.
   template <class Visit>
   void for_each_place(Visit visit) const {
     for (const Primitive& primitive : geometry_.primitives) {
@@ -88,7 +88,7 @@ class Settling {
     return ball.grid >= 0 ? 0 : geometry_.primitive(ball.primitive).space;
   }
 
-  // All that stands in the spaces, and the ways into them, from where their origins are now.
+  // Subtracts the new origins from all coordinates, and adapts the transforms between the spaces.
   void move() {
     for (Primitive& primitive : geometry_.primitives) move(primitive);
     for (Ball& ball : geometry_.balls)
@@ -111,7 +111,8 @@ class Settling {
     primitive.to_object = primitive.to_object * Affine::translation(origin(primitive.space));
     primitive.placed = primitive.to_object != Affine{};
   }
-  // Corners near the new origin were rounded as numbers of its length are.
+  // Corners near the new origin were rounded at the magnitude of the origin: by 2^-53 of it, and
+  // the margin is eight times that.
   static Aabb moved(const Aabb& box, const Vec3d& to) {
     const double rounding = 0x1p-50 * greatest(to);
     const Vec3d more{rounding, rounding, rounding};

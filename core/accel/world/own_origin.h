@@ -1,5 +1,5 @@
-// Where the origin of a space is put so that float keeps what stands in it apart: rays, and points
-// of surfaces, are floats, whose steps grow with the distance from there.
+// The origin of a space: it is moved near the things in the space, because rays and surface points
+// are floats, whose steps grow with their distance from the origin.
 #pragma once
 
 #include <map>
@@ -9,22 +9,22 @@
 
 namespace tia {
 
-/// Crowd: things that stand in one space, and the origin that suits them: their middle, each with a
-/// say of 1 / size, so that a floor of 10 000 does not move it away from what stands on it. Things
-/// that stand near the origin as it is keep that.
-/// Scaling all by a power of two scales the new origin alike, to the bit.
-/// Source: the reason is that of pbrt-v4's rendering space (Pharr, Jakob, Humphreys, "Physically
-/// Based Rendering", 4th ed., 5.1.1), whose origin is the eye; here it depends on the objects
-/// alone, because worlds share them that cameras and lights move in.
+/// Crowd: the things in one space, and the origin for them: the mean of their centres, each
+/// weighted by 1 / size, so that a floor of size 10 000 does not move it away from small things on
+/// the floor. If it is near the old origin, that is kept. Scaling all things by a power of two
+/// scales the new origin by the same, to the bit. Source: the reason is that of pbrt-v4's rendering
+/// space (Pharr, Jakob, Humphreys, "Physically Based Rendering", 4th ed., 5.1.1), whose origin is
+/// the eye; here it depends on the objects alone, because worlds with other cameras and lights
+/// share them.
 class Crowd {
  public:
   bool empty() const { return !(says_ > 0); }
-  /// First each thing once. Domain: say > 0.
+  /// Is called first, once for each thing, with its weight. Domain: say > 0.
   void add(const Vec3d& center, double say);
-  /// Then each thing again.
+  /// Is called after that, once for each thing, to measure how far apart they are.
   void measure(const Vec3d& center, double say, double size);
-  /// Returns: a point whose components are multiples of a power of two of about the size of what
-  /// is there, so that taking it off keeps the digits of short numbers; 0 where that is near.
+  /// Returns: a point whose components are multiples of a power of two near the mean size, so that
+  /// subtracting it from coordinates with few digits is exact; 0 where the old origin is near.
   Vec3d origin() const;
 
  private:
@@ -34,9 +34,9 @@ class Crowd {
   double says_ = 0, sizes_ = 0;
 };
 
-/// Moves the origin of each space of a geometry amid what stands there, the world's into its
-/// `origin`. `boxes` are those of the items, space by space, and move along.
-/// Domain: a geometry without indices. Cost: O(all that stands there).
+/// Moves the origin of each space of a geometry; that of the world's is recorded in
+/// geometry.origin. `boxes` are the items' boxes, space by space, and are moved as well. Domain: a
+/// geometry without indices. Cost: O(number of things).
 void settle(Geometry& geometry, std::map<int, std::vector<Aabb>>& boxes);
 
 }  // namespace tia

@@ -1,4 +1,5 @@
-// A ray, or a register's lanes of them, in the forms that boxes and surfaces are tried with.
+// A packet of rays, one in each lane of a register, or a single ray, in the forms that the tests
+// with boxes and surfaces need.
 #pragma once
 
 #include <array>
@@ -13,7 +14,7 @@
 
 namespace tia {
 
-/// Lines: the lanes' rays in double, one by one.
+/// Lines: the rays of the lanes in double, for access one by one.
 template <class Real>
 class Lines {
  public:
@@ -36,8 +37,8 @@ class Lines {
   std::array<std::array<double, static_cast<std::size_t>(lanes<Real>)>, 6> parts_;
 };
 
-/// Packet: rays in one space of the world. Space/units: t is that of the world's rays in every
-/// space, for directions are transformed with it.
+/// Packet: rays in one space of the world. Space/units: t has the same meaning in every space,
+/// because directions are transformed without being normalized.
 template <class Real>
 class Packet {
  public:
@@ -63,7 +64,7 @@ class Packet {
   RootRay<Real> root;
   BoxRay<Real> box;
   int instance = 0;          ///< which instance of repeated groups the rays are in
-  bool unit_length = false;  ///< whether directions are unit, but for float's rounding
+  bool unit_length = false;  ///< whether directions are unit, up to float's rounding
 
  private:
   template <class>

@@ -1,5 +1,4 @@
-// Primitive: a surface with one material, in its place; what all kinds of shapes become for the
-// tracer.
+// Primitive: a surface with one material and a transform. All kinds of shapes are compiled to it.
 #pragma once
 
 #include <cmath>
@@ -13,29 +12,30 @@
 
 namespace tia {
 
-/// Primitive. Space/units: `to_object` leads from the space that the primitive stands in to its
+/// Primitive. Space/units: `to_object` maps from the space that contains the primitive to its
 /// own.
 struct Primitive {
-  Form form;  ///< for a mesh primitive, of no meaning
+  Form form;  ///< unused if it is a mesh
   Affine to_object{};
-  Vec3d middle{};   ///< of its bounds in its own space; 0 where they are infinite
+  Vec3d middle{};   ///< of its bounds in its own space; 0 if they are infinite
   int mesh = -1;    ///< the geometry's mesh that it is instead of a form; -1: none
   int ball = -1;    ///< the geometry's ball that it is as well; -1: none
   int flat = -1;    ///< the geometry's flat that it is as well; -1: none
-  int shading = 0;  ///< the geometry's shading that it wears
+  int shading = 0;  ///< the index of its shading in the geometry
   int object = 0;   ///< the object that it belongs to, counted from 0 in the scene's order
-  int space = 0;    ///< the space of the geometry that it stands in
+  int space = 0;    ///< the index of the space that contains it
   int numbers = 0;  ///< how many primitives after it are its own, one for each numbered material
                     ///< (material_number); -1: it is one of those
-  bool inverted = false;  ///< whether it cuts a solid, whose outside is then its inside
-  bool placed = false;    ///< whether to_object does anything
+  bool inverted = false;  ///< whether it is subtracted from a solid, so that its inside is outside
+  bool placed = false;    ///< whether to_object is not the identity
   int work = 1;           ///< what trying a ray on it costs (WorkCounter)
 };
 
 namespace detail {
 
-/// Calls f(form, line, shift, length): the line as the form wants it, whose parameter s is the
-/// given line's t = (s + shift) / length. Returns: what f does.
+/// Calls f(form, line, shift, length) with the line in the primitive's own space, of unit direction
+/// and with its origin next to the primitive, where double has the most digits. Its parameter s
+/// belongs to the given line's t = (s + shift) / length. Returns: what f returns.
 template <class F>
 auto with_own_line(const Primitive& primitive, const Line& line, F f) {
   const Vec3d origin = primitive.to_object.point(line.origin);
@@ -55,14 +55,15 @@ Real search_limit(const Real& t_max, const Real& shift, const Real& length) {
   return t_max * Real(1 + tolerance::search_t) * length - shift + Real(rounding) * abs_of(shift);
 }
 
-/// The work that a function of a form returns, 0 where it returns nothing.
+/// The work that a call returns; 0 if it returns nothing.
 template <class F>
 std::int64_t work_of_call(F call) {
   if constexpr (std::same_as<decltype(call()), void>) return call(), 0;
   else return call();
 }
 
-// Hands a form's crossings on in the given line's t, and their brackets where emit takes them.
+// Passes a form's crossings on to emit, with s converted to the given line's t, and with their
+// brackets if emit takes them.
 template <class Emit>
 struct OnGivenLine {
   Emit& emit;
@@ -80,7 +81,7 @@ struct OnGivenLine {
 /// Calls emit(t, element) for each crossing of the line with the primitive's surface, or with its
 /// bracket (emit_root).
 /// Domain: a primitive that is no mesh; a line of any direction but 0.
-/// Returns: the work that it did beyond primitive.work; so do the two below.
+/// Returns: the work that was done beyond primitive.work, as the two functions below do.
 template <class Emit>
 std::int64_t crossings(const Primitive& primitive, const Line& line, Emit emit) {
   return detail::with_own_line(
@@ -103,7 +104,8 @@ std::int64_t spans(const Primitive& primitive, const Line& line, Emit emit) {
       });
 }
 
-/// The primitive that an element of a primitive belongs to, itself or the one of its material.
+/// The number of the primitive that has an element's material: itself, or one of those that follow
+/// it, one for each numbered material.
 inline int primitive_of(const Primitive& primitive, int number, int element) {
   if (primitive.numbers == 0) return number;
   return number + std::visit(
@@ -114,7 +116,7 @@ inline int primitive_of(const Primitive& primitive, int number, int element) {
                       primitive.form);
 }
 
-/// The primitive's first crossing with t > 0. One beyond t_max need not be found.
+/// The primitive's first crossing with t > 0; none, or any, if that is beyond t_max.
 inline FirstCrossing nearest_crossing(const Primitive& primitive, const Line& line, double t_max) {
   FirstCrossing nearest;
   detail::with_own_line(

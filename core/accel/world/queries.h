@@ -1,15 +1,17 @@
-// Queries: what a search through the world is for.
+// Queries: what a search through the world looks for. Each has the limit of t beyond which nothing
+// changes its answer, and offer(), which takes a hit.
 #pragma once
 
 #include "core/accel/mesh/mesh_search.h"
 
 namespace tia {
 
-/// The nearest hit with t > 0; at equal t the object, instance and element that comes first.
+/// Nearest: the closest hit with t > 0; at equal t that of the first object, then of the first
+/// instance, then of the first element.
 template <class Real>
 struct Nearest {
   Hit<Real> hit{};
-  int own = -1, own_instance = 0;  ///< the primitive that does not count; -1: none
+  int own = -1, own_instance = 0;  ///< the primitive and its instance that are left out; -1: none
 
   const Real& limit() const { return hit.t; }
   bool skips(int primitive, int instance) const {
@@ -53,10 +55,10 @@ struct Nearest {
   }
 };
 
-/// Whether anything but one primitive of one instance stands between the ray's origin and t_max.
+/// AnyHit: whether the ray hits anything before t_max, one primitive's instance left out.
 template <class Real>
 struct AnyHit {
-  Real t_max;  ///< below 0 where something does: then nothing is left to look for
+  Real t_max;  ///< below 0 once something is hit, so that nothing further is tried
   int own = -1, own_instance = 0;
 
   const Real& limit() const { return t_max; }

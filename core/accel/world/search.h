@@ -1,5 +1,5 @@
-// The search of rays through the world: its geometries, their spaces with their indices, and all
-// kinds of things in them. What is searched for is the query's business.
+// The traversal of the world by rays: of its geometries, of their spaces and trees, and of all
+// kinds of things in them. What is looked for is defined by the query (queries.h).
 #pragma once
 
 #include <bit>
@@ -10,9 +10,9 @@
 
 namespace tia {
 
-/// Tries the rays on everything of a space that may answer the query. Where `quick`, few rays of a
-/// packet go alone, each on several things at once; else every thing is tried on all the rays: the
-/// plain way to the same answers.
+/// Search: tries rays on everything in a space that may change the query's answer. If `quick`, the
+/// rays of a packet of which only few are left go on one by one, each tried on several things at
+/// once. Otherwise every thing is tried on all rays. The answers are the same to the bit.
 template <class Real, class Query, bool quick = (lanes<Real> > 1)>
 class Search {
  public:
@@ -46,7 +46,7 @@ class Search {
         });
   }
 
-  /// One ray alone, through what is below a node.
+  /// A single ray through the subtree below a node.
   void below(const BallIndex& balls, std::uint32_t node, Packet<float>& ray) {
     const RootRay<FloatRegister> root(ray.root);
     traverse(balls.bvh, node, LoneRay(ray.box), query_.limit(), work_,
@@ -80,7 +80,7 @@ class Search {
         traverse(bvh, packet.box, interval, active, query_.limit(), work_, leaf, few_lanes, alone);
     }
   }
-  // Calls work(ray, search) for each lane.
+  // Calls work(ray, search) for the ray of each lane, with a query and a search of its own.
   template <class Work>
   void one_by_one(const Packet<Real>& packet, Mask<Real> here, Work work) {
     for (unsigned left = bits(here); left != 0; left &= left - 1) {
@@ -201,7 +201,8 @@ class Search {
     search<quick>(mesh, ray, triangles, here, work_);
     query_.take(triangles, ray, primitive, packet.instance, here);
   }
-  // How far from the world's origin the rays are; 0 where that is not known.
+  // The largest coordinate of the rays' origins in world space; 0 in the space of a group, where it
+  // is not known.
   static Real extent_of(const Packet<Real>& packet) {
     if (!packet.unit_length) return Real(0);
     const auto& o = packet.root.origin;
@@ -215,7 +216,7 @@ class Search {
     const Space& space = geometry_.spaces[static_cast<std::size_t>(grid.inside)];
     traverse(grid, outside.box, here, query_.limit(), work_, [&](int instance, Mask<Real> entered) {
       Packet<Real> inside = outside.inside_instance(grid.offset(instance), before + instance);
-      // The box of an instance of one thing is that thing's.
+      // If the group has a single thing, the instance's box is its box and has been tried already.
       if (space.items.size() == 1 && space.balls.balls.empty())
         meet(space.items.front(), inside, entered);
       else through(space, inside, entered);
@@ -227,7 +228,7 @@ class Search {
   WorkCounter& work_;
 };
 
-/// Tries the rays on everything of the world that may answer the query.
+/// Tries the rays on everything in the world that may change the query's answer.
 template <class Real, class Query>
 void search(const World& world, const Ray<Real>& ray, Mask<Real> active, Query& query,
             WorkCounter& work) {

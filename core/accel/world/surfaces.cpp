@@ -23,10 +23,10 @@ Normals normals_at(const World& world, const Vec3d& p, int primitive, int elemen
   const Primitive& own = geometry.primitive(primitive);
   const Affine map = to_object(geometry, own, instance);
   const Vec3d local = map.point(p);
-  // Normals are carried out by the inverse transpose.
+  // Normals are transformed by the inverse transpose.
   const auto outwards = [&](const Vec3d& n) { return normalize(map.row(own.inverted ? -n : n)); };
   if (own.mesh >= 0) {
-    // The mesh's normals tell its outer side, where it has any. Source: pbrt-v4, Triangle.
+    // If the mesh has normals, they define its outer side. Source: pbrt-v4, Triangle.
     const MeshPoint at = mesh_point(geometry, own, local, element);
     const Vec3d n = outwards(at.n), ng = outwards(at.ng);
     return {n, dot(n, ng) < 0 ? -ng : ng};
@@ -46,7 +46,7 @@ Vec2d uv_at(const World& world, const Vec3d& p, int primitive, int element, std:
 
 namespace {
 
-/// SurfaceLanes: points and normals, to be filled lane by lane.
+/// SurfaceLanes: points and normals of a packet in arrays, which are filled lane by lane.
 template <class Real>
 class SurfaceLanes {
  public:

@@ -10,9 +10,9 @@ namespace tia {
 
 namespace {
 
-// The distance that double finds by the plane of the triangle that is hit, where the mesh is so
-// large beside it that an offset from the surface (offset_of) is lost in what float keeps of it;
-// else, and where the triangle is seen edge on, the one that is there.
+// The distance to the triangle's plane in double, where the mesh is so large beside it that float's
+// error exceeds the offset of new rays (tolerance::mesh_large). Otherwise, and where the triangle
+// is seen nearly edge on, the distance t that float has found.
 double settled_distance(const Geometry& geometry, const Primitive& primitive, const Line& line,
                         std::size_t triangle, std::int64_t instance, double t) {
   const MeshIndex& mesh = *geometry.meshes[static_cast<std::size_t>(primitive.mesh)];
@@ -25,7 +25,8 @@ double settled_distance(const Geometry& geometry, const Primitive& primitive, co
   return exact > 0 && std::fabs(exact - t) < tolerance::mesh_settled * rate ? exact : t;
 }
 
-// After the search, which compares what float has found: so it does not matter what comes first.
+// Called after the search: there all distances are float's, so that the order in which things are
+// tried does not matter.
 template <class Real>
 void settle_distances(const World& world, const Ray<Real>& ray, Mask<Real> active, Hit<Real>& hit) {
   if (world.of_objects->meshes.empty()) return;
@@ -36,7 +37,8 @@ void settle_distances(const World& world, const Ray<Real>& ray, Mask<Real> activ
     if (own.mesh < 0) return;
     if (own.space == 0 && !own.placed) {
       const MeshIndex& mesh = *geometry.meshes[static_cast<std::size_t>(own.mesh)];
-      here = here && found.t < Real(static_cast<float>(mesh.unit));  // wider than it is asked below
+      // A quick test that passes all that settled_distance changes.
+      here = here && found.t < Real(static_cast<float>(mesh.unit));
       if (!any(here)) return;
     }
     std::array<LaneOf<Real>, static_cast<std::size_t>(lanes<Real>)> t;
@@ -80,9 +82,9 @@ Mask<Real> occluded(const World& world, const Ray<Real>& ray, const Real& t_max,
 
 namespace {
 
-// Goes from surface to surface, the light's own left out, as far as t_max and as long as lanes want
-// to: visit(hit, lanes) tells which of them do. The offset behind each surface is as far as a
-// shadow ray's in front of its own.
+// Calls visit(hit, lanes) for each surface between the ray's origin and t_max, the light's own left
+// out; it returns the lanes that go on. Each next ray starts behind the surface by the same offset
+// as shadow rays start in front of theirs.
 template <class Real, class Visit>
 void walk(const World& world, const Ray<Real>& ray, const Real& t_max, const WorldLight& light,
           Mask<Real> going, WorkCounter& work, Visit visit) {
@@ -97,7 +99,7 @@ void walk(const World& world, const Ray<Real>& ray, const Real& t_max, const Wor
   }
 }
 
-// What the lanes' hits let through.
+// The transmissions of the surfaces that the lanes have hit.
 template <class Real>
 Real transmissions(const World& world, const Hit<Real>& hit, Mask<Real> met) {
   Real share(0);

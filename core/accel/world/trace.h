@@ -1,4 +1,5 @@
-// What a ray meets first, whether anything stands in its way, and the surface there.
+// Queries of single rays and packets to the world: the closest hit, whether a ray is occluded, and
+// the surface at a hit.
 #pragma once
 
 #include <bit>
@@ -7,14 +8,13 @@
 
 namespace tia {
 
-/// The nearest hit with t > 0 of the lanes that are active; at equal t the object that comes first
-/// in the scene.
-/// Errors: what the work's report throws.
+/// The closest hit with t > 0 of each active lane; at equal t that of the object that comes first
+/// in the scene. Errors: what the work's report throws.
 template <class Real>
 Hit<Real> closest_hit(const World& world, const Ray<Real>& ray, Mask<Real> active,
                       WorkCounter& work);
 
-/// The same in a world of few balls, of which the ray may meet none but those listed.
+/// The same in a world of few balls. Domain: `balls` lists all that the ray may hit.
 template <class Real>
 Hit<Real> closest_ball(const World& world, const std::vector<int>& balls, const Ray<Real>& ray) {
   Hit<Real> nearest;
@@ -30,8 +30,8 @@ Hit<Real> closest_ball(const World& world, const std::vector<int>& balls, const 
   return nearest;
 }
 
-/// Whether anything but the light's own ball stands between the ray's origin and t_max; of lanes
-/// that are not active it says nothing. Errors: what the work's report throws.
+/// Whether anything but the light's own surface is hit between the ray's origin and t_max. Lanes
+/// that are not active are meaningless. Errors: what the work's report throws.
 template <class Real>
 Mask<Real> occluded(const World& world, const Ray<Real>& ray, const Real& t_max,
                     const WorldLight& light, Mask<Real> active, WorkCounter& work);
@@ -44,20 +44,19 @@ Real offset_of(const Real& t, const Vec3<Real>& p) {
   return Real(tolerance::ray_offset) * max_of(t, extent);
 }
 
-/// The share of a light's light that goes straight from t_max to the ray's origin through all that
-/// transmits: each surface on the way takes its own. Errors: as occluded's.
+/// The share of a light's light that passes straight from t_max to the ray's origin: the product of
+/// the transmissions of all surfaces between them. Errors: as occluded's.
 template <class Real>
 Real transmitted(const World& world, const Ray<Real>& ray, const Real& t_max,
                  const WorldLight& light, Mask<Real> active, WorkCounter& work);
 
-/// Blocker: what stands between a point and a light: a primitive, which instance of it, -1:
-/// nothing.
+/// Blocker: a primitive between a point and a light, and which instance of it. -1: none.
 struct Blocker {
   int primitive = -1;
   std::int64_t instance = 0;
 };
-/// What takes of a light's light first on the way from the ray's origin to t_max.
-/// Where shadows are transparent, what lets all light through takes none. Errors: as occluded's.
+/// The first surface from the ray's origin to t_max that takes light. Where shadows are
+/// transparent, a surface of transmission 1 takes none. Errors: as occluded's.
 Blocker first_blocker(const World& world, const Ray<float>& ray, float t_max,
                       const WorldLight& light, bool transparent, WorkCounter& work);
 
@@ -73,12 +72,13 @@ Mask<Real> occluded_by_balls(const World& world, const Ray<Real>& ray, const Rea
   return blocked;
 }
 
-/// SurfacePoint: the costly half of a hit, for the winner only.
-/// Space/units: world space; both normals are unit and face the viewer, by the side of ng.
+/// SurfacePoint: point and normals of a hit. They are computed for the closest hit alone.
+/// Space/units: world space; the normals are unit and turned to the side that the ray comes from,
+/// by the sign of ng.
 template <class Real>
 struct SurfacePoint {
-  Vec3<Real> p, n, ng;  ///< n is what shading uses, ng is the surface's own
-  Mask<Real> front{};   ///< where the viewer is outside
+  Vec3<Real> p, n, ng;  ///< n is the shading normal, ng the geometric one
+  Mask<Real> front{};   ///< where the ray comes from outside of the object
   const Vec3<Real>& side() const { return ng; }
   void take(const SurfacePoint& other, Mask<Real> here) {
     p = select(here, other.p, p);
@@ -88,42 +88,43 @@ struct SurfacePoint {
   }
 };
 
-/// Normals: the surface's own and the one that shading uses, unit and outwards; where a solid is
-/// cut, out of what is left.
+/// Normals: the shading normal and the geometric one, unit and outwards. On a surface that cuts a
+/// solid they point out of what is left of it.
 struct Normals {
   Vec3d n, ng;
 };
-/// A primitive's at a point of it, in double, in world space.
+/// The normals of a primitive at a point of it, in double, in world space.
 Normals normals_at(const World& world, const Vec3d& p, int primitive, int element,
                    std::int64_t instance);
-/// A primitive's surface coordinates at a point of it.
+/// The surface coordinates of a primitive at a point of it.
 Vec2d uv_at(const World& world, const Vec3d& p, int primitive, int element, std::int64_t instance);
 
-/// The colours that a primitive's texture has where the lanes of `here` hit it. Domain: a primitive
-/// that has one.
+/// The colours of a primitive's texture where the lanes of `here` hit it. Domain: a primitive with
+/// a texture.
 template <class Real>
 Vec3<Real> texture_colors(const World& world, const Ray<Real>& ray, const Hit<Real>& hit,
                           int primitive, Mask<Real> here);
 
-/// The lanes of `here` one by one, not turned to the viewer.
+/// The surface in the lanes of `here`, computed one by one; normals are not turned to the viewer.
 template <class Real>
 SurfacePoint<Real> surface_by_lanes(const World& world, const Ray<Real>& ray, const Hit<Real>& hit,
                                     int primitive, Mask<Real> here);
 
-/// Eight lanes at a time. Domain: a primitive in the world's own space, hit where its normals go in
-/// eights (normals_go_in_eights); other lanes come out meaningless.
+/// The same for eight lanes at a time. Domain: a primitive in the world's own space whose form
+/// computes eight normals at once (normals_go_in_eights). Lanes that have not hit it are
+/// meaningless.
 template <class Real>
 SurfacePoint<Real> surface_in_eights(const Primitive& primitive, const Ray<Real>& ray,
                                      const Real& t);
 
-/// A normal turned to the viewer by the cosine between the surface's own and the ray. Where a thing
-/// is too small for a normal the cosine is NaN, and the way back along the ray takes its place.
+/// n or -n, by the sign of the cosine between the geometric normal and the ray. Where a surface is
+/// too small for double to give it a normal, the cosine is NaN, and the result is -direction.
 template <class Real>
 Vec3<Real> turned(const Vec3<Real>& n, const Real& cosine, const Vec3<Real>& direction) {
   return select(cosine <= Real(0), n, select(cosine > Real(0), -n, -direction));
 }
 
-/// BallPoint: a SurfacePoint whose two normals are one.
+/// BallPoint: a SurfacePoint of a ball, whose shading normal is the geometric one.
 template <class Real>
 struct BallPoint {
   Vec3<Real> p, n;
@@ -145,7 +146,7 @@ BallPoint<Real> ball_surface(const Ball& ball, const Ray<Real>& ray, const Real&
   return at;
 }
 
-/// A plane has one normal.
+/// The point of a plane that is hit; its normals are not turned to the viewer.
 template <class Real>
 SurfacePoint<Real> flat_surface(const Flat& flat, const Ray<Real>& ray, const Real& t) {
   const RootRay<Real> root(ray);
@@ -153,13 +154,14 @@ SurfacePoint<Real> flat_surface(const Flat& flat, const Ray<Real>& ray, const Re
   const Vec3<Real> n = lift<Real>(flat.plane.frame.n);
   return {{narrow<Real>(p.x), narrow<Real>(p.y), narrow<Real>(p.z)}, n, n, {}};
 }
-/// A ball of a group that the world itself repeats, each lane on its own instance.
+/// Of a ball in a group that is repeated in the world's own space; each lane may have hit another
+/// instance.
 template <class Real>
 SurfacePoint<Real> copied_ball_surface(const Ball& ball, const InstanceGrid& grid,
                                        const Ray<Real>& ray, const Hit<Real>& hit);
 
-/// Of any primitive, not turned to the viewer: by the packet where its kind allows, else lane by
-/// lane.
+/// Of any primitive, with normals that are not turned to the viewer: for the whole packet where the
+/// primitive's kind allows that, else lane by lane.
 template <class Real>
 SurfacePoint<Real> outward_surface(const World& world, const Ray<Real>& ray, const Hit<Real>& hit,
                                    int primitive, Mask<Real> here) {
@@ -181,7 +183,8 @@ SurfacePoint<Real> outward_surface(const World& world, const Ray<Real>& ray, con
   return surface_by_lanes(world, ray, hit, primitive, here);
 }
 
-/// Domain: lanes outside `here`, whose rays have not hit `primitive`, come out meaningless.
+/// The surface of a primitive in the lanes of `here`, which have hit it; other lanes are
+/// meaningless.
 template <class Real>
 SurfacePoint<Real> surface(const World& world, const Ray<Real>& ray, const Hit<Real>& hit,
                            int primitive, Mask<Real> here) {

@@ -9,26 +9,27 @@
 
 namespace tia {
 
-/// World. Moving a light or the camera leaves the objects' geometry as it is, so that worlds share
-/// it; what luminous lights add is little, and has an index of its own.
-/// Space/units: world space is the scene's, seen from `origin`, which is taken off in double before
-/// anything is rounded to float. It is 0 where the objects are not far from the scene's origin.
+/// World. The geometry of the objects does not depend on lights and camera, so worlds that differ
+/// in these share it. The surfaces of lights are a small geometry beside it, with an index of its
+/// own. Space/units: world space is the scene's less `origin`, which is subtracted in double before
+/// anything is rounded to float. It is 0 where the objects are near the scene's origin.
 struct World {
   SharedGeometry of_objects;
   Vec3d origin{};      ///< in the scene's coordinates: of_objects->origin
   Geometry of_lights;  ///< the surfaces of luminous lights; their primitives follow the objects'
   std::vector<WorldLight> lights;
-  /// Where few_balls: all of them, a primitive each, in order.
+  /// If few_balls: all balls, one for each primitive, in order. Else none.
   std::vector<Ball> balls;
   Constant background;
-  int objects = 0;                   ///< how many; the luminous lights are the last
-  bool transparent_shadows = false;  ///< whether light goes straight through what transmits
-  bool few_balls = false;      ///< so few, plain and lit from points, that they are tried in turn
-  std::size_t degenerate = 0;  ///< triangles without area, which nothing meets
+  int objects = 0;  ///< how many; the luminous lights are the last
+  bool transparent_shadows =
+      false;                   ///< whether shadow rays pass through transmitting objects, unbent
+  bool few_balls = false;      ///< whether FewBallsView can draw it
+  std::size_t degenerate = 0;  ///< triangles without area, which no ray hits
 
-  /// All that rays can meet, in the order of the primitives.
+  /// All that rays can hit, in the order of the primitives' numbers.
   std::array<const Geometry*, 2> geometries() const { return {of_objects.get(), &of_lights}; }
-  /// The one that a primitive is of.
+  /// The geometry that a primitive belongs to.
   const Geometry& geometry_of(int primitive) const {
     return primitive < of_lights.first_primitive ? *of_objects : of_lights;
   }
