@@ -85,15 +85,15 @@ void render_to_file(const std::string& scene, const std::string& file,
   Admission alone({});
   LongWork long_work(alone, pool);
   PressedScenes none_pressed(0, long_work, account);
-  const Studio studio{gallery, none_kept, none_shared,    none_pressed,
-                      pool,    long_work, config.limits()};
+  const RenderContext context{gallery, none_kept, none_shared,    none_pressed,
+                              pool,    long_work, config.limits()};
   const auto request = read_described<PictureRequest>(asked);
   if (named != nullptr && named->format != request.format)
     throw std::invalid_argument("--format " + std::string(name_of(request.format)) +
                                 " does not go with the file's name " + file);
-  Plan plan = plan_of(request, studio, {});
+  Plan plan = plan_of(request, context, {});
   if (plain) plan.options.scalar = Scalar::narrow;
-  const Picture picture = draw(plan, studio, {});
+  const Picture picture = draw(plan, context, {});
   if (picture.degenerate > 0)
     std::cerr << "tia: " << picture.degenerate << " triangles without area are ignored\n";
   write_file(file, picture.bytes);

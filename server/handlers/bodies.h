@@ -13,7 +13,7 @@
 namespace tia::server {
 
 /// Whom the request is from.
-Asker asker_of(const Request& request);
+Requester requester_of(const Request& request);
 
 /// What to read the request's body needs, as JSON text.
 LongWork::Need body_need(const Request& request, const Service& service);
@@ -25,7 +25,7 @@ LongWork::Need query_need(const Request& request, const Service& service);
 /// Reads the body. Returns: what read() does. Errors: as LongWork.
 template <class Read>
 auto read_body(const Request& request, Service& service, const Read& read) {
-  return service.studio.long_work(body_need(request, service), asker_of(request), read);
+  return service.rendering.long_work(body_need(request, service), requester_of(request), read);
 }
 
 /// Reads the query: as long work where it holds JSON, such as a whole scene, which may be as much
@@ -33,7 +33,7 @@ auto read_body(const Request& request, Service& service, const Read& read) {
 template <class Read>
 auto read_query(const Request& request, Service& service, const Read& read) {
   if (!holds_json(request.query())) return read();
-  return service.studio.long_work(query_need(request, service), asker_of(request), read);
+  return service.rendering.long_work(query_need(request, service), requester_of(request), read);
 }
 
 /// Reads the recipe of the picture that the body is. Returns: what read(recipe) does.
@@ -41,14 +41,14 @@ auto read_query(const Request& request, Service& service, const Read& read) {
 template <class Read>
 auto read_recipe_of_body(const Request& request, Service& service, const Read& read) {
   const Config& config = service.config;
-  const Asker asker = asker_of(request);
+  const Requester requester = requester_of(request);
   constexpr const char* what = "the picture's recipe";
   const std::string text =
-      service.studio.long_work({request.body.size(), config.max_body_bytes, what}, asker,
-                               [&] { return recipe_text_in(request.body, config); });
+      service.rendering.long_work({request.body.size(), config.max_body_bytes, what}, requester,
+                                  [&] { return recipe_text_in(request.body, config); });
   const std::int64_t memory = memory_for_text(text.size(), config.json_limits().values);
-  return service.studio.long_work({text.size(), memory, what}, asker,
-                                  [&] { return read(read_recipe(text, config, request.stop)); });
+  return service.rendering.long_work({text.size(), memory, what}, requester,
+                                     [&] { return read(read_recipe(text, config, request.stop)); });
 }
 
 }  // namespace tia::server

@@ -10,7 +10,7 @@
 #include "server/handlers/route_table.h"
 #include "server/http/error.h"
 #include "server/operation/config.h"
-#include "server/requests/tagged.h"
+#include "server/requests/tagged_body.h"
 
 namespace tia::server {
 namespace {
@@ -57,7 +57,7 @@ std::string openapi_text() {
 
 Response get_openapi(const Request& request, const std::string&, Service&) {
   static const std::string text = openapi_text();
-  static const Tagged tagged(text);
+  static const TaggedBody tagged(text);
   return tagged_response(request, tagged, "application/json");
 }
 

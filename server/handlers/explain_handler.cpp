@@ -36,7 +36,7 @@ void ExplainRequest::check(const Place& at, Faults& faults) const {
 namespace {
 
 RenderOptions options_of(const ExplainRequest& asked, const Scene& scene, const Service& service) {
-  const RenderOptions options = options_of(TraceRequest(asked), scene, service.studio);
+  const RenderOptions options = options_of(TraceRequest(asked), scene, service.rendering);
   if (!row_of(options.integrator).is_whitted)
     throw InputError({FaultKind::out_of_range, "/integrator", Value(name_of(options.integrator)),
                       explained_names() + ", which gather light"});
@@ -57,18 +57,19 @@ Explanation explanation_in(const ExplainRequest& asked, const Scene& scene, Worl
   return explain(scene, std::move(world), view, *asked.x, *asked.y, asked.sample, options, stop);
 }
 
-std::string explanation_of(const ExplainRequest& asked, const Service& service, const Asker& asker,
-                           Flow& flow) {
-  const KnownScene scene = scene_of(asked, service.studio, asker);
+std::string explanation_of(const ExplainRequest& asked, const Service& service,
+                           const Requester& requester, Flow& flow) {
+  const KnownScene scene = scene_of(asked, service.rendering, requester);
   const RenderOptions options = options_of(asked, *scene, service);
-  Pool& pool = service.studio.pool;
-  World world =
-      service.studio.geometries.compile(scene, pool.workers(pool.threads(), asker.stop, &flow));
+  Pool& pool = service.rendering.pool;
+  World world = service.rendering.geometries.compile(
+      scene, pool.workers(pool.threads(), requester.stop, &flow));
   std::string text;
   const auto tell = [&] {
-    text = to_json(value_of(explanation_in(asked, *scene, std::move(world), options, asker.stop)));
+    text =
+        to_json(value_of(explanation_in(asked, *scene, std::move(world), options, requester.stop)));
   };
-  pool.alone(tell, asker.stop, &flow);
+  pool.alone(tell, requester.stop, &flow);
   return text;
 }
 
@@ -81,13 +82,13 @@ ExplainRequest asked_of_body(const Request& request, Service& service) {
 }
 
 Response explained(const ExplainRequest& asked, const Request& request, Service& service) {
-  check_size(asked.width, asked.height, service.studio.limits);
-  const Asker asker = asker_of(request);
-  auto ticket = service.admission.enter({}, asker.client, asker.stop);
-  Flow flow{asker.number()};
+  check_size(asked.width, asked.height, service.rendering.limits);
+  const Requester requester = requester_of(request);
+  auto ticket = service.admission.enter({}, requester.client, requester.stop);
+  Flow flow{requester.number()};
   flow.became_long = [&] { ticket.turn_heavy(); };
   return {.content_type = "application/json",
-          .body = explanation_of(asked, service, asker, flow),
+          .body = explanation_of(asked, service, requester, flow),
           .headers = {{"Cache-Control", "no-cache"}}};
 }
 

@@ -27,7 +27,7 @@ std::optional<Response> known_picture(const Request& request, Service& service);
 
 /// The picture of a plan, from the cache or with a ticket to draw it.
 /// Errors: Stopped; InputError; HttpError (busy, too-large).
-PictureStore::Found picture_of(Plan& plan, const std::string& etag, const Asker& asker,
+PictureStore::Found picture_of(Plan& plan, const std::string& etag, const Requester& requester,
                                Service& service);
 
 }  // namespace tia::server

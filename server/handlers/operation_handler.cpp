@@ -43,14 +43,14 @@ Response get_ready(const Request&, const std::string&, Service& service) {
 
 Response get_metrics(const Request&, const std::string&, Service& service) {
   const Admission& admission = service.admission;
-  const SceneStore& kept = service.studio.kept;
+  const SceneStore& kept = service.rendering.kept;
   const Gauges gauges{.connections = service.connections(),
                       .at_work = admission.at_work(),
                       .waiting = admission.waiting(),
                       .kept_scenes = kept.count(),
                       .kept_scenes_bytes = kept.bytes(),
                       .data_bytes = kept.file_bytes(),
-                      .geometry = service.studio.geometries.counts(),
+                      .geometry = service.rendering.geometries.counts(),
                       .pictures = service.pictures.counts(),
                       .memory = &service.memory};
   return {.content_type = std::string(Metrics::media_type),

@@ -9,15 +9,15 @@
 #include "server/http/error.h"
 #include "server/http/headers.h"
 #include "server/requests/accept.h"
-#include "server/requests/tagged.h"
+#include "server/requests/tagged_body.h"
 #include "server/stores/assets.h"
 
 namespace tia::server {
 namespace {
 
 struct Page {
-  Tagged plain;
-  std::optional<Tagged> gzip;
+  TaggedBody plain;
+  std::optional<TaggedBody> gzip;
 };
 
 // All files with their tags, which are reckoned once.
@@ -25,7 +25,7 @@ const std::map<std::string_view, Page>& pages() {
   static const std::map<std::string_view, Page> all = [] {
     std::map<std::string_view, Page> made;
     for (const Asset& asset : assets()) {
-      Page page{Tagged(asset.bytes), {}};
+      Page page{TaggedBody(asset.bytes), {}};
       if (!asset.gzip.empty()) page.gzip.emplace(asset.gzip);
       made.emplace(asset.path, std::move(page));
     }

@@ -116,8 +116,8 @@ Response with(Response response, const Headers& headers) {
 
 // HEAD and If-None-Match need no ray: what the picture is called is known.
 Response rendered(const Asked& asked, Stopwatch watch, const Request& request, Service& service) {
-  const Asker asker = asker_of(request);
-  Plan plan = plan_of(asked.picture, service.studio, asker);
+  const Requester requester = requester_of(request);
+  Plan plan = plan_of(asked.picture, service.rendering, requester);
   const std::string etag = etag_of(plan.recipe);
   const double parse_ms = watch.lap_ms();
   const Headers headers = validators(etag, asked);
@@ -129,7 +129,7 @@ Response rendered(const Asked& asked, Stopwatch watch, const Request& request, S
     if (has_already(request, etag)) return with(not_modified(), headers);
   }
   if (request.is_head()) return with({.content_type = type, .body = "", .unsized = true}, headers);
-  const auto found = picture_of(plan, etag, asker, service);
+  const auto found = picture_of(plan, etag, requester, service);
   return with(picture_response(found, parse_ms, watch.lap_ms()), headers);
 }
 
@@ -153,14 +153,14 @@ Picture with_memory_for(const Attempt& attempt, const std::stop_token& stop) {
   }
 }
 
-Picture drawn(Plan& plan, const Asker& asker, Admission::Waiting& place,
+Picture drawn(Plan& plan, const Requester& requester, Admission::Waiting& place,
               const std::stop_token& stop, Service& service) {
   const double rays = plan.rays();
   Stopwatch watch;
   // It begins with a ticket and ends with it.
-  auto ticket =
-      service.admission.enter(service.costs.of(plan.cost_key, rays), asker.client, stop, &place);
-  Flow flow{Asker{ticket.client(), stop}.number()};
+  auto ticket = service.admission.enter(service.costs.of(plan.cost_key, rays), requester.client,
+                                        stop, &place);
+  Flow flow{Requester{ticket.client(), stop}.number()};
   const double queue_ms = watch.lap_ms();
   plan.options.flow = &flow;
   plan.options.spent = [&](std::int64_t rays_done, std::int64_t tests) {
@@ -170,7 +170,7 @@ Picture drawn(Plan& plan, const Asker& asker, Admission::Waiting& place,
   flow.became_long = [&] { ticket.turn_heavy(); };
   MemoryClaim* const claim = MemoryClaim::current();
   const auto attempt = [&] {
-    Picture picture = draw(plan, service.studio, stop);
+    Picture picture = draw(plan, service.rendering, stop);
     service.costs.learn(plan.cost_key, rays, picture.trace_seconds, true);
     picture.timing.queue = queue_ms;
     picture.timing.wait = claim != nullptr ? claim->waited_ms() : 0;
@@ -187,17 +187,17 @@ Picture drawn(Plan& plan, const Asker& asker, Admission::Waiting& place,
 
 }  // namespace
 
-PictureStore::Found picture_of(Plan& plan, const std::string& etag, const Asker& asker,
+PictureStore::Found picture_of(Plan& plan, const std::string& etag, const Requester& requester,
                                Service& service) {
   const auto place = std::make_shared<Admission::Waiting>();
   PictureStore::Wish wish;
   wish.draw = [&](const std::stop_token& given_up) {
-    return drawn(plan, asker, *place, given_up, service);
+    return drawn(plan, requester, *place, given_up, service);
   };
-  wish.stop = asker.stop;
-  wish.client = asker.client;
+  wish.stop = requester.stop;
+  wish.client = requester.client;
   wish.wait = [&] {
-    return std::make_shared<Admission::Place>(service.admission.wait_for_others(asker.client));
+    return std::make_shared<Admission::Place>(service.admission.wait_for_others(requester.client));
   };
   wish.joined_by = [place](const std::string& client) { place->also_for(client); };
   return service.pictures.get(etag, wish);
@@ -207,7 +207,7 @@ std::optional<Response> known_picture(const Request& request, Service& service) 
   if ((request.method != "GET" && !request.is_head()) || request.path() != "/render")
     return std::nullopt;
   const auto known = service.targets.find(KnownTargets::name_of(request));
-  if (!known || !is_at_hand(known->scene, service.studio)) return std::nullopt;
+  if (!known || !is_at_hand(known->scene, service.rendering)) return std::nullopt;
   if (has_already(request, known->etag)) return with(not_modified(), known->validators);
   if (request.is_head())
     return with({.content_type = known->content_type, .body = "", .unsized = true},

@@ -38,18 +38,18 @@ Response scene_text(const Scene& scene) {
 }
 
 Response get_scenes(const Request&, const std::string&, Service& service) {
-  return {.content_type = "application/json", .body = service.studio.gallery.listing()};
+  return {.content_type = "application/json", .body = service.rendering.gallery.listing()};
 }
 
 Response get_scene(const Request& request, const std::string& name, Service& service) {
-  const Gallery& gallery = service.studio.gallery;
+  const Gallery& gallery = service.rendering.gallery;
   if (const KnownScene scene = gallery.find(name)) return scene_text(*scene);
-  const Asker asker = asker_of(request);
-  if (const KnownScene kept = service.studio.kept.find(name, asker)) {
+  const Requester requester = requester_of(request);
+  if (const KnownScene kept = service.rendering.kept.find(name, requester)) {
     const std::size_t bytes = bytes_of(*kept);
     const std::int64_t memory = memory_for(memory_cost::patch, bytes);
-    return service.studio.long_work({bytes, memory, "the scene's text"}, asker,
-                                    [&] { return scene_text(*kept); });
+    return service.rendering.long_work({bytes, memory, "the scene's text"}, requester,
+                                       [&] { return scene_text(*kept); });
   }
   throw HttpError("not-found", "no scene is called that; there are: " + listed(gallery.names()) +
                                    ", and those lately sent to POST /scenes, by their ids");
@@ -64,7 +64,7 @@ Response post_scene(const Request& request, const std::string&, Service& service
     return NewScene(std::move(read));
   });
   const std::string key = random_key(), key_hash = sha256_hex(key);
-  SceneStore& kept = service.studio.kept;
+  SceneStore& kept = service.rendering.kept;
   const std::string id = kept.keep(made, {share_of(request.peer), key_hash, 0});
   const std::string location = "/scenes/" + id;
   Response response{.status = 201,
@@ -78,7 +78,7 @@ Response post_scene(const Request& request, const std::string&, Service& service
 // The gallery's names are no ids, and stay.
 Response delete_scene(const Request& request, const std::string& id, Service& service) {
   refuse_query(request);
-  switch (service.studio.kept.remove(id, sha256_hex(request.header(delete_key)))) {
+  switch (service.rendering.kept.remove(id, sha256_hex(request.header(delete_key)))) {
     case Removal::done: return {.status = 204, .content_type = "", .body = ""};
     case Removal::forbidden:
       throw HttpError("forbidden",

@@ -9,7 +9,7 @@
 #include "server/operation/cost_memory.h"
 #include "server/operation/memory_account.h"
 #include "server/operation/metrics.h"
-#include "server/requests/studio.h"
+#include "server/requests/render_context.h"
 #include "server/stores/known_targets.h"
 #include "server/stores/picture_store.h"
 
@@ -18,7 +18,7 @@ namespace tia::server {
 /// Service: what handlers share. Everything in it is const or its own guard.
 struct Service {
   const Config& config;
-  Studio studio;
+  RenderContext rendering;
   MemoryAccount& memory;
   Admission& admission;
   CostMemory& costs;

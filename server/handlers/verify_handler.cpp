@@ -48,9 +48,9 @@ Sent sent_in(const Request& request, Service& service) {
 
 Value::Object verdict_on(const Sent& sent, const Request& request, Service& service) {
   if (!sent.asked) return {{"verdict", name_of(Verdict::other_version)}};
-  const Asker asker = asker_of(request);
-  Plan plan = plan_of(*sent.asked, service.studio, asker);
-  const auto found = picture_of(plan, etag_of(plan.recipe), asker, service);
+  const Requester requester = requester_of(request);
+  Plan plan = plan_of(*sent.asked, service.rendering, requester);
+  const auto found = picture_of(plan, etag_of(plan.recipe), requester, service);
   const std::string& expected = found.picture->bytes;
   return {{"verdict", name_of(expected == request.body ? Verdict::same : Verdict::different)},
           {"expected_sha256", sha256_hex(expected)}};
@@ -68,8 +68,8 @@ Response post_verify(const Request& request, const std::string&, Service& servic
   };
   const std::int64_t memory = service.config.max_body_bytes;
   return {.content_type = "application/json",
-          .body = service.studio.long_work({request.body.size(), memory, "the verdict"},
-                                           asker_of(request), text),
+          .body = service.rendering.long_work({request.body.size(), memory, "the verdict"},
+                                              requester_of(request), text),
           .headers = {{"Cache-Control", "no-store"}}};
 }
 

@@ -14,7 +14,7 @@ Cost CostMemory::of(const std::string& scene, double rays) {
 void CostMemory::learn(const std::string& scene, double rays, double seconds, bool is_whole) {
   constexpr double weight = 1.0 / 8;  // of the newest in moving means
   if (rays < 1 || (!is_whole && seconds < Cost::most_light_seconds)) return;
-  Recent<std::string, double>::Entries surplus;
+  LruMap<std::string, double>::Entries surplus;
   const std::lock_guard lock(mutex_);
   const bool heavy = Cost{seconds}.is_heavy();
   if (double* known = per_ray_.find(scene)) {

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "server/operation/cost.h"
-#include "server/operation/recent.h"
+#include "server/operation/lru_map.h"
 
 namespace tia::server {
 
@@ -26,7 +26,7 @@ class CostMemory {
 
  private:
   std::mutex mutex_;
-  Recent<std::string, double> per_ray_;
+  LruMap<std::string, double> per_ray_;
   double share_heavy_ = 0;    // of the scenes that were new lately, a moving mean
   double heavy_seconds_ = 1;  // what such a one took
 };

@@ -4,11 +4,12 @@
 
 namespace tia::server {
 
-void LongWork::run(const Need& need, const Asker& asker, const std::function<void()>& work) {
-  const auto ticket = admission_.read(need.bytes, asker.client, asker.stop);
-  reserve_memory(need.memory, need.what, asker.stop);
-  Flow flow{asker.number()};
-  pool_.alone(work, asker.stop, &flow);
+void LongWork::run(const Need& need, const Requester& requester,
+                   const std::function<void()>& work) {
+  const auto ticket = admission_.read(need.bytes, requester.client, requester.stop);
+  reserve_memory(need.memory, need.what, requester.stop);
+  Flow flow{requester.number()};
+  pool_.alone(work, requester.stop, &flow);
   settle_memory();
 }
 

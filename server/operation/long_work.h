@@ -11,7 +11,7 @@
 
 #include "core/render/pool.h"
 #include "server/operation/admission.h"
-#include "server/operation/asker.h"
+#include "server/operation/requester.h"
 
 namespace tia::server {
 
@@ -27,14 +27,14 @@ class LongWork {
   /// Does it, and gives back what memory it has not in use. Domain: it waits for nothing.
   /// Returns: what it does. Errors: HttpError (busy, too-large); Stopped; whatever it throws.
   template <class Work>
-  auto operator()(const Need& need, const Asker& asker, const Work& work) {
+  auto operator()(const Need& need, const Requester& requester, const Work& work) {
     std::optional<decltype(work())> made;
-    run(need, asker, [&] { made.emplace(work()); });
+    run(need, requester, [&] { made.emplace(work()); });
     return std::move(*made);
   }
 
  private:
-  void run(const Need& need, const Asker& asker, const std::function<void()>& work);
+  void run(const Need& need, const Requester& requester, const std::function<void()>& work);
 
   Admission& admission_;
   Pool& pool_;

@@ -35,14 +35,16 @@ std::string cost_key_of(const Plan& plan) {
 
 }  // namespace
 
-Plan plan_of(const PictureRequest& asked, const Studio& studio, const Asker& asker) {
-  check_size(asked.width, asked.height, studio.limits);
-  const KnownScene scene = scene_of(asked, studio, asker);
-  RenderOptions options = options_of(asked, *scene, studio);
-  options.threads = std::min(asked.threads.value_or(studio.pool.threads()), studio.pool.threads());
+Plan plan_of(const PictureRequest& asked, const RenderContext& context,
+             const Requester& requester) {
+  check_size(asked.width, asked.height, context.limits);
+  const KnownScene scene = scene_of(asked, context, requester);
+  RenderOptions options = options_of(asked, *scene, context);
+  options.threads =
+      std::min(asked.threads.value_or(context.pool.threads()), context.pool.threads());
   const Window window = asked.window();
   check_rays(static_cast<std::int64_t>(window.width()) * window.height(),
-             least_samples(options.samples, options.threshold), studio.limits);
+             least_samples(options.samples, options.threshold), context.limits);
   Plan plan{
       .scene = scene,
       .view = view_of(scene->camera, asked.width, asked.height),
@@ -51,7 +53,7 @@ Plan plan_of(const PictureRequest& asked, const Studio& studio, const Asker& ask
       .display = {display_of(options.integrator), asked.transfer.value_or(scene->options.transfer)},
       .format = asked.format};
   const std::size_t objects = scene.objects.bytes <= most_told_bytes ? scene.objects.bytes : 0;
-  std::tie(plan.recipe, plan.cost_key) = studio.go_through(scene.others + objects, asker, [&] {
+  std::tie(plan.recipe, plan.cost_key) = context.go_through(scene.others + objects, requester, [&] {
     return std::pair(recipe_of(asked, plan), cost_key_of(plan));
   });
   return plan;
@@ -68,13 +70,13 @@ std::int64_t memory_of(const Plan& plan) {
 
 }  // namespace
 
-Picture draw(const Plan& plan, const Studio& studio, const std::stop_token& stop) {
+Picture draw(const Plan& plan, const RenderContext& context, const std::stop_token& stop) {
   Picture picture;
   Stopwatch watch;
   Flow own;
   Flow& flow = plan.options.flow != nullptr ? *plan.options.flow : own;
-  const Workers workers = studio.pool.workers(plan.options.threads, stop, &flow);
-  const World world = studio.geometries.compile(plan.scene, workers);
+  const Workers workers = context.pool.workers(plan.options.threads, stop, &flow);
+  const World world = context.geometries.compile(plan.scene, workers);
   reserve_memory(memory_of(plan), "this picture", stop);
   picture.degenerate = world.degenerate;
   picture.timing.build = watch.lap_ms();
@@ -82,7 +84,7 @@ Picture draw(const Plan& plan, const Studio& studio, const std::stop_token& stop
   const int width = plan.window.width(), height = plan.window.height();
   const Nanoseconds before = flow.attained;
   const auto trace_onto = [&](auto& film) {
-    picture.rays = render(world, plan.view, plan.window, plan.options, studio.pool, stop,
+    picture.rays = render(world, plan.view, plan.window, plan.options, context.pool, stop,
                           [&](const Block& block) { film.put(block); });
     picture.timing.trace = watch.lap_ms();
     picture.trace_seconds = static_cast<double>(flow.attained - before) * 1e-9;

@@ -4,18 +4,18 @@
 
 #include <stop_token>
 
-#include "server/operation/asker.h"
+#include "server/operation/requester.h"
 #include "server/requests/plan.h"
-#include "server/requests/studio.h"
+#include "server/requests/render_context.h"
 #include "server/stores/picture.h"
 
 namespace tia::server {
 
 /// Errors: InputError; as scene_of. The plan may refer to the request.
-Plan plan_of(const PictureRequest& asked, const Studio& studio, const Asker& asker);
+Plan plan_of(const PictureRequest& asked, const RenderContext& context, const Requester& requester);
 
 /// Makes the picture, which carries its recipe if it is a PNG. Before each step it reserves the
 /// memory that it may take. Errors: InputError; Stopped; as MemoryClaim::reserve.
-Picture draw(const Plan& plan, const Studio& studio, const std::stop_token& stop);
+Picture draw(const Plan& plan, const RenderContext& context, const std::stop_token& stop);
 
 }  // namespace tia::server

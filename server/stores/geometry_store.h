@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "core/accel/world/world.h"
+#include "server/operation/lru_map.h"
 #include "server/operation/memory_account.h"
-#include "server/operation/recent.h"
 #include "server/operation/store_counts.h"
 #include "server/stores/known_scene.h"
 
@@ -46,7 +46,7 @@ class GeometryStore {
     SharedMesh index;
     std::size_t bytes = 0, users = 0;  // entries that have it
   };
-  using Geometries = Recent<Digest, Kept, DigestHash>;
+  using Geometries = LruMap<Digest, Kept, DigestHash>;
   using MeshTable = std::unordered_map<Digest, KeptMesh, DigestHash>;
   class Meshes;  // those of one geometry that is being built
 

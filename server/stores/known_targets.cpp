@@ -17,7 +17,7 @@ std::optional<KnownTarget> KnownTargets::find(const std::string& name) {
 
 // The names alone are counted: they are what clients make long.
 void KnownTargets::keep(const std::string& name, KnownTarget known) {
-  Recent<std::string, KnownTarget>::Entries surplus;
+  LruMap<std::string, KnownTarget>::Entries surplus;
   const std::lock_guard lock(mutex_);
   if (targets_.contains(name)) return;
   targets_.add(name, std::move(known));

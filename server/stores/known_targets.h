@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "server/http/message.h"
-#include "server/operation/recent.h"
+#include "server/operation/lru_map.h"
 
 namespace tia::server {
 
@@ -31,7 +31,7 @@ class KnownTargets {
 
  private:
   std::mutex mutex_;
-  Recent<std::string, KnownTarget> targets_;
+  LruMap<std::string, KnownTarget> targets_;
   std::size_t bytes_ = 0;
 };
 

@@ -13,8 +13,8 @@
 #include <string>
 #include <unordered_map>
 
+#include "server/operation/lru_map.h"
 #include "server/operation/memory_account.h"
-#include "server/operation/recent.h"
 #include "server/operation/store_counts.h"
 #include "server/stores/picture.h"
 
@@ -64,7 +64,7 @@ class PictureStore {
  private:
   struct Flight;  // a picture that is being drawn
   using SharedFlight = std::shared_ptr<Flight>;
-  using Pictures = Recent<std::string, SharedPicture>;
+  using Pictures = LruMap<std::string, SharedPicture>;
 
   Found lead(const std::string& etag, const SharedFlight& flight, const Wish& wish);
   std::optional<Found> join(const std::string& etag, const SharedFlight& flight,

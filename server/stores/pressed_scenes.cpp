@@ -10,28 +10,28 @@
 namespace tia::server {
 
 KnownScene PressedScenes::get(const std::string& name, const KnownScene& scene,
-                              const std::string& key, const Asker& asker) {
+                              const std::string& key, const Requester& requester) {
   const std::string both = name.empty() ? "" : name + '\n' + key;
   if (KnownScene made = find(both).scene) return made;
   const std::size_t bytes = bytes_of(*scene);
   const std::int64_t memory = memory_for(memory_cost::patch, bytes);
-  return long_work_({bytes, memory, "the scene with its key's patch"}, asker, [&] {
+  return long_work_({bytes, memory, "the scene with its key's patch"}, requester, [&] {
     if (KnownScene made = find(both).scene) return made;  // by somebody meanwhile
     const KnownScene made =
-        known(std::make_shared<const Scene>(press(*scene, key, Middles{}, "/key", asker.stop)));
+        known(std::make_shared<const Scene>(press(*scene, key, Middles{}, "/key", requester.stop)));
     if (!both.empty()) keep(both, {made, nullptr, bytes_of(*made)});
     return made;
   });
 }
 
 PressedScenes::SharedMiddles PressedScenes::middles_of(const KnownScene& scene,
-                                                       const Asker& asker) {
+                                                       const Requester& requester) {
   static const auto none = std::make_shared<const Middles>();
   if (scene->camera.look_at || scene->objects.empty()) return none;
   const std::string name = "middles\n" + hex(scene.objects.digest);
   if (SharedMiddles made = find(name).middles) return made;
-  return long_work_({scene.objects.bytes, 0, "the scene's objects"}, asker, [&] {
-    const auto made = std::make_shared<const Middles>(tia::middles_of(*scene, asker.stop));
+  return long_work_({scene.objects.bytes, 0, "the scene's objects"}, requester, [&] {
+    const auto made = std::make_shared<const Middles>(tia::middles_of(*scene, requester.stop));
     keep(name, {{}, made, made->capacity() * sizeof(Vec3d)});
     return made;
   });

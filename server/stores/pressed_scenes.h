@@ -10,8 +10,8 @@
 
 #include "core/scene/keys.h"
 #include "server/operation/long_work.h"
+#include "server/operation/lru_map.h"
 #include "server/operation/memory_account.h"
-#include "server/operation/recent.h"
 #include "server/stores/known_scene.h"
 
 namespace tia::server {
@@ -25,11 +25,11 @@ class PressedScenes {
   /// The scene `name` after the key; a scene without a name ("") is not kept.
   /// Errors: InputError, as press(); HttpError (busy, too-large); Stopped.
   KnownScene get(const std::string& name, const KnownScene& scene, const std::string& key,
-                 const Asker& asker);
+                 const Requester& requester);
   /// The middles of the scene's objects.
   /// Errors: HttpError (busy); Stopped.
   using SharedMiddles = std::shared_ptr<const Middles>;
-  SharedMiddles middles_of(const KnownScene& scene, const Asker& asker);
+  SharedMiddles middles_of(const KnownScene& scene, const Requester& requester);
   /// Lets go of those that nobody has asked for longest. Returns: how many bytes.
   std::int64_t give_way(std::int64_t bytes);
 
@@ -40,7 +40,7 @@ class PressedScenes {
     SharedMiddles middles;
     std::size_t bytes = 0;
   };
-  using All = Recent<std::string, Kept>;
+  using All = LruMap<std::string, Kept>;
   Kept find(const std::string& name);
   void keep(const std::string& name, Kept made);
   void take_surplus(std::size_t most, All::Entries& surplus);

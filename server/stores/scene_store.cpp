@@ -48,17 +48,17 @@ std::string SceneStore::keep(const NewScene& made, Owner owner) {
   return made.id;
 }
 
-KnownScene SceneStore::find(const std::string& id, const Asker& asker) {
+KnownScene SceneStore::find(const std::string& id, const Requester& requester) {
   if (KnownScene scene = in_memory(id)) return scene;
   if (!file_ || id.size() != 2 * Digest{}.size()) return {};
   if (keep_s_ > 0) file_->forget_unused_since(now_() - keep_s_);
   const auto text = file_->find(id);
   if (!text) return {};
   if (keep_s_ > 0) file_->touch(id, now_());
-  const auto read_it = [&] { return read(id, *text, asker.stop); };
+  const auto read_it = [&] { return read(id, *text, requester.stop); };
   if (long_work_ == nullptr) return read_it();
   const std::int64_t memory = memory_for_text(text->size(), most_values_);
-  return (*long_work_)({text->size(), memory, "the kept scene"}, asker, read_it);
+  return (*long_work_)({text->size(), memory, "the kept scene"}, requester, read_it);
 }
 
 KnownScene SceneStore::read(const std::string& id, const std::string& text,

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "server/operation/long_work.h"
+#include "server/operation/lru_map.h"
 #include "server/operation/memory_account.h"
-#include "server/operation/recent.h"
 #include "server/stores/known_scene.h"
 #include "server/stores/scene_file.h"
 
@@ -58,7 +58,7 @@ class SceneStore {
   }
   /// The scene of that id, which is the one last asked for from now on; or null.
   /// Errors: as SceneFile::find; HttpError (busy, too-large), Stopped.
-  KnownScene find(const std::string& id, const Asker& asker = {});
+  KnownScene find(const std::string& id, const Requester& requester = {});
   /// The same, where it is in memory. Errors: as SceneFile::touch.
   KnownScene in_memory(const std::string& id);
   /// Whether it is in memory, and its use need not be told to the file, which may take long.
@@ -84,7 +84,7 @@ class SceneStore {
     std::vector<std::string> key_hashes;  // of those who may delete it, without a file
     std::int64_t used_s = 0, told_s = 0;  // when it was used, and when the file was told
   };
-  using Scenes = Recent<std::string, Kept>;
+  using Scenes = LruMap<std::string, Kept>;
   KnownScene read(const std::string& id, const std::string& text, const std::stop_token& stop);
   // So many bytes of memory.
   KnownScene remember(const std::string& id, const KnownScene& scene, std::size_t bytes,

@@ -4,8 +4,8 @@
 #include <thread>
 
 #include "core/input/stopped.h"
+#include "server/operation/lru_map.h"
 #include "server/operation/memory_costs.h"
-#include "server/operation/recent.h"
 #include "tests/server/socket_support.h"
 
 namespace tia::test {
@@ -187,7 +187,7 @@ TEST(MemoryClaim, IsNotGivenWhatAStoreLetsGoOf) {
   };
   bool had_claim = true;
   {
-    Recent<int, std::unique_ptr<Seen>> recent;
+    LruMap<int, std::unique_ptr<Seen>> recent;
     recent.add(1, std::unique_ptr<Seen>(new Seen{&had_claim}));
     decltype(recent)::Entries surplus;
     recent.take_last(surplus);

@@ -8,14 +8,15 @@
 
 namespace tia::server {
 
-/// Tagged: a body as it is sent, and the tag of these bytes.
-struct Tagged {
-  explicit Tagged(std::string_view sent);
+/// TaggedBody: a body as it is sent, and the tag of these bytes.
+struct TaggedBody {
+  explicit TaggedBody(std::string_view sent);
   std::string_view bytes;
   std::string etag;
 };
 
 /// The body with its tag, or the tag alone.
-Response tagged_response(const Request& request, const Tagged& body, std::string_view media_type);
+Response tagged_response(const Request& request, const TaggedBody& body,
+                         std::string_view media_type);
 
 }  // namespace tia::server

@@ -1,13 +1,14 @@
-#include "server/requests/tagged.h"
+#include "server/requests/tagged_body.h"
 
 #include "server/requests/etag.h"
 #include "server/stores/digest.h"
 
 namespace tia::server {
 
-Tagged::Tagged(std::string_view sent) : bytes(sent), etag('"' + sha256_hex(sent) + '"') {}
+TaggedBody::TaggedBody(std::string_view sent) : bytes(sent), etag('"' + sha256_hex(sent) + '"') {}
 
-Response tagged_response(const Request& request, const Tagged& body, std::string_view media_type) {
+Response tagged_response(const Request& request, const TaggedBody& body,
+                         std::string_view media_type) {
   const Headers headers{{"ETag", body.etag}, {"Cache-Control", "no-cache"}};
   if (has_already(request, body.etag))
     return {.status = 304, .content_type = "", .body = "", .headers = headers};

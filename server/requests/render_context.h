@@ -5,9 +5,9 @@
 
 #include "core/render/render.h"
 #include "core/scene/limits.h"
-#include "server/operation/asker.h"
 #include "server/operation/long_work.h"
 #include "server/operation/memory_costs.h"
+#include "server/operation/requester.h"
 #include "server/requests/view_request.h"
 #include "server/stores/gallery.h"
 #include "server/stores/geometry_store.h"
@@ -17,7 +17,7 @@
 namespace tia::server {
 
 /// What every picture needs of its host.
-struct Studio {
+struct RenderContext {
   const Gallery& gallery;
   SceneStore& kept;
   GeometryStore& geometries;
@@ -29,25 +29,28 @@ struct Studio {
   /// Does what copies or writes so many bytes of a scene: as long work, unless they are few.
   /// Returns: what it does. Errors: as LongWork, and whatever it throws.
   template <class Work>
-  auto go_through(std::size_t bytes, const Asker& asker, const Work& work) const {
+  auto go_through(std::size_t bytes, const Requester& requester, const Work& work) const {
     constexpr std::size_t few = 16 << 10;  // a tenth of a millisecond
     if (bytes <= few) return work();
-    return long_work({bytes, memory_for(memory_cost::patch, bytes), "what the scene says"}, asker,
-                     work);
+    return long_work({bytes, memory_for(memory_cost::patch, bytes), "what the scene says"},
+                     requester, work);
   }
 };
 
 /// Whether there is a scene of that name or id in memory, and nothing else has to be asked.
-bool is_at_hand(const std::string& name, const Studio& studio);
+bool is_at_hand(const std::string& name, const RenderContext& context);
 
 /// The scene of that name or id. Errors: InputError (unknown_name) at /scene; as SceneStore::find.
-KnownScene find_scene(const std::string& name, const Studio& studio, const Asker& asker);
+KnownScene find_scene(const std::string& name, const RenderContext& context,
+                      const Requester& requester);
 
 /// The scene that is asked for: with its camera patched, then its key pressed or its light moved.
 /// It may be the request's own, and lives no longer. Errors: InputError; as PressedScenes::get.
-KnownScene scene_of(const ViewRequest& asked, const Studio& studio, const Asker& asker);
+KnownScene scene_of(const ViewRequest& asked, const RenderContext& context,
+                    const Requester& requester);
 
 /// How the scene's light is traced: as the request says, else as the scene does.
-RenderOptions options_of(const TraceRequest& asked, const Scene& scene, const Studio& studio);
+RenderOptions options_of(const TraceRequest& asked, const Scene& scene,
+                         const RenderContext& context);
 
 }  // namespace tia::server

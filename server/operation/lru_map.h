@@ -14,7 +14,7 @@
 namespace tia::server {
 
 template <class Key, class Value, class Hash = std::hash<Key>>
-class Recent {
+class LruMap {
  public:
   struct Entry {
     Key key;

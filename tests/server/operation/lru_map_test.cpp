@@ -1,5 +1,5 @@
 // Values in the order in which they were last asked for.
-#include "server/operation/recent.h"
+#include "server/operation/lru_map.h"
 
 #include <gtest/gtest.h>
 
@@ -13,9 +13,9 @@
 namespace tia::server {
 namespace {
 
-using Words = Recent<std::string, int>;
+using Words = LruMap<std::string, int>;
 
-TEST(Recent, LetsGoFirstOfTheOneNotAskedForLongest) {
+TEST(LruMap, LetsGoFirstOfTheOneNotAskedForLongest) {
   Words words;
   for (const char* each : {"a", "b", "c"}) words.add(each, each[0]);
   EXPECT_EQ(*words.find("a"), 'a');
@@ -31,9 +31,9 @@ TEST(Recent, LetsGoFirstOfTheOneNotAskedForLongest) {
 }
 
 // Against a list that is searched from its start.
-TEST(Recent, IsAListInTheOrderOfUse) {
+TEST(LruMap, IsAListInTheOrderOfUse) {
   test::Random random(64);
-  Recent<int, int> recent;
+  LruMap<int, int> recent;
   std::vector<std::pair<int, int>> list;  // the last used last
   for (int i = 0; i < 5000; ++i) {
     const int key = random.below(30);
@@ -50,7 +50,7 @@ TEST(Recent, IsAListInTheOrderOfUse) {
     }
     if (list.size() > 10) {
       ASSERT_EQ(recent.last(), list.front().second);
-      Recent<int, int>::Entries out;
+      LruMap<int, int>::Entries out;
       recent.take_last(out);
       EXPECT_EQ(out.front().key, list.front().first);
       list.erase(list.begin());

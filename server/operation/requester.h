@@ -1,4 +1,4 @@
-// Asker: whom a request is from, and until when.
+// Requester: whom a request is from, and until when.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace tia::server {
 
-struct Asker {
+struct Requester {
   std::string client;  ///< by which clients are told apart
   std::stop_token stop;
 
