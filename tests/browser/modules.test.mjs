@@ -12,7 +12,7 @@ const inPage = on.shared(() => {}); // what is called leaves no trace
 const calls = (page, module, name, lists) =>
   page.evaluate(async ([from, what, all]) => {
     const { [what]: call } = await import(from);
-    return all.map((list) => call(...list));
+    return Promise.all(all.map((list) => call(...list)));
   }, [`/${module}`, name, lists]);
 
 test('Server-Timing: phases in order, entries without a number left out, none where absent', () =>
@@ -59,6 +59,26 @@ test('no plus sign gets into a URL, where it would be a space; what needs no cod
     ]);
     assert.deepEqual(queries, ['light=1e21,0,1e-7', '',
       'scene=a%20b&camera=%7B%22location%22:%5B1,2,3%5D%7D&width=8&pixel=1,2']);
+  }));
+
+// A ball over a floor with the lamp above it, moved along x; a pixel of its shadow.
+function ballAt(far) {
+  const at = (x, y, z) => [far + x, y, z];
+  const scene = { camera: { location: at(0, 3, 10), look_at: at(0, 0, 0) },
+    objects: [{ type: 'plane', point: at(0, -0.5, 0), normal: [0, 1, 0] }, { type: 'sphere', center: at(0, 1, 0), radius: 1 }],
+    lights: [{ type: 'point', position: at(0, 6, 0) }] };
+  return [{ scene, width: 64, height: 48 }, [32, 28], at(0, 1, 0)];
+}
+
+test('a blocked ray ends on what is in its way, however far from the origin the scene stands', () =>
+  inPage(async (page) => {
+    const fars = [0, 1e3, -1e6, 1e8];
+    const all = await calls(page, 'picture/explain_pixel.js', 'explainPixel', fars.map(ballAt));
+    for (const [i, { steps }] of all.entries()) {
+      const { from: [, floor], to: [x, y, z], aim } = steps.find(({ blocked }) => blocked);
+      assert.ok(Math.abs(floor + 0.5) < 1e-5 && y < 1 && aim, `${fars[i]}: ${[x, y, z]}`);
+      assert.ok(Math.abs(Math.hypot(x - fars[i], y - 1, z) - 1) < 1e-5, `${fars[i]}: ${[x, y, z]}`);
+    }
   }));
 
 // Requests of every kind, by chance.

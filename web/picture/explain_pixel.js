@@ -16,21 +16,24 @@ export async function explainPixel(request, [x, y], middle, signal) {
   const least = middle ? 2 * length(subtract(middle, tree.ray.origin)) : 10;
   const { steps, left } = stepsOf(tree, reachOf(tree, least));
   const blocked = steps.filter((step) => step.blocked).slice(0, MOST_PROBES);
-  await Promise.all(blocked.map((step) => endWhereBlocked(step, request, signal)));
+  await Promise.all(blocked.map((step) => endWhereBlocked(step, tree.ray.origin, request, signal)));
   return { tree, hits, steps, left };
 }
 
-async function endWhereBlocked(step, request, signal) {
-  const probe = probeOf(step);
+async function endWhereBlocked(step, eye, request, signal) {
+  const probe = probeOf(step, eye);
   const ray = { origin: probe.origin, direction: probe.direction };
   const { hits } = await fetchExplanation({ ...request, ray }, signal);
   const end = blockedAt(hits, step, probe);
   if (end) [step.aim, step.to] = [step.to, end];
 }
 
-/** The ray that finds where a shadow ray is blocked: { origin, direction, past }. */
-function probeOf({ from, node, term }) {
-  const past = 1e-5 * Math.max(node.t, ...from.map(Math.abs)); // so far a surface may meet itself
+/**
+ * The ray that finds where a shadow ray is blocked: { origin, direction, past }; before `past` a
+ * surface may meet itself. It goes by the eye's distance, for a scene may stand far from the origin.
+ */
+function probeOf({ from, node, term }, eye) {
+  const past = 1e-5 * Math.max(node.t, length(subtract(from, eye)));
   return { origin: along(from, node.normal, past), direction: term.direction, past };
 }
 
