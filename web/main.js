@@ -14,8 +14,8 @@ import { mountScene } from './panels/scene.js';
 import { mountTabs } from './panels/tabs.js';
 import { mountTake } from './panels/take.js';
 import { mountWhy } from './panels/why.js';
-import { learnIntegrators } from './state/integrators.js';
-import { Studio } from './state/studio.js';
+import { learnIntegrators } from './picture/integrators.js';
+import { Studio } from './studio/studio.js';
 import { chooseLanguage, dress, languageNow, speak } from './words/words.js';
 
 const PANELS = [mountPicture, mountHand, mountLight, mountMaps, mountWhy, mountScene, mountCompare,

@@ -4,7 +4,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { calledApart } from '../../web/picture/called.js';
-import { lampWords, thingWords } from '../../web/words/why_words.js';
+import { lampWords, thingWords } from '../../web/panels/why_words.js';
 
 const objects = [
   { id: 1, name: 'twin', pointer: '/objects/0', type: 'sphere' },

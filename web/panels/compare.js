@@ -2,7 +2,7 @@
 
 import { plain } from '../picture/passes.js';
 import { fetchPicture } from '../picture/server.js';
-import { finalPicture } from '../state/studio.js';
+import { finalPicture } from '../studio/studio.js';
 import { windowOf } from '../state/window.js';
 import { t, wordsOr } from '../words/words.js';
 import { lampWords } from '../words/scene_words.js';

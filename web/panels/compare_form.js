@@ -1,6 +1,6 @@
 // The controls of comparing: what with, how, and where the line is.
 
-import { aboutOf, featureNames, isFeature } from '../state/integrators.js';
+import { aboutOf, featureNames, isFeature } from '../picture/integrators.js';
 import { windowOf } from '../state/window.js';
 import { t, wordsOr } from '../words/words.js';
 import { element } from './element.js';

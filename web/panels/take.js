@@ -1,6 +1,6 @@
 // Taking the picture along: as a file, a link, an address, a shell line, a scene.
 
-import { finalPicture } from '../state/studio.js';
+import { finalPicture } from '../studio/studio.js';
 import { curlLine, fetchable, fileName } from '../state/request.js';
 import { t } from '../words/words.js';
 import { pageAddress } from './address.js';

@@ -1,6 +1,6 @@
 // How the picture is drawn: its size, its edges, and how many rays it takes.
 
-import { aboutOf, lightNames } from '../state/integrators.js';
+import { aboutOf, lightNames } from '../picture/integrators.js';
 import { SIZE, resized, sizeOf } from '../state/window.js';
 import { t, wordsOr } from '../words/words.js';
 import { element } from './element.js';

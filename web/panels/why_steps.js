@@ -1,11 +1,11 @@
 // The rays one by one: a list of them as a tree, buttons and keys to step through it, and the sum
 // of the ray that one has come to.
 
-import { stepWords } from '../words/why_words.js';
 import { numberWords, t } from '../words/words.js';
 import { element } from './element.js';
 import { sample } from './rays.js';
 import { sumTable } from './why_sum.js';
+import { stepWords } from './why_words.js';
 
 const WAYS = {
   first: ['\u21e4', () => 0],

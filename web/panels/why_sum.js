@@ -2,9 +2,9 @@
 
 import { codesOf } from '../picture/srgb.js';
 import { degrees, factorsOf, glossAngle, sumOf } from '../picture/explained.js';
-import { termWords } from '../words/why_words.js';
 import { languageNow, t } from '../words/words.js';
 import { element } from './element.js';
+import { termWords } from './why_words.js';
 
 /** A colour's swatch. */
 export function swatch(color, transfer, name = 'swatch') {

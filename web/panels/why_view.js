@@ -2,11 +2,11 @@
 
 import { codesOf } from '../picture/srgb.js';
 import { problemWords } from '../picture/problem.js';
-import { thingWords, whySentence } from '../words/why_words.js';
 import { countWords, numberWords, t } from '../words/words.js';
 import { element } from './element.js';
 import { makeSteps } from './why_steps.js';
 import { decimals, swatch } from './why_sum.js';
+import { thingWords, whySentence } from './why_words.js';
 
 const MOST_HITS = 50;
 

@@ -2,7 +2,7 @@
 // was asked for, then the same with smooth edges. One request at a time; of wishes that come
 // meanwhile only the newest counts, and it does not wait for a finer picture of an older one.
 
-import { isFeature } from '../state/integrators.js';
+import { isFeature } from './integrators.js';
 import { pixelsOf, scaled } from '../state/window.js';
 
 const FRAME_MS = 36; // for 30 pictures a second: while one is decoded the next is under way

@@ -1,6 +1,6 @@
 // The server's integrators, from its schema.
 
-import { fetchJson } from '../picture/server.js';
+import { fetchJson } from './server.js';
 
 let known = [];
 

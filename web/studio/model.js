@@ -1,7 +1,7 @@
 // What is wanted and what is shown: the one place that holds them. Panels change what is wanted;
 // the picture's passes tell what is shown; whoever listens draws itself.
 
-import { tidy } from './request.js';
+import { tidy } from '../state/request.js';
 
 /**
  * Model: `request`, what is wanted; `source`, the JSON of its scene as it was fetched or written,

@@ -7,10 +7,10 @@ import { fetchExplanation, fetchPicture, fetchScene } from '../picture/server.js
 import { totalMs } from '../picture/timing.js';
 import { lightOf, pivotOf } from '../space/lamp.js';
 import { completeCamera, viewOf } from '../space/view.js';
-import { mergePatch } from './merge_patch.js';
+import { mergePatch } from '../state/merge_patch.js';
+import { queryOf } from '../state/request.js';
+import { middleOf, sizeOf } from '../state/window.js';
 import { Model } from './model.js';
-import { queryOf } from './request.js';
-import { middleOf, sizeOf } from './window.js';
 
 export class Studio {
   model = new Model();

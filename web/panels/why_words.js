@@ -1,7 +1,7 @@
 // Sentences about why a pixel has its colour, told from /explain's tree.
 
 import { degrees } from '../picture/explained.js';
-import { countWords, t } from './words.js';
+import { countWords, t } from '../words/words.js';
 
 const LEAST_PART = 0.05; // of the brightness that is worth a word
 
