@@ -16,7 +16,7 @@ function sizeWords(request) {
   return `${width} \u00d7 ${height}`;
 }
 
-export function mountCompare(studio) {
+export default function mountCompare(studio, panel) {
   const { model } = studio;
   const goBack = () => studio.open(kept.request, kept.source);
   const form = compareForm({ keep, clear, goBack, change: show, slide });
@@ -24,7 +24,7 @@ export function mountCompare(studio) {
   const difference = differenceView();
   let kept = null; // { blob, request, source, image, words }
   let feature = null; // { image, abort }
-  document.getElementById('panel-compare').append(...form.nodes);
+  panel.append(...form.nodes);
 
   async function keep() {
     const { source } = model;

@@ -113,7 +113,7 @@ function missingWords(empty) {
 
 const part = (id) => document.getElementById(id);
 
-export function mountLight(studio) {
+export default function mountLight(studio) {
   const { model } = studio;
   const buttons = [...document.querySelectorAll('[data-key]')];
   const showPosition = bindLightForm(part('light'), part('fault'), (light) => studio.moveLight(light));

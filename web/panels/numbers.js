@@ -36,11 +36,11 @@ function barOf({ ms, kind }, x, most) {
 
 const REST_MS = 1000;
 
-export function mountNumbers(studio) {
+export default function mountNumbers(studio, panel) {
   const { model } = studio;
   const pace = new Pace();
   const [figures, pictures] = [element('div', { class: 'figures' }), element('div', { class: 'figures' })];
-  document.getElementById('panel-numbers').append(figures, pictures);
+  panel.append(figures, pictures);
   let resting;
 
   const open = () => studio.tab === 'tab-numbers';

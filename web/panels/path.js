@@ -13,13 +13,13 @@ import { Film } from './path_player.js';
 import { showProblem } from './problem_view.js';
 import { save } from './carry.js';
 
-export function mountPath(studio) {
+export default function mountPath(studio, panel) {
   const { model } = studio;
   const place = () => studio.light;
   const form = pathForm({ place, changed: leave, play, pause, seek, keep, use, close: leave });
   const caption = element('span', { class: 'side left' });
   let film = null; // with `key`, what it was made of, `lights`, and the frame `seen`
-  document.getElementById('panel-path').append(...form.nodes);
+  panel.append(...form.nodes);
 
   const frameMs = () => (form.state.seconds * 1000) / form.state.frames;
 

@@ -18,8 +18,8 @@ const PAUSE_MS = 200; // so long the typing rests before the server is asked
 const TAB = 'tab-scene';
 
 /** Mounts the panel and gives the studio `editScene(pointer, value)` or `([[pointer, value], ...])`. */
-export function mountScene(studio) {
-  const desk = new Desk(studio);
+export default function mountScene(studio, panel) {
+  const desk = new Desk(studio, panel);
   studio.editScene = (pointer, value) => desk.edit(Array.isArray(pointer) ? pointer : [[pointer, value]]);
   mountDrop(studio, desk);
 }
@@ -44,16 +44,16 @@ class Desk {
   #kept = kept();
   #parts;
 
-  constructor(studio) {
+  constructor(studio, panel) {
     this.#studio = studio;
     this.#form = new SceneForm((pointer, value) => this.edit([[pointer, value]]));
-    this.#furnish();
+    this.#furnish(panel);
     studio.model.on('source', () => this.#take());
     studio.model.on('tab', () => this.#late && studio.tab === TAB && this.#load());
     addEventListener('pagehide', () => this.#keep());
   }
 
-  #furnish() {
+  #furnish(panel) {
     const button = (name, press) =>
       element('button', { type: 'button', id: `scene-${name}`, onclick: press }, t(`scene.${name}`));
     this.#parts = {
@@ -64,7 +64,7 @@ class Desk {
       faults: element('ul', { id: 'scene-faults', class: 'scene-faults' }),
     };
     const { undo, redo, discard, state, faults } = this.#parts;
-    document.getElementById('panel-scene').append(
+    panel.append(
       element('div', { class: 'bar scene-bar' }, undo, redo, discard),
       this.#form.box, this.#editor.box, state, faults);
     this.#tell([]);

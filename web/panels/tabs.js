@@ -1,12 +1,23 @@
 // Tabs by the ARIA Authoring Practices: arrows, Home and End move, one tab is in the tab order.
 
 import { recall, remember } from '../state/memory.js';
+import { t } from '../words/words.js';
+import { element } from './element.js';
 
-/** Makes the tabs work and gives the studio `openTab(id)`; panels hear `tab` with `studio.tab`. */
-export function mountTabs(studio) {
+/** The panels that index.html lists, in its order: [{ name, mount(studio, panel) }]. */
+export function loadPanels() {
+  return Promise.all([...document.querySelectorAll('[data-panel]')].map(async ({ href, dataset }) =>
+    ({ name: dataset.panel, mount: (await import(href)).default })));
+}
+
+/** Makes a tab of each panel and gives the studio `openTab(id)`; panels hear `tab` with `studio.tab`. */
+export function mountTabs(studio, panels) {
   const list = document.querySelector('[role=tablist]');
-  const tabs = [...list.querySelectorAll('[role=tab]')];
+  const tabs = panels.map(({ name }) => element('button',
+    { type: 'button', role: 'tab', id: `tab-${name}`, 'aria-controls': `panel-${name}` }, t(`${name}.tab`)));
   const panelOf = (tab) => document.getElementById(tab.getAttribute('aria-controls'));
+  list.append(...tabs);
+  for (const { name, mount } of panels) mount(studio, sectionOf(name, list.parentElement));
 
   studio.openTab = (id) => {
     const wanted = tabs.find((tab) => tab.id === id) ?? tabs[0];
@@ -32,4 +43,10 @@ export function mountTabs(studio) {
   });
   for (const tab of tabs) tab.addEventListener('click', () => studio.openTab(tab.id));
   studio.openTab(recall('tab', 'sessionStorage'));
+}
+
+// A panel's part of the page, below its tabs; the first one's has its content there already.
+function sectionOf(name, panels) {
+  return document.getElementById(`panel-${name}`) ?? panels.appendChild(
+    element('section', { role: 'tabpanel', id: `panel-${name}`, 'aria-labelledby': `tab-${name}` }));
 }

@@ -11,7 +11,7 @@ import { takeForm } from './take_form.js';
 
 const LONGEST_LINE = 120_000; // a shell takes arguments of up to 128 KiB
 
-export function mountTake(studio) {
+export default function mountTake(studio, panel) {
   const { model } = studio;
   const form = takeForm(studio);
   const lines = [
@@ -19,7 +19,7 @@ export function mountTake(studio) {
     line('address', () => addressOf(studio.final)),
     line('shell', () => shellLine(studio.final)),
   ];
-  document.getElementById('panel-take').append(
+  panel.append(
     element('div', { class: 'row wrap' },
       button('savePicture', () => savePicture(studio)),
       button('saveScene', () => save(new Blob([sceneText(studio)]), `tia${fileName(model.request)}.json`)),

@@ -8,9 +8,8 @@ import { t } from '../words/words.js';
 import { raysLayer } from './rays.js';
 import { makeView } from './why_view.js';
 
-export function mountWhy(studio) {
+export default function mountWhy(studio, panel) {
   const { model } = studio;
-  const panel = document.getElementById('panel-why');
   const layer = raysLayer(document.getElementById('overlay'));
   const view = makeView(panel, { stop, middle: () => model.ask(middleOf(model.request)), moved: tellRays });
   let about = null; // the pixel that the panel is about
