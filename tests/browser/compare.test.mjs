@@ -133,7 +133,7 @@ test('what is compared is let go: as many object URLs after ten rounds as after 
     };
     const after = await round();
     for (let i = 0; i < 9; ++i) assert.equal(await round(), after);
-  }, { panel: 'compare', init: countUrls }));
+  }, { panel: 'compare', init: countUrls, at: '/?scene=thesis&key=a&width=160&height=120' }));
 
 function countUrls() {
   globalThis.urls = new Set();

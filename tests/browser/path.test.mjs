@@ -8,6 +8,8 @@ import { lab, light, rest, saved, shownPixels } from './lab.mjs';
 import { chunksOf, crc32, pixelsIn, pixelsOf } from './png.mjs';
 
 const on = lab();
+const SIZE = 'width=320&height=240'; // many are drawn and read
+const SMALL = { at: `/?scene=thesis&key=a&${SIZE}`, panel: 'path' };
 const button = (page, name) => page.getByRole('button', { name, exact: true });
 const lightsOf = (requests) => requests.map((one) => new URL(one.url()).searchParams.get('light'))
   .filter(Boolean).map((text) => text.split(',').map(Number));
@@ -45,14 +47,14 @@ test('played, the frames come one after the other along a circle and stay; the a
     await page.keyboard.press('Home');
     for (let i = 0; i < 8; ++i) {
       await page.locator(`#compare img[alt="Picture ${i + 1} of 8"]`).waitFor();
-      const query = `scene=thesis&light=${lights[i].join()}&threshold=0.02`;
+      const query = `scene=thesis&light=${lights[i].join()}&${SIZE}&threshold=0.02`;
       const still = pixelsOf(await on.tia.get(`/render?${query}`));
       assert.deepEqual(await shownPixels(page, '#compare img'), still);
       await page.keyboard.press('ArrowRight');
     }
     assert.equal(asked.length, before + 8, 'a frame was asked for twice');
     assert.equal(page.url(), address);
-  }, { panel: 'path' }));
+  }, SMALL));
 
 test('a light that one likes on the way is used: the page is there, and its address says so', () =>
   on.open(async (page, { asked }) => {
@@ -67,9 +69,9 @@ test('a light that one likes on the way is used: the page is there, and its addr
     await page.waitForURL((url) => url.searchParams.get('light') === wanted);
     await page.locator('#compare').waitFor({ state: 'hidden' });
     await rest(page);
-    const still = pixelsOf(await on.tia.get(`/render?light=${wanted}&threshold=0.02`));
+    const still = pixelsOf(await on.tia.get(`/render?light=${wanted}&${SIZE}&threshold=0.02`));
     assert.deepEqual(await shownPixels(page, '#picture'), still);
-  }, { panel: 'path' }));
+  }, SMALL));
 
 test('through places: a curve that meets them; without two there is none, and that is said', () =>
   on.open(async (page, { asked }) => {
@@ -90,7 +92,7 @@ test('through places: a curve that meets them; without two there is none, and th
     await button(page, 'Remove place 1').click();
     await page.locator('#compare').waitFor({ state: 'hidden' });
     assert.equal(await page.locator('.places li').count(), 1);
-  }, { panel: 'path' }));
+  }, SMALL));
 
 test('saved, it is an animated PNG of the server\u2019s own pixels, as they were packed', () =>
   on.open(async (page, { asked }) => {
@@ -100,14 +102,14 @@ test('saved, it is an animated PNG of the server\u2019s own pixels, as they were
     assert.equal(name, 'tia-thesis-a-path.png');
     const lights = lightsOf(asked.slice(before));
     const stills = await Promise.all(lights.map((at) =>
-      on.tia.get(`/render?scene=thesis&light=${at.join()}&threshold=0.02`)));
+      on.tia.get(`/render?scene=thesis&light=${at.join()}&${SIZE}&threshold=0.02`)));
     assert.equal(stills.length, 8);
     holdAnimation(bytes, stills, 375);
     const text = ({ type }) => type === 'iTXt';
     assert.deepEqual(chunksOf(bytes).filter(text), chunksOf(stills[0]).filter(text), 'the recipe of the first');
     const told = await page.evaluate(decodeAll, bytes.toString('base64'));
-    assert.deepEqual(told, { count: 8, durations: Array(8).fill(375_000), size: '640x480', plays: Infinity });
-  }, { panel: 'path' }));
+    assert.deepEqual(told, { count: 8, durations: Array(8).fill(375_000), size: '320x240', plays: Infinity });
+  }, SMALL));
 
 // What the browser's own decoder makes of it.
 async function decodeAll(base64) {
@@ -193,7 +195,7 @@ test('another camera makes another film; the frames of the old one are let go', 
     await page.getByText('8 of 8 pictures are here.').waitFor();
     const frames = asked.slice(before).filter((one) => one.url().includes('light='));
     assert.ok(frames.length === 8 && frames.every((one) => one.url().includes('camera=')));
-  }, { panel: 'path' }));
+  }, SMALL));
 
 test('a circle keeps height and distance; a curve meets its places, evenly in between', () => {
   const circle = circlePath([1, 2, 3], [4, 9, 7], 12);
