@@ -37,7 +37,11 @@ async function drag(page, from, to, { button = 'left', steps = 8 } = {}) {
   await page.mouse.up({ button });
 }
 
-const changed = (page, before) => page.waitForFunction((old) => location.search !== old, before);
+// Waits for another address, and then for rest: a hand that moves on changes it again.
+async function changed(page, before) {
+  await page.waitForFunction((old) => location.search !== old, before);
+  await rests(page);
+}
 
 test('dragging moves the lamp on a sphere around the ball, the way the hand goes', () =>
   shared(async (page) => {
