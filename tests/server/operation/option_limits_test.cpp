@@ -71,7 +71,7 @@ TEST(OptionLimits, AsManyConnectionsAreOpenAsConnectionsSays) {
 // Threads tell them in portions: a small picture's are not told at all.
 TEST(OptionLimits, APictureMayTakeMaxWorkTests) {
   Host host(with([](Config& config) { config.max_work = 1000; }));
-  const Limits& limits = host.service().context.limits;
+  const Limits& limits = host.service().rendering.limits;
   RayMeter meter(limits.max_rays, limits.max_work, {});
   EXPECT_NO_THROW(meter.add_work(1000));
   EXPECT_THROW(meter.add_work(1), InputError);

@@ -53,7 +53,7 @@ TEST(Recipe, EveryParameterIsInIt) {
   for (const char* query :
        {"key=w", "light=1,20,3", "samples=3&seed=9", "threshold=0.05", "integrator=depth",
         "integrator=object&samples=4", "max_depth=0&scene=whitted", "crop=3,4,11,17",
-        "transfer=srgb", "camera=%7B%22fov_degrees%22:30%7D&key=a", "threads=2&v=0.2.0",
+        "transfer=srgb", "camera=%7B%22fov_degrees%22:30%7D&key=a", "threads=2&v=0.3.0",
         "scene=%7B%22background%22:0.5,%22title%22:%22t%C3%ACa%22%7D"}) {
     SCOPED_TRACE(query);
     const std::string drawn = picture(query);
