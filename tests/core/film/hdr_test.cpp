@@ -114,8 +114,9 @@ TEST(Hdr, RowsRunFromTheTopAndFromTheLeft) {
 }
 
 TEST(Hdr, APlaneOfEqualBytesTakesTwoForEach127) {
-  const std::size_t head = encode_hdr(Image(640, 1)).size() - (4 + 4 * 2 * 6);
-  EXPECT_EQ(encode_hdr(Image(640, 480)).size(), head + 2 + 480 * (4 + 4 * 2 * 6));
+  const std::size_t row = 4 + 4 * 2 * 6;  // four marks, and six runs of 127 or less for each plane
+  const std::size_t head = encode_hdr(Image(640, 1)).size() - row;
+  EXPECT_EQ(encode_hdr(Image(640, 480)).size(), head + 2 + 480 * row);  // "480" for "1"
 }
 
 TEST(Hdr, IsNotBegunWhereItIsToStop) {
