@@ -1,16 +1,14 @@
-// The file of kept scenes: SQLite, which alone knows how to survive a crash. The only place that
-// includes it. Any thread may call, and any process of the machine may have the same file open.
+// The file of kept scenes. Any thread may call, and any process of the machine may have the same
+// file open.
 #pragma once
 
 #include <atomic>
 #include <cstdint>
-#include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
-#include <string_view>
 
-struct sqlite3;
+#include "server/stores/database.h"
 
 namespace tia::server {
 
@@ -34,7 +32,6 @@ class SceneFile {
   /// Errors: std::runtime_error for a folder that is not there or cannot be written to, a file that
   /// is damaged, or is another program's, or is full.
   SceneFile(const std::string& folder, std::int64_t max_bytes);
-  ~SceneFile();
 
   /// Keeps a text by its id, and that its owner may delete it. What is kept when this returns is
   /// there after any crash.
@@ -56,24 +53,15 @@ class SceneFile {
   std::int64_t bytes() const { return bytes_; }
 
  private:
-  class Statement;
-  class Transaction;
-  void run(const char* sql);
-  std::string word(const std::string& sql);
-  void open(const std::string& path);
   void prepare(std::int64_t max_bytes);
   void lay_out(const std::string& version);
   void check_share(const std::string& id, const std::string& text, const Owner& owner);
   void share();
   void look_through();
   void measure();
-  [[noreturn]] void fail() const;
 
-  struct Close {
-    void operator()(sqlite3* database) const;
-  };
   std::mutex mutex_;
-  std::unique_ptr<sqlite3, Close> database_;
+  std::optional<Database> database_;  // there, once this is made
   std::int64_t max_bytes_ = 0;
   std::atomic<std::int64_t> bytes_ = 0;
 };
