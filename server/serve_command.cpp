@@ -77,8 +77,8 @@ HttpOptions http_options(const Config& config) {
   options.max_body_bytes = config.max_body_bytes;
   options.max_png_bytes = config.max_png_bytes;
   options.connections = config.connections;
-  // One each, to work or to wait: what waits and what works is bounded by its tickets; the rest is
-  // for what needs none.
+  // One for each request that may be worked at or wait, which tickets bound, and some for requests
+  // that need no ticket.
   options.workers = config.queue + 2 * config.renders + without_ticket;
   options.spare_workers = without_ticket;
   options.share_of = share_of;

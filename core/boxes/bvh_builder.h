@@ -4,7 +4,7 @@
 #include <span>
 
 #include "core/boxes/bvh.h"
-#include "core/input/workers.h"
+#include "core/parallel/workers.h"
 
 namespace tia {
 

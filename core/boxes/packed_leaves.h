@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/boxes/bvh.h"
-#include "core/input/workers.h"
+#include "core/parallel/workers.h"
 
 namespace tia {
 

@@ -5,7 +5,7 @@
 #include <memory>
 #include <new>
 
-#include "core/input/per_thread.h"
+#include "core/parallel/per_thread.h"
 
 namespace tia {
 namespace {

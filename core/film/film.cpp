@@ -45,7 +45,7 @@ void DisplayFilm::put(const Block& block) {
 
 void ScanlineFilm::put(const Block& block) {
   develop(rule_, block, scanlines_.at(block.x, block.y), scanlines_.row_bytes());
-  // Who counts last sees what the others have put.
+  // Acquire and release: the thread that completes the band sees all pixels that others have put.
   std::atomic<int>& come = come_[static_cast<std::size_t>(block.y)];
   const int before = come.fetch_add(block.width, std::memory_order_acq_rel);
   if (before + block.width < scanlines_.width()) return;

@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <new>
 
-#include "core/input/stopped.h"
+#include "core/parallel/stopped.h"
 
 namespace {
 

@@ -7,7 +7,7 @@
 #include <new>
 
 #include "core/film/compressor.h"
-#include "core/input/stopped.h"
+#include "core/parallel/stopped.h"
 
 namespace {
 

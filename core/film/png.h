@@ -7,7 +7,7 @@
 
 #include "core/film/image.h"
 #include "core/film/scanlines.h"
-#include "core/input/workers.h"
+#include "core/parallel/workers.h"
 
 namespace tia {
 

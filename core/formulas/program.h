@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/formulas/dual.h"
-#include "core/input/per_thread.h"
+#include "core/parallel/per_thread.h"
 
 namespace tia {
 

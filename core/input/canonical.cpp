@@ -6,8 +6,8 @@
 #include <cstdint>
 
 #include "core/input/json.h"
-#include "core/input/stopped.h"
 #include "core/input/utf8.h"
+#include "core/parallel/stopped.h"
 
 namespace tia {
 namespace {

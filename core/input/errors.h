@@ -13,8 +13,8 @@
 #include <utility>
 #include <vector>
 
-#include "core/input/stopped.h"
 #include "core/input/value.h"
+#include "core/parallel/stopped.h"
 
 namespace tia {
 

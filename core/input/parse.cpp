@@ -10,7 +10,7 @@
 #include "core/input/errors.h"
 #include "core/input/item_counts.h"
 #include "core/input/json.h"
-#include "core/input/stopped.h"
+#include "core/parallel/stopped.h"
 
 namespace tia {
 namespace {

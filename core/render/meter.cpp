@@ -2,8 +2,8 @@
 
 #include <utility>
 
-#include "core/input/stopped.h"
-#include "core/render/pool.h"
+#include "core/parallel/pool.h"
+#include "core/parallel/stopped.h"
 #include "core/scene/limits.h"
 
 namespace tia {

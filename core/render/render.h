@@ -8,7 +8,7 @@
 
 #include "core/accel/world/world.h"
 #include "core/film/image.h"
-#include "core/render/pool.h"
+#include "core/parallel/pool.h"
 #include "core/render/trace_block.h"
 #include "core/scene/limits.h"
 

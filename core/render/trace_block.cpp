@@ -246,7 +246,8 @@ void trace(const Shot& shot, int x0, int y0, Block& block) {
   else trace_samples<Real, AnyWorldView>(shot, x0, y0, block);
 }
 
-// Worlds of few plain balls, as the thesis has, are traced in registers.
+// In worlds of few plain balls, as the thesis has, each ray is tried on all of them, without a
+// tree.
 template <class Real>
 void trace(const Shot& shot, int x0, int y0, Block& block) {
   if (shot.world.few_balls && row_of(shot.integrator).is_whitted)

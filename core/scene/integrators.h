@@ -34,7 +34,7 @@ struct IntegratorRow {
   FeatureDisplay display = FeatureDisplay::light;  ///< what its numbers mean to the eye
   bool averages = true;  ///< whether a pixel may have the mean of several rays' numbers
   /// Whether it is whitted, within `most`: then /explain tells its tree of rays, and a few plain
-  /// balls are traced in registers.
+  /// balls are traced without a tree over them.
   bool is_whitted = false;
   Rules most = {};
 

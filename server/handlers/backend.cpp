@@ -29,7 +29,7 @@ Backend::Backend(const Config& given, const Gallery& gallery, std::unique_ptr<Sc
   kept.book_with(memory);
   kept.read_as(long_work, config.json_limits().values);
   kept.forget_after(config.scene_keep_s);
-  // What is soonest had again goes first.
+  // Under shortage what is cheapest to make again goes first.
   memory.on_shortage([this](std::int64_t bytes) { return pictures.give_way(bytes); });
   memory.on_shortage([this](std::int64_t bytes) { return geometries.give_way(bytes); });
   memory.on_shortage([this](std::int64_t bytes) { return pressed.give_way(bytes); });

@@ -3,9 +3,9 @@
 #include <algorithm>
 
 #include "core/input/json.h"
+#include "server/contract/answers.h"
 #include "server/contract/openapi.h"
 #include "server/contract/problem_table.h"
-#include "server/handlers/answers.h"
 #include "server/handlers/handlers.h"
 #include "server/handlers/route_table.h"
 #include "server/http/error.h"

@@ -2,7 +2,7 @@
 #include "core/input/object_schema.h"
 #include "core/math/wide.h"
 #include "core/version.h"
-#include "server/handlers/answers.h"
+#include "server/contract/answers.h"
 #include "server/handlers/handlers.h"
 
 namespace tia::server {

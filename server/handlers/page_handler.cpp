@@ -4,7 +4,7 @@
 #include <map>
 #include <optional>
 
-#include "server/handlers/answers.h"
+#include "server/contract/answers.h"
 #include "server/handlers/handlers.h"
 #include "server/http/error.h"
 #include "server/http/headers.h"

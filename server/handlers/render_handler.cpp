@@ -4,9 +4,9 @@
 #include <memory>
 #include <new>
 
+#include "server/contract/answers.h"
 #include "server/contract/parameters.h"
 #include "server/contract/query_parameters.h"
-#include "server/handlers/answers.h"
 #include "server/handlers/bodies.h"
 #include "server/handlers/handlers.h"
 #include "server/http/headers.h"
@@ -49,7 +49,8 @@ struct Asked {
   bool accepted = false;
 };
 
-// Where no format is asked for, Accept chooses it. The JSON tree ends here, not with the picture.
+// Where no format is asked for, Accept chooses it. The JSON tree is freed
+// here, before the picture takes memory.
 Asked asked_in(Value parameters, const Request& request) {
   const bool accepted = choose_format(parameters, request);
   return {read_described<PictureRequest>(parameters, {}, request.stop), accepted};
@@ -157,7 +158,7 @@ Picture drawn(Plan& plan, const Requester& requester, Admission::Waiting& place,
               const std::stop_token& stop, Service& service) {
   const double rays = plan.rays();
   Stopwatch watch;
-  // It begins with a ticket and ends with it.
+  // It begins once admission has given a ticket, and gives it back at its end.
   auto ticket = service.admission.enter(service.costs.of(plan.cost_key, rays), requester.client,
                                         stop, &place);
   Flow flow{Requester{ticket.client(), stop}.number()};

@@ -6,9 +6,9 @@
 #include "core/input/object_schema.h"
 #include "core/scene/keys.h"
 #include "core/scene/read_scene.h"
+#include "server/contract/answers.h"
 #include "server/contract/parameters.h"
 #include "server/contract/problem.h"
-#include "server/handlers/answers.h"
 #include "server/handlers/bodies.h"
 #include "server/handlers/handlers.h"
 #include "server/operation/memory_costs.h"
@@ -101,7 +101,7 @@ Response get_scene_schema(const Request&, const std::string&, Service&) {
   return {.content_type = "application/schema+json", .body = text};
 }
 
-// A schema of schemas would be long.
+// Only that it is a schema: the schema of schemas is elsewhere (JSON Schema 2020-12).
 Value any_schema(Definitions&) {
   return Value::Object{{"type", "object"}, {"required", Value::Array{"$schema"}}};
 }

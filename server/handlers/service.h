@@ -15,7 +15,7 @@
 
 namespace tia::server {
 
-/// Service: what handlers share. Everything in it is const or its own guard.
+/// Service: what handlers share. Everything in it is const or safe to call from any thread.
 struct Service {
   const Config& config;
   RenderContext rendering;

@@ -6,8 +6,8 @@
 #include <exception>
 #include <utility>
 
-#include "core/input/per_thread.h"
-#include "core/render/pool.h"
+#include "core/parallel/per_thread.h"
+#include "core/parallel/pool.h"
 #include "server/http/timeouts.h"
 
 namespace tia::server {

@@ -167,7 +167,8 @@ void Connection::set_timeout(State before) {
     enter(Phase::reading, timeouts::head);
   if (now == State::body) {
     if (before != now) enter(Phase::reading, timeouts::body);
-    // What came early buys no rest.
+    // Who has sent faster than the slowest rate may not pause longer for that: the deadline is at
+    // most `body` from now.
     due_ =
         std::min(since_ + timeouts::at_slowest_rate(reader_.request().body.size()), Clock::now()) +
         timeouts::body;

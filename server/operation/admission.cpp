@@ -5,7 +5,7 @@
 #include <ranges>
 #include <string>
 
-#include "core/render/pool.h"
+#include "core/parallel/pool.h"
 
 namespace tia::server {
 

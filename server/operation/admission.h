@@ -26,7 +26,7 @@ namespace tia::server {
 /// on, too. Among equals goes the client that has the fewest tickets, then who came first.
 ///
 /// What has begun is never sent away for newcomers: how threads are shared is the pool's business
-/// (core/render/turns.h). What could not end in time does not begin.
+/// (core/parallel/turns.h). What could not end in time does not begin.
 ///
 /// While others wait one client keeps no more than half: whose client holds none finds room beyond
 /// the tickets where another holds more than half of them, or than its share with the newcomer; and

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <utility>
 
-#include "core/render/pool.h"
+#include "core/parallel/pool.h"
 #include "server/operation/admission.h"
 #include "server/operation/requester.h"
 

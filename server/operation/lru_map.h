@@ -24,8 +24,8 @@ class LruMap {
   /// store's: its end gives nothing back to the claim of who happens to push it out.
   struct Entries : std::list<Entry> {
     Entries() = default;
-    Entries(Entries&&) = default;
-    Entries& operator=(Entries&&) = default;
+    Entries(Entries&&) noexcept = default;
+    Entries& operator=(Entries&&) noexcept = default;
     ~Entries() {
       const ClaimScope nobodys(nullptr);
       this->clear();

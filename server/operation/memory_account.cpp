@@ -9,8 +9,8 @@
 #include <string>
 #include <utility>
 
-#include "core/input/stopped.h"
-#include "core/input/task_context.h"
+#include "core/parallel/stopped.h"
+#include "core/parallel/task_context.h"
 #include "server/operation/timing.h"
 
 namespace tia::server {

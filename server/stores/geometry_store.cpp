@@ -54,7 +54,7 @@ World GeometryStore::compile(const KnownScene& scene, const Workers& workers) {
   return world;
 }
 
-// Memory is waited for between the turns.
+// Memory is reserved between turns, so that nobody waits for it while others wait for his turn.
 SharedGeometry GeometryStore::geometry_of(const KnownScene& scene, const Workers& workers) {
   SharedGeometry geometry = find(scene.objects.digest);
   if (geometry) return geometry;

@@ -41,7 +41,7 @@ template <class T>
 std::size_t heap(const Boxed<T>& boxed) {
   return block + sizeof(T) + heap_of(*boxed);
 }
-// Whoever else has it, too.
+// A shared list counts in full for every scene that holds it.
 template <class T>
 std::size_t heap(const SharedList<T>& list) {
   return block + heap_of(list.get());

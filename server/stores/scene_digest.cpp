@@ -6,7 +6,7 @@
 #include <new>
 #include <type_traits>
 
-#include "core/input/stopped.h"
+#include "core/parallel/stopped.h"
 
 namespace tia::server {
 namespace {

@@ -15,7 +15,7 @@ constexpr int application_id = 0x54696100;  // "Tia", in the file's header, as f
 constexpr int layout_version = 2;           // 1 knew no owners and no times
 constexpr int timeout_ms = 5000;            // with another process that is writing
 
-// The file's text stays in the log: it is nobody else's business.
+// What SQLite says goes to the log only, for it may tell of the machine; clients get the problem.
 [[noreturn]] void refuse(const DatabaseError& error) {
   if (error.kind == DatabaseError::full)
     throw HttpError("storage-full",
@@ -234,8 +234,9 @@ std::optional<std::string> SceneFile::find(const std::string& id) try {
   refuse(error);
 }
 
-// SQLite sees to its own order, we to the texts. Cost: for a gigabyte 1.4 s where scenes are
-// large, 5.8 s where they have a kilobyte each, and the disk's time.
+// SQLite checks its own structure; here each text is checked against its id. Cost: for a
+// gigabyte 1.4 s where scenes are large, 5.8 s where they have a kilobyte each, and the disk's
+// time.
 void SceneFile::look_through() {
   if (const std::string found = database_->word("PRAGMA integrity_check(1)"); found != "ok")
     reject("it is damaged: " + found);

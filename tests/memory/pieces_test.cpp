@@ -6,9 +6,9 @@
 #include <system_error>
 #include <thread>
 
-#include "core/input/per_thread.h"
 #include "core/input/value.h"
-#include "core/render/pool.h"
+#include "core/parallel/per_thread.h"
+#include "core/parallel/pool.h"
 #include "tests/memory/scarce_memory.h"
 #include "tests/server/support.h"
 

@@ -1,6 +1,6 @@
 // A scene's objects -> Geometry. Transforms are multiplied out, and materials are inherited.
 #include "core/accel/world/geometry_builder.h"
-#include "core/input/stopped.h"
+#include "core/parallel/stopped.h"
 
 namespace tia {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/input/per_thread.h"
+#include "core/parallel/per_thread.h"
 
 namespace tia {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "core/input/stopped.h"
 #include "core/math/interval.h"
+#include "core/parallel/stopped.h"
 #include "core/shapes/algebraic/nested_polynomial.h"
 
 namespace tia {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <deque>
 
-#include "core/input/stopped.h"
 #include "core/math/tolerances.h"
+#include "core/parallel/stopped.h"
 #include "core/shapes/subdivision.h"
 
 namespace tia {

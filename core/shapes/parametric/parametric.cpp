@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "core/formulas/parse.h"
-#include "core/input/per_thread.h"
 #include "core/math/onb.h"
+#include "core/parallel/per_thread.h"
 #include "core/shapes/parametric/patch_search.h"
 
 namespace tia {

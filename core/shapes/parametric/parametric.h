@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "core/input/codec.h"
-#include "core/input/per_thread.h"
+#include "core/parallel/per_thread.h"
 #include "core/shapes/parametric/parametric_form.h"
 
 namespace tia {

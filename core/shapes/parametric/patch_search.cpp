@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/input/per_thread.h"
 #include "core/math/onb.h"
+#include "core/parallel/per_thread.h"
 
 namespace tia::detail {
 namespace {

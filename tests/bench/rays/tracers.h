@@ -5,7 +5,7 @@
 #include <string>
 
 #include "core/accel/world/world.h"
-#include "core/render/pool.h"
+#include "core/parallel/pool.h"
 #include "tests/bench/rays/geometry.h"
 #include "tests/bench/rays/ray_set.h"
 

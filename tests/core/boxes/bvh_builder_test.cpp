@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/render/pool.h"
+#include "core/parallel/pool.h"
 
 #include "tests/core/boxes/boxes.h"
 

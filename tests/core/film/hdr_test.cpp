@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/input/stopped.h"
+#include "core/parallel/stopped.h"
 #include "tests/core/film/radiance_reader.h"
 #include "tests/core/support.h"
 

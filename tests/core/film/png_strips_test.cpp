@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "core/film/png.h"
-#include "core/input/stopped.h"
+#include "core/parallel/stopped.h"
 #include "tests/core/film/png_chunks.h"
 #include "tests/core/png/inflate.h"
 

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <thread>
 
-#include "core/input/stopped.h"
+#include "core/parallel/stopped.h"
 #include "tests/core/film/png_chunks.h"
 
 #define STB_IMAGE_STATIC

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/input/json.h"
-#include "core/input/stopped.h"
+#include "core/parallel/stopped.h"
 #include "core/scene/scene.h"
 #include "tests/core/support.h"
 

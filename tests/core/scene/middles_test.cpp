@@ -2,7 +2,7 @@
 // whose making may be dear, and ends when that is asked for.
 #include <gtest/gtest.h>
 
-#include "core/input/stopped.h"
+#include "core/parallel/stopped.h"
 #include "core/scene/keys.h"
 #include "core/scene/read_scene.h"
 

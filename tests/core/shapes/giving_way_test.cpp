@@ -1,7 +1,7 @@
 // Surfaces that take long to make let others go first meanwhile, and end where nobody wants them.
 #include <gtest/gtest.h>
 
-#include "core/input/stopped.h"
+#include "core/parallel/stopped.h"
 #include "core/shapes/formula/implicit.h"
 #include "core/shapes/parametric/parametric.h"
 

@@ -3,7 +3,7 @@
 
 #include <thread>
 
-#include "core/input/stopped.h"
+#include "core/parallel/stopped.h"
 #include "server/operation/lru_map.h"
 #include "server/operation/memory_costs.h"
 #include "tests/server/socket_support.h"

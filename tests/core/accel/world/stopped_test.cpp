@@ -1,5 +1,5 @@
 // A scene's building ends when it is told to: each primitive of it asks for itself.
-#include "core/input/stopped.h"
+#include "core/parallel/stopped.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/render/turns.h"
+#include "core/parallel/turns.h"
 
 #include <algorithm>
 #include <ranges>

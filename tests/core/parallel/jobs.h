@@ -1,7 +1,7 @@
 // What the tests of sharing measure their jobs by.
 #pragma once
 
-#include "core/render/turns.h"
+#include "core/parallel/turns.h"
 
 namespace tia::test {
 

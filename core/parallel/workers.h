@@ -7,7 +7,7 @@
 #include <stop_token>
 #include <utility>
 
-#include "core/input/stopped.h"
+#include "core/parallel/stopped.h"
 
 namespace tia {
 

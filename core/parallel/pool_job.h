@@ -6,8 +6,8 @@
 #include <exception>
 #include <utility>
 
-#include "core/input/task_context.h"
-#include "core/render/pool.h"
+#include "core/parallel/pool.h"
+#include "core/parallel/task_context.h"
 
 namespace tia {
 

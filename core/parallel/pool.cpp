@@ -1,10 +1,10 @@
-#include "core/render/pool.h"
+#include "core/parallel/pool.h"
 
 #include <algorithm>
 #include <chrono>
 #include <utility>
 
-#include "core/render/lone_work.h"
+#include "core/parallel/lone_work.h"
 
 namespace tia {
 namespace {

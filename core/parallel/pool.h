@@ -9,8 +9,8 @@
 #include <thread>
 #include <vector>
 
-#include "core/input/workers.h"
-#include "core/render/turns.h"
+#include "core/parallel/turns.h"
+#include "core/parallel/workers.h"
 
 namespace tia {
 

@@ -1,7 +1,7 @@
 // Work that a pool does not share among threads.
 #pragma once
 
-#include "core/render/pool_job.h"
+#include "core/parallel/pool_job.h"
 
 namespace tia {
 

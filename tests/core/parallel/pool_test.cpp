@@ -1,4 +1,4 @@
-#include "core/render/pool.h"
+#include "core/parallel/pool.h"
 
 #include <gtest/gtest.h>
 

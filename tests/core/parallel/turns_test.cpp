@@ -1,5 +1,5 @@
 // The laws of sharing, on processors and times that are played.
-#include "core/render/turns.h"
+#include "core/parallel/turns.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <memory>
 #include <vector>
 
-#include "tests/core/render/jobs.h"
+#include "tests/core/parallel/jobs.h"
 
 namespace tia {
 namespace {

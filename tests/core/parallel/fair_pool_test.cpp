@@ -13,8 +13,8 @@
 #include <thread>
 #include <vector>
 
-#include "core/render/pool.h"
-#include "tests/core/render/jobs.h"
+#include "core/parallel/pool.h"
+#include "tests/core/parallel/jobs.h"
 
 namespace tia {
 namespace {

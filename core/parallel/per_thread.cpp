@@ -1,4 +1,4 @@
-#include "core/input/per_thread.h"
+#include "core/parallel/per_thread.h"
 
 #include <pthread.h>
 
