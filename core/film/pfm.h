@@ -1,6 +1,7 @@
 // PFM out: linear light in float, unclamped.
 #pragma once
 
+#include <stop_token>
 #include <string>
 
 #include "core/film/image.h"
@@ -8,7 +9,7 @@
 namespace tia {
 
 /// Returns: "PF", three channels, rows bottom to top, little-endian (scale -1).
-/// Source: P. Debevec, PFM Portable FloatMap Image Format.
-std::string encode_pfm(const Image& image);
+/// Errors: Stopped. Source: P. Debevec, PFM Portable FloatMap Image Format.
+std::string encode_pfm(const Image& image, const std::stop_token& stop = {});
 
 }  // namespace tia

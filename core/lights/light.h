@@ -15,9 +15,12 @@
 
 namespace tia {
 
-/// LightList: checks each kind of the list against IsLight.
-template <IsLight... Kinds>
-using LightList = std::variant<Kinds...>;
+/// LightList: checks each kind of the list against IsLight, by itself, so that the compiler names
+/// the one that lacks something.
+template <IsLight Kind>
+using ListedLight = Kind;
+template <class... Kinds>
+using LightList = std::variant<ListedLight<Kinds>...>;
 
 /// Light: a kind, and the fields that all kinds share. What it sends is color * intensity, linear
 /// RGB.

@@ -20,8 +20,10 @@ concept IsMaterial = IsKind<Kind> && requires(const Kind& kind, const Vec3d& amb
 };
 
 /// MaterialList: checks each kind of the list against IsMaterial.
-template <IsMaterial... Kinds>
-using MaterialList = std::variant<Kinds...>;
+template <IsMaterial Kind>
+using ListedMaterial = Kind;
+template <class... Kinds>
+using MaterialList = std::variant<ListedMaterial<Kinds>...>;
 
 struct Material {
   static constexpr std::string_view schema_name = "material";

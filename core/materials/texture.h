@@ -30,8 +30,10 @@ concept IsTexture = IsKind<Kind> && requires(const Kind& kind) {
 };
 
 /// TextureList: checks each kind of the list against IsTexture.
-template <IsTexture... Kinds>
-using TextureList = std::variant<Kinds...>;
+template <IsTexture Kind>
+using ListedTexture = Kind;
+template <class... Kinds>
+using TextureList = std::variant<ListedTexture<Kinds>...>;
 
 /// Texture: the linear RGB of a surface as a function of the point.
 struct Texture {

@@ -26,12 +26,14 @@ Nanoseconds Pool::steady_clock() {
   return duration_cast<nanoseconds>(steady_clock::now().time_since_epoch()).count();
 }
 
-// More workers than may work at once, for some of them are suspended within tasks.
-Pool::Pool(int threads, Clock clock) : clock_(std::move(clock)), turns_(threads) {
-  const int workers = threads > 1 ? 2 * threads : 0;
+// A job may have its caller and all other threads, while as many workers as there are threads are
+// suspended within tasks.
+Pool::Pool(int threads, Clock clock)
+    : clock_(std::move(clock)), turns_(threads), may_suspend_(threads > 1 ? threads : 0) {
+  const int workers = threads - 1 + may_suspend_;
   idle_.reserve(static_cast<std::size_t>(workers));
   for (int i = 0; i < workers; ++i)
-    workers_.emplace_back([this, &hand = hands_.emplace_back(*this)](
+    workers_.emplace_back([this, &hand = hands_.emplace_back(*this, false)](
                               const std::stop_token& ending) { serve(hand, ending); });
 }
 
@@ -129,14 +131,15 @@ void Pool::tell(Hand& hand) {
   turns_.spend(*hand.job, now - std::exchange(hand.since, now));
 }
 
-// As at the end of a task.
+// As at the end of a task. A worker is suspended only while enough of them are left for others:
+// else parked jobs would keep them all.
 void Pool::let_others_go(Hand& hand) {
   if (clock_() - hand.since < Turns::look) return;
   Job& job = *hand.job;
   if (job.stop.stop_requested()) throw Stopped();
   std::unique_lock lock(mutex_);
   tell(hand);
-  if (turns_.stays(job, hand.since)) return;
+  if (turns_.stays(job, hand.since) || (!hand.is_caller && may_suspend_ == 0)) return;
   Turns::end(job, hand.since);
   unseat(hand);
   suspend(hand, job);
@@ -154,6 +157,7 @@ void Pool::let_others_go(Hand& hand) {
 void Pool::suspend(Hand& hand, Job& job) {
   hand.next_suspended = std::exchange(job.suspended_hands, &hand);
   ++job.suspended;
+  if (!hand.is_caller) --may_suspend_;
 }
 
 void Pool::restore(Hand& hand, Job& job) {
@@ -161,6 +165,7 @@ void Pool::restore(Hand& hand, Job& job) {
   while (*at != &hand) at = &(*at)->next_suspended;
   *at = hand.next_suspended;
   --job.suspended;
+  if (!hand.is_caller) ++may_suspend_;
 }
 
 // Until there is news, or for a while: those at work grow old without telling, which may make room.

@@ -71,6 +71,7 @@ class Pool {
   const Clock clock_;
   std::mutex mutex_;  // of all below
   Turns turns_;
+  int may_suspend_;          // workers, besides those that are
   std::vector<Hand*> idle_;  // workers that sleep, some of them called to a job already
   std::list<Hand> hands_;    // the workers', made before them, for making one may fail
   std::vector<std::jthread> workers_;

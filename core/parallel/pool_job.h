@@ -17,10 +17,11 @@ constinit inline thread_local bool inside_task = false;
 /// Hand: a thread that can work: one of the pool's own, or a caller, which has but its own job.
 /// Within a task it lets jobs go first that have had less: it is suspended, and the task with it.
 struct Pool::Hand : Courtesy {
-  explicit Hand(Pool& of) : pool(of) {}
+  Hand(Pool& of, bool caller) : pool(of), is_caller(caller) {}
   void let_others_go() override { pool.let_others_go(*this); }
 
   Pool& pool;
+  const bool is_caller;
   Job* job = nullptr;              // where it works, or is called to while it sleeps
   Nanoseconds since = 0;           // when it began what has not been told to the turns
   Hand* next_suspended = nullptr;  // of its job
@@ -31,7 +32,7 @@ struct Pool::Hand : Courtesy {
 struct Pool::Job : Turn {
   Job(Pool& pool, int tasks, int most, const std::stop_token& asked,
       const std::function<void(int)>& what, Flow& request, bool alone = false)
-      : Turn(tasks, most, request), is_alone(alone), stop(asked), task(what), caller(pool) {}
+      : Turn(tasks, most, request), is_alone(alone), stop(asked), task(what), caller(pool, true) {}
 
   const bool is_alone;  // only its caller can do it
 

@@ -60,8 +60,10 @@ concept IsShape = IsKind<S> && ChecksItsNumbers<S> &&
     (IsSurface<S> || IsComposite<S> || std::same_as<S, Mesh>);
 
 /// ShapeList: checks every kind once, where it is listed.
-template <IsShape... Kinds>
-using ShapeList = std::variant<Kinds...>;
+template <IsShape Kind>
+using ListedShape = Kind;
+template <class... Kinds>
+using ShapeList = std::variant<ListedShape<Kinds>...>;
 
 using Shape = ShapeList<Sphere, Plane, Disc, Box, Cylinder, Cone, Capsule, Triangle, Mesh, Torus,
                         Quadric, Algebraic, Steiner, BarthSextic, Chmutov, Heart, Clebsch, Cayley,

@@ -46,6 +46,15 @@ struct TextForm {
   /// How OpenAPI describes it in a query, by the schema of its JSON.
   static Value::Object in_query(Value::Object schema) { return {{"schema", std::move(schema)}}; }
 };
+template <>
+struct TextForm<bool> {
+  static Value read(std::string_view text, const Place&) {
+    if (text == "true" || text == "false") return text == "true";
+    return text;
+  }
+  static std::string allowed(const Spec&) { return "true or false"; }
+  static Value::Object in_query(Value::Object schema) { return {{"schema", std::move(schema)}}; }
+};
 template <class T>
 struct TextForm<std::optional<T>> : TextForm<T> {};
 

@@ -33,8 +33,8 @@ std::string random_key() {
   return key;
 }
 
-Response scene_text(const Scene& scene) {
-  return {.content_type = "application/json", .body = canonical_text(scene)};
+Response scene_text(std::string text) {
+  return {.content_type = "application/json", .body = std::move(text)};
 }
 
 Response get_scenes(const Request&, const std::string&, Service& service) {
@@ -43,13 +43,13 @@ Response get_scenes(const Request&, const std::string&, Service& service) {
 
 Response get_scene(const Request& request, const std::string& name, Service& service) {
   const Gallery& gallery = service.rendering.gallery;
-  if (const KnownScene scene = gallery.find(name)) return scene_text(*scene);
+  if (gallery.find(name)) return scene_text(gallery.text(name));
   const Requester requester = requester_of(request);
   if (const KnownScene kept = service.rendering.kept.find(name, requester)) {
     const std::size_t bytes = bytes_of(*kept);
     const std::int64_t memory = memory_for(memory_cost::patch, bytes);
     return service.rendering.long_work({bytes, memory, "the scene's text"}, requester,
-                                       [&] { return scene_text(*kept); });
+                                       [&] { return scene_text(canonical_text(*kept)); });
   }
   throw HttpError("not-found", "no scene is called that; there are: " + listed(gallery.names()) +
                                    ", and those lately sent to POST /scenes, by their ids");

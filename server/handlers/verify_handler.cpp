@@ -46,26 +46,35 @@ Sent sent_in(const Request& request, Service& service) {
   });
 }
 
-Value::Object verdict_on(const Sent& sent, const Request& request, Service& service) {
-  if (!sent.asked) return {{"verdict", name_of(Verdict::other_version)}};
+// What this version draws; null where that is not known.
+std::shared_ptr<const Picture> expected_of(const Sent& sent, const Request& request,
+                                           Service& service) {
+  if (!sent.asked) return nullptr;
   const Requester requester = requester_of(request);
   Plan plan = plan_of(*sent.asked, service.rendering, requester);
-  const auto found = picture_of(plan, etag_of(plan.recipe), requester, service);
-  const std::string& expected = found.picture->bytes;
-  return {{"verdict", name_of(expected == request.body ? Verdict::same : Verdict::different)},
-          {"expected_sha256", sha256_hex(expected)}};
+  return picture_of(plan, etag_of(plan.recipe), requester, service).picture;
 }
 
+std::string verdict_on(const Sent& sent, std::string_view body, const Picture* expected) {
+  const bool same = expected != nullptr && expected->bytes == body;
+  const Verdict verdict = same                  ? Verdict::same
+                          : expected != nullptr ? Verdict::different
+                                                : Verdict::other_version;
+  Value::Object told{{"verdict", name_of(verdict)}};
+  if (expected != nullptr)
+    told.emplace_back("expected_sha256", same ? sent.sha256 : sha256_hex(expected->bytes));
+  told.emplace_back("sha256", sent.sha256);
+  told.emplace_back("version", full_version());
+  told.emplace_back("drawn_by", sent.recipe.version);
+  told.emplace_back("request", sent.recipe.request);
+  return to_json(told);
+}
+
+// The verdict goes through all bytes of a picture: by turns.
 Response post_verify(const Request& request, const std::string&, Service& service) {
   const Sent sent = sent_in(request, service);
-  Value::Object told = verdict_on(sent, request, service);
-  const auto text = [&] {
-    told.emplace_back("sha256", sent.sha256);
-    told.emplace_back("version", full_version());
-    told.emplace_back("drawn_by", sent.recipe.version);
-    told.emplace_back("request", sent.recipe.request);
-    return to_json(told);
-  };
+  const auto expected = expected_of(sent, request, service);
+  const auto text = [&] { return verdict_on(sent, request.body, expected.get()); };
   const std::int64_t memory = service.config.max_body_bytes;
   return {.content_type = "application/json",
           .body = service.rendering.long_work({request.body.size(), memory, "the verdict"},

@@ -192,7 +192,8 @@ bool Admission::has_room(const Entrant& who) const {
   const bool is_full = kind.at_work() >= kind.most ||
                        (who.kind != reading && light_places_taken() >= kinds_[light].most);
   if (!is_full) return true;
-  if (kind.held_by(who.client) > 0 || kind.at_work() >= 2 * kind.most) return false;
+  // Clients count here, not their requests: of one client any number may have turned heavy.
+  if (kind.held_by(who.client) > 0 || kind.clients_inside() >= 2 * kind.most) return false;
   const int fair = std::max(1, kind.most / (kind.clients_inside() + 1));
   return std::ranges::any_of(kind.inside, [&](const Entrant& each) {
     const int held = kind.held_by(each.client);

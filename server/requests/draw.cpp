@@ -1,6 +1,7 @@
 #include "server/requests/draw.h"
 
 #include <algorithm>
+#include <stdexcept>
 #include <tuple>
 #include <utility>
 
@@ -68,6 +69,16 @@ std::int64_t memory_of(const Plan& plan) {
          memory_for(plan.format == Format::png ? memory_cost::png : memory_cost::linear, pixels);
 }
 
+// Domain: a format that keeps light as it is.
+std::string encode_linear(Format format, LinearFilm film, const std::stop_token& stop) {
+  switch (format) {
+    case Format::pfm: return encode_pfm(film.image(), stop);
+    case Format::hdr: return encode_hdr(std::move(film).image(), stop);
+    case Format::png: break;
+  }
+  throw std::logic_error("a PNG is not linear");
+}
+
 }  // namespace
 
 Picture draw(const Plan& plan, const RenderContext& context, const std::stop_token& stop) {
@@ -92,8 +103,7 @@ Picture draw(const Plan& plan, const RenderContext& context, const std::stop_tok
   if (plan.format != Format::png) {
     LinearFilm film(width, height);
     trace_onto(film);
-    picture.bytes = plan.format == Format::pfm ? encode_pfm(film.image())
-                                               : encode_hdr(std::move(film).image(), stop);
+    workers.alone([&] { picture.bytes = encode_linear(plan.format, std::move(film), stop); });
   } else if (is_cut_in_strips(width, height)) {
     ScanlineFilm film(width, height, plan.display);
     trace_onto(film);
@@ -101,7 +111,7 @@ Picture draw(const Plan& plan, const RenderContext& context, const std::stop_tok
   } else {
     DisplayFilm film(width, height, plan.display);
     trace_onto(film);
-    picture.bytes = encode_png(film.image(), stop);
+    workers.alone([&] { picture.bytes = encode_png(film.image(), stop); });
   }
   if (plan.format == Format::png)
     picture.bytes = with_text(std::move(picture.bytes), recipe_keyword, plan.recipe);

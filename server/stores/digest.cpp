@@ -1,8 +1,12 @@
 #include "server/stores/digest.h"
 
-#include <openssl/sha.h>
+#include <openssl/evp.h>
 
+#include <algorithm>
+#include <memory>
 #include <new>
+
+#include "core/parallel/stopped.h"
 
 namespace tia::server {
 
@@ -17,10 +21,20 @@ std::string hex(const Digest& digest) {
 }
 
 std::string sha256_hex(std::string_view bytes) {
+  constexpr std::size_t portion = 1 << 20;
+  struct Free {
+    void operator()(EVP_MD_CTX* context) const { EVP_MD_CTX_free(context); }
+  };
+  const std::unique_ptr<EVP_MD_CTX, Free> context(EVP_MD_CTX_new());
   Digest digest{};
-  static_assert(SHA256_DIGEST_LENGTH == digest.size());
-  if (SHA256(reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size(), digest.data()) ==
-      nullptr)
+  bool done = context && EVP_DigestInit_ex(context.get(), EVP_sha256(), nullptr) == 1;
+  for (; done && !bytes.empty(); bytes.remove_prefix(std::min(portion, bytes.size()))) {
+    give_way();
+    const std::string_view next = bytes.substr(0, portion);
+    done = EVP_DigestUpdate(context.get(), next.data(), next.size()) == 1;
+  }
+  // It fails for want of memory only.
+  if (!done || EVP_DigestFinal_ex(context.get(), digest.data(), nullptr) != 1)
     throw std::bad_alloc();
   return hex(digest);
 }

@@ -12,6 +12,7 @@ Gallery::Gallery() {
     if (!asset.path.starts_with(folder) || !asset.path.ends_with(ending)) continue;
     std::string_view name = asset.path.substr(folder.size());
     name.remove_suffix(ending.size());
+    texts_.try_emplace(std::string(name));
     scenes_.emplace(name, known(std::make_shared<const Scene>(read_scene(asset.bytes))));
   }
   Value::Array list;
@@ -34,6 +35,12 @@ Value Gallery::listing_schema(Definitions& named) {
 KnownScene Gallery::find(std::string_view name) const {
   const auto found = scenes_.find(name);
   return found == scenes_.end() ? KnownScene{} : found->second;
+}
+
+const std::string& Gallery::text(const std::string& name) const {
+  Text& text = texts_.at(name);
+  std::call_once(text.made, [&] { text.text = canonical_text(*scenes_.at(name)); });
+  return text.text;
 }
 
 std::vector<std::string_view> Gallery::names() const {

@@ -63,9 +63,9 @@ function standard(name, { default: value }) {
   return plain ? code(name) : `${code(name)} ${code(JSON.stringify(value))}`;
 }
 
-/** The fields of a material or of the options, each with its default. */
+/** The fields of a material, of all its kinds, or of the options, each with its default. */
 const fieldsOf = ({ schema }, name) => table(['field', 'default', 'field', 'default', 'field', 'default'],
-  threes(Object.entries(schema.$defs[name].properties).filter(([field]) => field !== 'type')
+  threes((schema.$defs[name].oneOf ?? [schema.$defs[name]]).flatMap((kind) => Object.entries(kind.properties)).filter(([field]) => field !== 'type')
     .map(([field, { default: value }]) => [code(field), value === undefined ? '' : code(JSON.stringify(value))])));
 
 function threes(cells) {

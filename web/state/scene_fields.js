@@ -54,10 +54,11 @@ export function materialOf(scene, { group, pointer, depth }) {
 export function schemaOf(schema, scene, pointer) {
   const type = valueAt(scene, pointer)?.type;
   const kind = (name) => schema.$defs[name];
-  const one = (name) => kind(name).oneOf.find(({ properties }) => properties.type?.const === type);
+  const one = (name) => (kind(name).oneOf ?? [kind(name)]).find(({ properties, required }) =>
+    (type ? properties.type?.const === type : !required?.includes('type')));
   if (pointer === '') return schema;
   if (pointer === '/camera' || pointer === '/options') return kind(pointer.slice(1));
-  if (/^\/materials\/[^/]*$|\/material$/.test(pointer)) return kind('material');
+  if (/^\/materials\/[^/]*$|\/material$/.test(pointer)) return one('material');
   return one(/^\/lights\/|^\/key_light/.test(pointer) ? 'light' : 'object');
 }
 

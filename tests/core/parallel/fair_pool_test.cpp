@@ -214,13 +214,47 @@ TEST(GivingTasks, WithoutEndShareTheTimeEvenly) {
   std::latch together(count);
   std::list<Endless> clients;
   for (std::uint64_t client = 1; client <= count; ++client)
-    clients.emplace_back(pool, client, 3, &together);
+    clients.emplace_back(pool, client, 1, &together);
   std::this_thread::sleep_for(std::chrono::milliseconds(600));
   std::vector<Nanoseconds> had;
   for (Endless& each : clients) each.stop();  // all at the same time
   for (Endless& each : clients) had.push_back(each.end());
   const auto [least, most] = std::ranges::minmax(had);
   EXPECT_GT(2 * least, most);
+}
+
+// Eight jobs of one client, most of them parked within their tasks, do not keep all workers: the
+// two tasks of another's, which wait for each other, end.
+TEST(GivingTasks, OfParkedJobsLeaveWorkersForAnother) {
+  Pool pool(4);
+  std::atomic<int> begun = 0;
+  std::list<std::jthread> jobs;
+  for (int i = 0; i < 8; ++i)
+    jobs.emplace_back([&](const std::stop_token& stop) {
+      Flow flow{1};
+      const auto task = [&](int) {
+        ++begun;
+        for (int n = 0; n < 50; ++n) {
+          pass_truly(ms / 5);
+          end_if_asked(stop);
+        }
+      };
+      EXPECT_THROW(pool.for_each(endless, 64, stop, task, &flow), Stopped);
+    });
+  while (begun < 30) std::this_thread::yield();
+  Flow flow{2};
+  std::latch both(2);
+  std::atomic<bool> met = false;
+  const auto give_up = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+  pool.for_each(
+      2, 4, {},
+      [&](int) {
+        both.count_down();
+        while (!both.try_wait() && std::chrono::steady_clock::now() < give_up) continue;
+        if (both.try_wait()) met = true;
+      },
+      &flow);
+  EXPECT_TRUE(met);
 }
 
 TEST(GivingTasks, EndWhenTheyAreStoppedAndWhenAnotherFails) {

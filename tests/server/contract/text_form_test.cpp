@@ -39,6 +39,15 @@ TEST(WordsFromText, AreWhatStandsBetweenCommasWithoutTheSpacesAround) {
     EXPECT_EQ(words_from_text(nothing), Value(Value::Array{})) << nothing;
 }
 
+TEST(TextForm, OfATruthIsTrueOrFalse) {
+  const Place at;
+  EXPECT_EQ(TextForm<bool>::read("true", at), Value(true));
+  EXPECT_EQ(TextForm<std::optional<bool>>::read("false", at), Value(false));
+  for (const char* text : {"", "1", "0", "True", "yes", " true"})
+    EXPECT_EQ(TextForm<bool>::read(text, at), Value(text));
+  EXPECT_EQ(TextForm<bool>::allowed({}), "true or false");
+}
+
 TEST(TextOf, IsTheTextThatGivesTheValue) {
   EXPECT_EQ(text_of("a b"), "a b");
   EXPECT_EQ(text_of(8080), "8080");

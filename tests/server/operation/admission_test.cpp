@@ -180,6 +180,22 @@ TEST(Admission, WhatHasBegunIsNeverSentAway) {
   EXPECT_EQ(admission.at_work(), 11);
 }
 
+TEST(Admission, HoweverMuchOfOneClientTurnsOutHeavyAnothersHeavyWorkBegins) {
+  Admission admission({.tickets = 4, .queue = 8});
+  std::list<Ticket> begun;
+  for (int i = 0; i < 10; ++i) {
+    begun.push_back(admission.enter(light_rays, "a", {}));
+    begun.back().has_done(many_rays, 0);
+  }
+  Guest poster(admission, heavy_rays, "b");
+  EXPECT_TRUE(poster.gets_in());
+  Guest second(admission, heavy_rays, "b");  // it has one already
+  wait_until_waiting(admission, 1);
+  EXPECT_FALSE(second.is_in(milliseconds(20)));
+  begun.clear();
+  EXPECT_TRUE(second.gets_in());
+}
+
 TEST(Admission, WhatCouldNotEndInTimeDoesNotBegin) {
   Admission admission({.tickets = 8, .queue = 64, .threads = 2, .most_wait_s = 5});
   const Cost dear{4, true};                            // two seconds of two threads

@@ -1,6 +1,9 @@
 // Pictures that are sent back: drawn again, or held against what this version draws.
 #include "server/requests/recipe.h"
 
+#include <map>
+#include <set>
+
 #include "core/film/png.h"
 #include "server/stores/digest.h"
 #include "tests/core/film/files.h"
@@ -60,6 +63,42 @@ TEST(Recipe, EveryParameterIsInIt) {
     const Response again = other.post("/render", drawn, "image/png");
     ASSERT_EQ(again.status, 200) << again.body;
     EXPECT_TRUE(again.body == drawn);
+  }
+}
+
+struct FieldNames {
+  std::vector<std::string> names = {};
+  template <class Base, class Member>
+  void operator()(std::string_view name, Member Base::*, const Spec&) {
+    names.emplace_back(name);
+  }
+};
+
+// What a recipe did not tell, the cache would not tell apart.
+TEST(Recipe, ChangesWithEveryParameterThatChangesThePicture) {
+  const std::map<std::string, std::string> other{
+      {"scene", "whitted"},    {"key", "a"},     {"light", "1,20,3"},
+      {"width", "17"},         {"height", "13"}, {"camera", "%7B%22fov_degrees%22:30%7D"},
+      {"integrator", "depth"}, {"samples", "2"}, {"threshold", "0.1"},
+      {"max_depth", "1"},      {"seed", "5"},    {"crop", "1,2,3,4"},
+      {"transfer", "linear"},  {"format", "pfm"}};
+  const std::set<std::string> of_no_byte{"threads", "v"};
+  FieldNames fields;
+  PictureRequest::fields(fields);
+  const auto tag = [](std::map<std::string, std::string> query) {
+    query.try_emplace("width", "16");
+    query.try_emplace("height", "12");
+    std::string target = "/render?";
+    for (const auto& [name, value] : query) target.append(name).append("=").append(value) += '&';
+    return header(host().get(target.substr(0, target.size() - 1)), "ETag");
+  };
+  const auto usual = tag({});
+  for (const std::string& name : fields.names) {
+    if (of_no_byte.contains(name)) continue;
+    ASSERT_TRUE(other.contains(name)) << name << " is new: give it a value here";
+    const auto changed = tag({{name, other.at(name)}});
+    ASSERT_TRUE(changed) << name;
+    EXPECT_NE(changed, usual) << name;
   }
 }
 
