@@ -1,13 +1,19 @@
 #include "core/parallel/pool.h"
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
+#include <condition_variable>
+#include <exception>
 #include <utility>
 
-#include "core/parallel/lone_work.h"
+#include "core/parallel/task_context.h"
 
 namespace tia {
 namespace {
+
+// Whether this thread is within a task or lone work.
+thread_local bool inside_task = false;
 
 void in_turn(int count, const std::stop_token& stop, const std::function<void(int)>& task) {
   for (int i = 0; i < count; ++i) {
@@ -18,6 +24,127 @@ void in_turn(int count, const std::stop_token& stop, const std::function<void(in
 }
 
 }  // namespace
+
+/// Hand: a thread that can work: one of the pool's own, or a caller, which has but its own job.
+/// Within a task it lets jobs go first that have had less: it is suspended, and the task with it.
+struct Pool::Hand : Courtesy {
+  Hand(Pool& of, bool caller) : pool(of), is_caller(caller) {}
+  void let_others_go() override { pool.let_others_go(*this); }
+
+  Pool& pool;
+  const bool is_caller;
+  Job* job = nullptr;              // where it works, or is called to while it sleeps
+  Nanoseconds since = 0;           // when it began what has not been told to the turns
+  Hand* next_suspended = nullptr;  // of its job
+  std::condition_variable_any called;
+};
+
+/// Job: what a caller wants done, and who is at it.
+struct Pool::Job : Turn {
+  Job(Pool& pool, int tasks, int most, const std::stop_token& asked,
+      const std::function<void(int)>& what, Flow& request, bool alone = false)
+      : Turn(tasks, most, request), is_alone(alone), stop(asked), task(what), caller(pool, true) {}
+
+  const bool is_alone;  // only its caller can do it
+
+  const std::stop_token& stop;
+  const std::function<void(int)>& task;
+  void* const context = task_context;    // the caller's
+  std::exception_ptr failure = nullptr;  // guarded by the pool's mutex, as is what a turn counts
+  Hand* suspended_hands = nullptr;       // the last one first
+  Hand caller;
+
+  // Has the hand take tasks until it is time to look for others. Returns: what a task threw.
+  std::exception_ptr run(Hand& hand) {
+    inside_task = true;
+    courtesy = &hand;
+    void* const outside = std::exchange(task_context, context);
+    std::exception_ptr thrown = nullptr;
+    try {
+      run_tasks(hand);
+    } catch (...) {
+      next = count;
+      thrown = std::current_exception();
+    }
+    task_context = outside;
+    courtesy = nullptr;
+    inside_task = false;
+    return thrown;
+  }
+  void run_tasks(const Hand& hand) {
+    do {
+      if (stop.stop_requested()) next = count;
+      const int i = next.fetch_add(1, std::memory_order_relaxed);
+      if (i >= count) return;
+      task(i);
+    } while (hand.pool.clock_() < hand.since + Turns::look);
+  }
+};
+
+/// Lone: a caller that does its one task alone, which is not over until all of it is done.
+class Pool::Lone {
+ public:
+  Lone(Pool& pool, const std::stop_token& stop, Flow& flow)
+      : pool_(pool), job_(pool, 1, 1, stop, nothing, flow, true) {
+    const std::lock_guard lock(pool_.mutex_);
+    pool_.turns_.enter(job_, pool_.clock_());
+    pool_.call_hands();
+  }
+  ~Lone() {
+    std::unique_lock lock(pool_.mutex_);
+    if (at_work_) rest();
+    if (job_.caller.job != nullptr) pool_.unseat(job_.caller);
+    job_.next = job_.count;
+    pool_.turns_.leave(job_, pool_.clock_());
+    pool_.call_hands();
+  }
+  Lone(const Lone&) = delete;
+  Lone& operator=(const Lone&) = delete;
+
+  void work(const std::function<void()>& work) {
+    take_turn();
+    work();
+  }
+  /// Lets `work` take turns of its own meanwhile. What it throws ends the lone work, too.
+  void aside(const std::function<void()>& work) {
+    std::unique_lock lock(pool_.mutex_);
+    rest();
+    pool_.unseat(job_.caller);
+    Turns::pause(job_, pool_.clock_());
+    pool_.call_hands();
+    lock.unlock();
+    work();
+    lock.lock();
+    Turns::resume(job_);
+    pool_.call_hands();
+    lock.unlock();
+    take_turn();
+  }
+
+ private:
+  void take_turn() {
+    std::unique_lock lock(pool_.mutex_);
+    Hand& hand = job_.caller;
+    while (hand.job == nullptr) {
+      if (job_.stop.stop_requested()) throw Stopped();
+      pool_.wait(hand, lock, job_.stop, [&] { return hand.job != nullptr; });
+    }
+    pool_.begin(hand);
+    at_work_ = true;
+    inside_task = true, courtesy = &hand, lone = this;
+  }
+  void rest() {
+    inside_task = false, courtesy = nullptr, lone = nullptr;
+    pool_.tell(job_.caller);
+    Turns::end(job_, job_.caller.since);
+    at_work_ = false;
+  }
+
+  static inline const std::function<void(int)> nothing;
+  Pool& pool_;
+  Job job_;
+  bool at_work_ = false;
+};
 
 constinit thread_local Pool::Lone* Pool::lone = nullptr;
 
