@@ -162,6 +162,11 @@ Pool::Pool(int threads, Clock clock)
   for (int i = 0; i < workers; ++i)
     workers_.emplace_back([this, &hand = hands_.emplace_back(*this, false)](
                               const std::stop_token& ending) { serve(hand, ending); });
+  // All of them live once this is made, and need nothing more for that.
+  for (bool all = false; !all; std::this_thread::yield()) {
+    const std::lock_guard lock(mutex_);
+    all = static_cast<int>(idle_.size()) == workers;
+  }
 }
 
 Pool::~Pool() {
