@@ -81,7 +81,7 @@ TEST(Recipe, ChangesWithEveryParameterThatChangesThePicture) {
       {"width", "17"},         {"height", "13"}, {"camera", "%7B%22fov_degrees%22:30%7D"},
       {"integrator", "depth"}, {"samples", "2"}, {"threshold", "0.1"},
       {"max_depth", "1"},      {"seed", "5"},    {"crop", "1,2,3,4"},
-      {"transfer", "srgb"},  {"format", "pfm"}};
+      {"transfer", "srgb"},    {"format", "pfm"}};
   const std::set<std::string> of_no_byte{"threads", "v"};
   FieldNames fields;
   PictureRequest::fields(fields);
