@@ -25,6 +25,11 @@ Value number_from_text(std::string_view text) {
   return value && value->as<double>() != nullptr ? *value : Value(text);
 }
 
+Value truth_from_text(std::string_view text) {
+  if (text == "true" || text == "false") return text == "true";
+  return text;
+}
+
 Value list_from_text(std::string_view text) {
   std::string list(text);
   if (!list.starts_with('[')) list.insert(0, 1, '[').append(1, ']');

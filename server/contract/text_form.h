@@ -17,6 +17,8 @@ namespace tia::server {
 
 /// A number's text as a number, any other as a string: so one with spaces around it.
 Value number_from_text(std::string_view text);
+/// "true" or "false" as a truth, any other as a string.
+Value truth_from_text(std::string_view text);
 /// "x,y,z" or "[x,y,z]" as an array of numbers, any other as a string.
 Value list_from_text(std::string_view text);
 /// "a, b" as an array of strings; "" as an empty one.
@@ -34,25 +36,18 @@ std::string text_of(const Value& value);
 template <class T>
 struct TextForm {
   static Value read(std::string_view text, const Place&) {
-    if constexpr (std::is_arithmetic_v<T>) return number_from_text(text);
+    if constexpr (std::same_as<T, bool>) return truth_from_text(text);
+    else if constexpr (std::is_arithmetic_v<T>) return number_from_text(text);
     else return text;
   }
   /// What is allowed, for people.
   static std::string allowed(const Spec& spec) {
-    if constexpr (std::is_arithmetic_v<T>) return range_text(spec, std::integral<T>);
+    if constexpr (std::same_as<T, bool>) return "true or false";
+    else if constexpr (std::is_arithmetic_v<T>) return range_text(spec, std::integral<T>);
     else if constexpr (Named<T>) return listed({Names<T>::names.begin(), Names<T>::names.end()});
     else return "text";
   }
   /// How OpenAPI describes it in a query, by the schema of its JSON.
-  static Value::Object in_query(Value::Object schema) { return {{"schema", std::move(schema)}}; }
-};
-template <>
-struct TextForm<bool> {
-  static Value read(std::string_view text, const Place&) {
-    if (text == "true" || text == "false") return text == "true";
-    return text;
-  }
-  static std::string allowed(const Spec&) { return "true or false"; }
   static Value::Object in_query(Value::Object schema) { return {{"schema", std::move(schema)}}; }
 };
 template <class T>

@@ -1,7 +1,9 @@
 // Of two clients each has half of the processors' time, whatever the other one asks for: work that
 // cannot be shared among threads, or whose parts are long, gives way, too. Seconds; SOAK=10 makes
 // them minutes.
+#include <algorithm>
 #include <cstdio>
+#include <optional>
 
 #include "tests/server/load/siege_support.h"
 #include "tests/server/load/soak_support.h"
@@ -86,17 +88,21 @@ TEST_P(Halves, AreLeftToAnotherBeside) {
   Tia tia({"--port", "0", "--trusted-proxies", "127.0.0.1"});
   const auto act = GetParam().made(tia.port());
   Asker other(tia.port(), "10.0.0.1");
-  const double alone = rate(other, milliseconds(scaled(1000)));
+  const double before = rate(other, milliseconds(scaled(1000)));
   const auto one_address = [&act, port = tia.port()](Asker&, int) {
     Asker hog(port, "10.0.0.2");
     act(hog);
   };
-  Siege siege(tia.port(), std::vector<Attack>(8, {GetParam().law, one_address}));
+  std::optional<Siege> siege;
+  siege.emplace(tia.port(), std::vector<Attack>(8, {GetParam().law, one_address}));
   std::this_thread::sleep_for(milliseconds(500));
   const double beside = rate(other, milliseconds(scaled(3000)));
+  siege.reset();
+  // Other tests come and go meanwhile: what it has alone is measured on both sides.
+  const double alone = std::min(before, rate(other, milliseconds(scaled(1000))));
   std::printf("%s: %.1f pictures/s alone, %.1f beside eight of another's\n", GetParam().law, alone,
               beside);
-  EXPECT_GT(beside, (scale() > 1 ? 0.4 : 0.15) * alone);  // the short form runs beside other tests
+  EXPECT_GT(beside, (scale() > 1 ? 0.4 : 0.25) * alone);  // the short form runs beside other tests
 }
 INSTANTIATE_TEST_SUITE_P(Who, Halves,
                          testing::Values(Hog{"Builds", anywhere(build)},
