@@ -2,30 +2,30 @@
 // too. Time decides who works next, never what comes out.
 #pragma once
 
+#include <cstdint>
 #include <functional>
-#include <list>
-#include <mutex>
+#include <memory>
 #include <stop_token>
-#include <thread>
-#include <vector>
 
 #include "core/parallel/turns.h"
 #include "core/parallel/workers.h"
 
 namespace tia {
 
+class Hands;
+
 /// Pool: threads that work at jobs by turns.
 class Pool {
  public:
   using Clock = std::function<Nanoseconds()>;
 
-  /// A pool whose jobs run on up to `threads` threads, the callers' included. Domain: >= 1.
-  explicit Pool(int threads, Clock clock = steady_clock);
+  /// A pool whose jobs run on up to `threads` threads, the callers' included. Domain: >= 1. Without
+  /// a clock it has the steady one.
+  /// Errors: std::system_error where so many cannot be.
+  explicit Pool(int threads, Clock clock = {});
   ~Pool();
-  Pool(const Pool&) = delete;
-  Pool& operator=(const Pool&) = delete;
 
-  int threads() const { return turns_.threads(); }
+  int threads() const;
 
   /// Calls task(0) … task(count - 1), each once, in no order, on at most `max_threads` threads;
   /// inside of another task in turn, on the thread of that one; inside of lone work with all
@@ -42,39 +42,11 @@ class Pool {
   /// Those threads as workers, who end once `stop` is requested. Domain: pool and flow outlive
   /// them.
   Workers workers(int max_threads, const std::stop_token& stop = {}, Flow* flow = nullptr);
+  /// That another client waits for the flow's work, too: it takes its turns where it is sooner.
+  void also_for(Flow& flow, std::uint64_t client);
 
  private:
-  struct Job;
-  struct Hand;
-  class Lone;
-  static Nanoseconds steady_clock();
-  static thread_local Lone* lone;  // whose work this thread does
-
-  void serve(Hand& hand, const std::stop_token& ending);
-  void work(Hand& hand, std::unique_lock<std::mutex>& lock);
-  void begin(Hand& hand);
-  void tell(Hand& hand);
-  void let_others_go(Hand& hand);
-  void suspend(Hand& hand, Job& job);
-  void restore(Hand& hand, Job& job);
-  template <class News>
-  void wait(Hand& hand, std::unique_lock<std::mutex>& lock, const std::stop_token& stop,
-            const News& news);
-  template <class Can>
-  Job* next_job(const Can& can) const;
-  void seat(Hand& hand, Job& job);
-  void unseat(Hand& hand);
-  void dismiss_idle(const Job& job);
-  void call_hands();
-  Hand* hand_for(Job& job) const;
-
-  const Clock clock_;
-  std::mutex mutex_;  // of all below
-  Turns turns_;
-  int may_suspend_;          // workers, besides those that are
-  std::vector<Hand*> idle_;  // workers that sleep, some of them called to a job already
-  std::list<Hand> hands_;    // the workers', made before them, for making one may fail
-  std::vector<std::jthread> workers_;
+  const std::unique_ptr<Hands> hands_;
 };
 
 }  // namespace tia

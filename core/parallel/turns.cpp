@@ -1,24 +1,27 @@
 #include "core/parallel/turns.h"
 
 #include <algorithm>
+#include <limits>
+#include <new>
 #include <ranges>
 #include <utility>
 
 namespace tia {
 namespace {
 
-// Prepares for one more among others: bounds what they are owed. Returns: the least that one of
-// them has had, or `level` without any or where that is more.
-template <class Services>
-Nanoseconds settled_level(Services&& others, Nanoseconds level, Nanoseconds now) {
-  if (std::ranges::empty(others)) return level;
-  Nanoseconds most = others.front()->at(now);
-  for (ServiceTime* each : others) most = std::max(most, each->at(now));
+// Prepares for one more among others, which `each` goes through: bounds what they are owed.
+// Returns: the least that one of them has had, or `level` without any or where that is more.
+template <class Each>
+Nanoseconds settled_level(const Each& each, Nanoseconds level, Nanoseconds now) {
+  constexpr Nanoseconds none = std::numeric_limits<Nanoseconds>::min();
+  Nanoseconds most = none;
+  each([&](ServiceTime& service) { most = std::max(most, service.at(now)); });
+  if (most == none) return level;
   Nanoseconds least = most;
-  for (ServiceTime* each : others) {
-    each->raise_to(most - Turns::arrears, now);
-    least = std::min(least, each->at(now));
-  }
+  each([&](ServiceTime& service) {
+    service.raise_to(most - Turns::arrears, now);
+    least = std::min(least, service.at(now));
+  });
   return std::max(level, least);
 }
 
@@ -46,6 +49,10 @@ Nanoseconds ahead(const Turn& one, const Turn& other, Nanoseconds now) {
   return one.service.at(now) - other.service.at(now);
 }
 
+void add_once(std::vector<std::uint64_t>& numbers, std::uint64_t number) {
+  if (std::ranges::find(numbers, number) == numbers.end()) numbers.push_back(number);
+}
+
 }  // namespace
 
 // Calls action(job) for every job that can use one more hand and is not parked.
@@ -58,42 +65,97 @@ void Turns::for_each_candidate(const Action& action) const {
   }
 }
 
-ClientJobs& Turns::client_of(const Turn& job, Nanoseconds now) {
-  const auto same = [&](const ClientJobs& each) { return each.number == job.flow.client; };
-  if (const auto known = std::ranges::find_if(clients_, same); known != clients_.end())
-    return *known;
-  std::vector<ServiceTime*> others;
-  for (ClientJobs& each : clients_) others.push_back(&each.service);
-  level_ = settled_level(others, level_, now);
-  ClientJobs& made = clients_.emplace_back(ClientJobs{job.flow.client});
+ClientJobs* Turns::find(std::uint64_t client) {
+  const auto known = std::ranges::find(clients_, client, &ClientJobs::number);
+  return known != clients_.end() ? &*known : nullptr;
+}
+
+ClientJobs& Turns::client_of(std::uint64_t number, Nanoseconds now) {
+  if (ClientJobs* known = find(number)) return *known;
+  const auto each = [this](const auto& action) {
+    for (ClientJobs& client : clients_) action(client.service);
+  };
+  level_ = settled_level(each, level_, now);
+  ClientJobs& made = clients_.emplace_back(ClientJobs{number});
   made.service.before = level_ - credit;
   return made;
 }
 
 void Turns::enter(Turn& job, Nanoseconds now) {
-  ClientJobs& client = client_of(job, now);
-  std::vector<ServiceTime*> others;
-  for (Turn* each : client.jobs)
-    if (!is_parked(*each)) others.push_back(&each->service);
-  client.level = settled_level(others, client.level, now);
+  choose_client(job.flow, now);
+  ClientJobs& client = client_of(job.flow.client, now);
+  client.jobs.reserve(client.jobs.size() + 1);
+  join(job, client, now);
+}
+
+// Domain: there is room for it. It allocates nothing.
+void Turns::join(Turn& job, ClientJobs& client, Nanoseconds now) {
+  const auto each = [&client](const auto& action) {
+    for (Turn* other : client.jobs)
+      if (!is_parked(*other)) action(other->service);
+  };
+  client.level = settled_level(each, client.level, now);
   Flow& flow = job.flow;
   if (flow.order == 0) {
     flow.order = ++entered_;
     flow.place = client.level - credit;
     flow.credit_end = client.level;
   }
-  job.service.before = std::max(flow.place, client.level - credit);
+  job.service.before = std::max(flow.place, client.level - credit) - job.service.awake * now;
+  client.service.before -= job.service.awake * now;
+  client.service.awake += job.service.awake;
   client.jobs.push_back(&job);
   job.client = &client;
 }
 
+// It may have hands at work, which it takes along.
 void Turns::leave(Turn& job, Nanoseconds now) {
   ClientJobs& client = *job.client;
   job.flow.place = job.service.at(now);
+  client.service.before += job.service.awake * now;
+  client.service.awake -= job.service.awake;
   client.jobs.erase(std::ranges::find(client.jobs, &job));
   job.client = nullptr;
   if (client.jobs.empty())
     clients_.remove_if([&](const ClientJobs& each) { return &each == &client; });
+}
+
+// Whether it waits for an older long job where it is and would not there, or has had more there.
+bool Turns::would_be_sooner(const Flow& flow, std::uint64_t client, Nanoseconds now) {
+  const ClientJobs *own = find(flow.client), *theirs = find(client);
+  if (own == nullptr || (flow.is_long && theirs != nullptr && oldest_long(*theirs) != nullptr))
+    return false;
+  const auto waits = [&](const Turn* job) { return &job->flow == &flow && is_parked(*job); };
+  return std::ranges::any_of(own->jobs, waits) ||
+         own->service.at(now) > (theirs != nullptr ? theirs->service.at(now) : level_) + slice;
+}
+
+// Domain: would_be_sooner().
+void Turns::move(Flow& flow, std::uint64_t client, Nanoseconds now) {
+  std::vector<Turn*> jobs;
+  for (Turn* job : find(flow.client)->jobs)
+    if (&job->flow == &flow) jobs.push_back(job);
+  if (!jobs.empty()) {
+    ClientJobs& theirs = client_of(client, now);
+    theirs.jobs.reserve(theirs.jobs.size() + jobs.size());
+  }
+  for (Turn* job : jobs) leave(*job, now);
+  flow.client = client;
+  flow.order = 0;
+  for (Turn* job : jobs) join(*job, *find(client), now);
+}
+
+// It may come back to whose it was.
+void Turns::choose_client(Flow& flow, Nanoseconds now) {
+  if (flow.others.empty()) return;
+  add_once(flow.others, flow.client);
+  for (const std::uint64_t client : flow.others)
+    if (client != flow.client && would_be_sooner(flow, client, now)) move(flow, client, now);
+}
+
+void Turns::also_for(Flow& flow, std::uint64_t client, Nanoseconds now) {
+  add_once(flow.others, client);
+  choose_client(flow, now);
 }
 
 void Turns::pause(Turn& job, Nanoseconds now) {
@@ -167,7 +229,7 @@ void Turns::end(Turn& job, Nanoseconds now) {
   job.client->service.end(now);
 }
 
-void Turns::spend(Turn& job, Nanoseconds time) {
+void Turns::spend(Turn& job, Nanoseconds time, Nanoseconds now) {
   ClientJobs& client = *job.client;
   const auto parked =
       std::ranges::count_if(client.jobs, [](Turn* each) { return is_parked(*each); });
@@ -178,6 +240,10 @@ void Turns::spend(Turn& job, Nanoseconds time) {
   if (job.flow.is_long || job.flow.attained < long_service) return;
   job.flow.is_long = true;
   if (job.flow.became_long) job.flow.became_long();
+  try {
+    choose_client(job.flow, now);
+  } catch (const std::bad_alloc&) {  // then it stays whose it is
+  }
 }
 
 }  // namespace tia

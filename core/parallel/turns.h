@@ -26,7 +26,8 @@ struct ServiceTime {
 
 /// Flow: one request's jobs, one after the other; its service adds up over all of them.
 struct Flow {
-  std::uint64_t client = 0;  ///< whom it is for, by any number that tells clients apart
+  std::uint64_t client = 0;             ///< whom it is for, by any number that tells clients apart
+  std::vector<std::uint64_t> others{};  ///< who wait for it, too: it may become theirs
   bool is_long = false;      ///< it takes long: so foreseen, or it has had Turns::long_service
   Nanoseconds attained = 0;  ///< the service that it has had
   std::function<void()>
@@ -102,6 +103,9 @@ class Turns {
 
   void enter(Turn& job, Nanoseconds now);
   void leave(Turn& job, Nanoseconds now);
+  /// That this client waits for the flow, too. It becomes that of whom it comes sooner for, as if
+  /// that one had just asked for it: now, at its next job, or when it has become long.
+  void also_for(Flow& flow, std::uint64_t client, Nanoseconds now);
   /// While another job of its flow goes on for one that stays among the turns, and keeps its
   /// client there, but wants no hand. Domain: it has none.
   static void pause(Turn& job, Nanoseconds now);
@@ -117,10 +121,15 @@ class Turns {
   static void begin(Turn& job, Nanoseconds now);
   static void end(Turn& job, Nanoseconds now);
   /// That a hand was at work for so long.
-  void spend(Turn& job, Nanoseconds time);
+  void spend(Turn& job, Nanoseconds time, Nanoseconds now);
 
  private:
-  ClientJobs& client_of(const Turn& job, Nanoseconds now);
+  ClientJobs* find(std::uint64_t client);
+  ClientJobs& client_of(std::uint64_t number, Nanoseconds now);
+  void join(Turn& job, ClientJobs& client, Nanoseconds now);
+  bool would_be_sooner(const Flow& flow, std::uint64_t client, Nanoseconds now);
+  void choose_client(Flow& flow, Nanoseconds now);
+  void move(Flow& flow, std::uint64_t client, Nanoseconds now);
   static int extra_hands(const Turn& job, Nanoseconds now);
   bool has_had_most(const Turn& job, Nanoseconds now) const;
   template <class Action>

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "core/parallel/pool.h"
+#include "core/parallel/stopped.h"
 #include "core/parallel/stopped.h"
 #include "core/scene/limits.h"
 

@@ -4,7 +4,7 @@
 #include <new>
 
 #include "core/input/json.h"
-#include "core/parallel/pool.h"
+#include "core/parallel/stopped.h"
 #include "server/contract/problem_table.h"
 
 namespace tia::server {

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "core/parallel/per_thread.h"
-#include "core/parallel/pool.h"
+#include "core/parallel/stopped.h"
 #include "server/http/timeouts.h"
 
 namespace tia::server {

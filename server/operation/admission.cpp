@@ -5,7 +5,7 @@
 #include <ranges>
 #include <string>
 
-#include "core/parallel/pool.h"
+#include "core/parallel/stopped.h"
 
 namespace tia::server {
 

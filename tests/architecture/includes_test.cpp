@@ -61,7 +61,7 @@ const std::regex words_outside_core(
     R"(\b(getenv|setenv|chrono|clock_gettime|gettimeofday|time\(|cout|cerr|clog|printf|fopen|)"
     R"(random_device|rand\(|syslog|sleep_for|sleep_until|socket\())");
 // But for the time that threads take, which decides who works next, never what comes out.
-constexpr std::string_view timekeeper = "core/parallel/pool.cpp";
+constexpr std::string_view timekeeper = "core/parallel/hands.cpp";
 // And for the size of the pages that memory comes in.
 constexpr std::string_view pager = "core/boxes/huge_pages.h";
 
@@ -306,9 +306,9 @@ TEST(IncludeRules, ClocksSocketsAndLogsInCoreAreSeen) {
     EXPECT_NE(refusal("core/render/render.cpp", header), "") << header;
     EXPECT_EQ(refusal("server/main.cpp", header), "") << header;
   }
-  EXPECT_EQ(refusal("core/parallel/pool.cpp", "chrono"), "");
-  EXPECT_NE(refusal("core/parallel/pool.h", "chrono"), "");
-  EXPECT_NE(refusal("core/parallel/pool.cpp", "ctime"), "");
+  EXPECT_EQ(refusal("core/parallel/hands.cpp", "chrono"), "");
+  EXPECT_NE(refusal("core/parallel/hands.h", "chrono"), "");
+  EXPECT_NE(refusal("core/parallel/hands.cpp", "ctime"), "");
   const auto says = [](const std::string& code) {
     return std::regex_search(without_comments(code), words_outside_core);
   };

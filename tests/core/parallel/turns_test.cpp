@@ -41,6 +41,11 @@ class Play {
     call();
     return job;
   }
+  /// That another client waits for it, too.
+  void join(Job& job, std::uint64_t whose) {
+    turns_.also_for(job.own, whose, now_);
+    call();
+  }
   /// Until some job is over, which leaves. Returns: it, or null when the time has come.
   Job* run(Nanoseconds until) {
     while (!hands_.empty()) {
@@ -66,7 +71,7 @@ class Play {
 
   Job* end_task(std::list<Hand>::iterator hand) {
     Job& job = *hand->job;
-    turns_.spend(job, job.cost);
+    turns_.spend(job, job.cost, now_);
     job.had += job.cost;
     if (job.has_tasks() && turns_.stays(job, now_)) {
       take(*hand);
@@ -248,6 +253,36 @@ TEST(Turns, AStreamOfSmallJobsLeavesTheOldestLongOneItsShareAndTheParkedNone) {
 }
 
 // ---- clients --------------------------------------------------------------------------------
+
+// Who waits for what another has begun has it by his own turns, not behind all that the other
+// wants: whether he comes before or after it has become long and is parked.
+TEST(Turns, WhatAnotherWaitsForTooNeedNotWaitBehindItsOwnersLongJobs) {
+  for (const Nanoseconds joined_after : {1 * ms, 900 * ms}) {
+    Play play(2);
+    for (int i = 0; i < 3; ++i) play.come(endless, ms, 64, 1);
+    play.run(play.now() + 6000 * ms);
+    Play::Job& shared = play.come(3000, ms, 64, 1);
+    play.run(play.now() + joined_after);
+    play.join(shared, 2);
+    const Nanoseconds then = play.now();
+    play.finish(shared);
+    // Half of two threads, from when it is his at the latest.
+    EXPECT_LT(play.now() - then, 3300 * ms) << joined_after;
+  }
+}
+
+// Joining takes nothing from him who began it: it stays his where his turn comes sooner.
+TEST(Turns, WhoJoinsDoesNotDrawWorkBehindHisOwn) {
+  Play play(2);
+  for (int i = 0; i < 3; ++i) play.come(endless, ms, 64, 1);
+  play.run(play.now() + 6000 * ms);
+  Play::Job& shared = play.come(3000, ms, 64, 2);
+  play.run(play.now() + 900 * ms);
+  play.join(shared, 1);
+  const Nanoseconds then = play.now();
+  play.finish(shared);
+  EXPECT_LT(play.now() - then, 3300 * ms);
+}
 
 TEST(Turns, ManyJobsOfOneClientTakeNoMoreThanTheOneOfAnother) {
   Play play(2);

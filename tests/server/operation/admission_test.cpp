@@ -6,7 +6,7 @@
 #include <list>
 #include <memory>
 
-#include "core/parallel/pool.h"
+#include "core/parallel/stopped.h"
 #include "tests/server/socket_support.h"
 
 namespace tia::test {
