@@ -11,6 +11,7 @@
 #include "server/handlers/handlers.h"
 #include "server/http/headers.h"
 #include "server/operation/memory_costs.h"
+#include "server/operation/shared_flow.h"
 #include "server/operation/timing.h"
 #include "server/requests/accept.h"
 #include "server/requests/draw.h"
@@ -154,13 +155,13 @@ Picture with_memory_for(const Attempt& attempt, const std::stop_token& stop) {
   }
 }
 
-Picture drawn(Plan& plan, const Requester& requester, Admission::Waiting& place,
+Picture drawn(Plan& plan, const Requester& requester, SharedFlow& shared,
               const std::stop_token& stop, Service& service) {
   const double rays = plan.rays();
   Stopwatch watch;
   // It begins once admission has given a ticket, and gives it back at its end.
   auto ticket = service.admission.enter(service.costs.of(plan.cost_key, rays), requester.client,
-                                        stop, &place);
+                                        stop, &shared.place);
   Flow flow{Requester{ticket.client(), stop}.number()};
   const double queue_ms = watch.lap_ms();
   plan.options.flow = &flow;
@@ -169,6 +170,7 @@ Picture drawn(Plan& plan, const Requester& requester, Admission::Waiting& place,
   };
   // It may be parked then, and must not keep a light one's place, however few its rays are.
   flow.became_long = [&] { ticket.turn_heavy(); };
+  const SharedFlow::Going going(shared, flow);
   MemoryClaim* const claim = MemoryClaim::current();
   const auto attempt = [&] {
     Picture picture = draw(plan, service.rendering, stop);
@@ -190,17 +192,17 @@ Picture drawn(Plan& plan, const Requester& requester, Admission::Waiting& place,
 
 PictureStore::Found picture_of(Plan& plan, const std::string& etag, const Requester& requester,
                                Service& service) {
-  const auto place = std::make_shared<Admission::Waiting>();
+  const auto shared = std::make_shared<SharedFlow>(service.rendering.pool);
   PictureStore::Wish wish;
   wish.draw = [&](const std::stop_token& given_up) {
-    return drawn(plan, requester, *place, given_up, service);
+    return drawn(plan, requester, *shared, given_up, service);
   };
   wish.stop = requester.stop;
   wish.client = requester.client;
   wish.wait = [&] {
     return std::make_shared<Admission::Place>(service.admission.wait_for_others(requester.client));
   };
-  wish.joined_by = [place](const std::string& client) { place->also_for(client); };
+  wish.joined_by = [shared](const std::string& client) { shared->also_for(client); };
   return service.pictures.get(etag, wish);
 }
 

@@ -83,6 +83,35 @@ INSTANTIATE_TEST_SUITE_P(
                }}),
     [](const auto& of) { return of.param.law; });
 
+// What one client has begun and another waits for, too, does not wait for all else that the first
+// one has begun before.
+TEST(Joined, PicturesNeedNotWaitForTheirOwnersOlderOnes) {
+  if (sanitized()) GTEST_SKIP() << "its rates are another's";
+  Tia tia(behind_a_proxy());
+  const auto heavy = [](int samples, int seed) {
+    return "/render?scene=soft-shadows&width=160&height=120&samples=" + std::to_string(samples) +
+           "&seed=" + std::to_string(seed);
+  };
+  const auto asked = [&](const char* address, const std::string& target, Clock::duration patience) {
+    Asker asker(tia.port(), address);
+    const auto start = Clock::now();
+    const int status = asker.ask("GET", target, "", patience);
+    return std::pair(status, ms_since(start));
+  };
+  const double alone = asked("10.0.0.9", heavy(64, 1), seconds(30)).second;
+  std::vector<std::jthread> owner;  // its older one takes many times as long
+  for (const int samples : {1024, 64})
+    owner.emplace_back([&, samples] {
+      std::this_thread::sleep_for(milliseconds(samples == 64 ? 800 : 0));
+      asked("10.0.0.2", heavy(samples, 2), milliseconds(static_cast<int>(8 * alone)));
+    });
+  std::this_thread::sleep_for(milliseconds(800 + static_cast<int>(1.5 * alone)));
+  const auto [status, took] = asked("10.0.0.3", heavy(64, 2), seconds(30));
+  std::printf("%.0f ms alone, %.0f ms joined beside its owner's older one\n", alone, took);
+  EXPECT_EQ(status, 200);
+  EXPECT_LT(took, 4 * alone);
+}
+
 // ---- begun work -----------------------------------------------------------------------------
 
 struct Load {
