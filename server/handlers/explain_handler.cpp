@@ -35,8 +35,9 @@ void ExplainRequest::check(const Place& at, Faults& faults) const {
 
 namespace {
 
-RenderOptions options_of(const ExplainRequest& asked, const Scene& scene, const Service& service) {
-  const RenderOptions options = options_of(TraceRequest(asked), scene, service.rendering);
+RenderOptions checked_options(const ExplainRequest& asked, const Scene& scene,
+                              const Limits& limits) {
+  const RenderOptions options = options_of(options_in_effect(scene.options, asked), limits);
   if (!row_of(options.integrator).is_whitted)
     throw InputError({FaultKind::out_of_range, "/integrator", Value(name_of(options.integrator)),
                       explained_names() + ", which gather light"});
@@ -60,7 +61,7 @@ Explanation explanation_in(const ExplainRequest& asked, const Scene& scene, Worl
 std::string explanation_of(const ExplainRequest& asked, const Service& service,
                            const Requester& requester, Flow& flow) {
   const KnownScene scene = scene_of(asked, service.rendering, requester);
-  const RenderOptions options = options_of(asked, *scene, service);
+  const RenderOptions options = checked_options(asked, *scene, service.rendering.limits);
   Pool& pool = service.rendering.pool;
   World world = service.rendering.geometries.compile(
       scene, pool.workers(pool.threads(), requester.stop, &flow));

@@ -40,19 +40,20 @@ Plan plan_of(const PictureRequest& asked, const RenderContext& context,
              const Requester& requester) {
   check_size(asked.width, asked.height, context.limits);
   const KnownScene scene = scene_of(asked, context, requester);
-  RenderOptions options = options_of(asked, *scene, context);
+  const SceneOptions in_effect = options_in_effect(scene->options, asked);
+  RenderOptions options = options_of(in_effect, context.limits);
   options.threads =
       std::min(asked.threads.value_or(context.pool.threads()), context.pool.threads());
   const Window window = asked.window();
   check_rays(static_cast<std::int64_t>(window.width()) * window.height(),
              least_samples(options.samples, options.threshold), context.limits);
-  Plan plan{
-      .scene = scene,
-      .view = view_of(scene->camera, asked.width, asked.height),
-      .window = window,
-      .options = options,
-      .display = {display_of(options.integrator), asked.transfer.value_or(scene->options.transfer)},
-      .format = asked.format};
+  Plan plan{.scene = scene,
+            .view = view_of(scene->camera, asked.width, asked.height),
+            .window = window,
+            .in_effect = in_effect,
+            .options = options,
+            .display = {display_of(in_effect.integrator), in_effect.transfer},
+            .format = asked.format};
   const std::size_t objects = scene.objects.bytes <= most_told_bytes ? scene.objects.bytes : 0;
   std::tie(plan.recipe, plan.cost_key) = context.go_through(scene.others + objects, requester, [&] {
     return std::pair(recipe_of(asked, plan), cost_key_of(plan));

@@ -14,6 +14,7 @@ struct Plan {
   KnownScene scene;
   View view;
   Window window;
+  SceneOptions in_effect;  ///< the scene's options, or what the request says instead
   RenderOptions options;
   DisplayRule display;
   Format format = Format::png;

@@ -3,6 +3,7 @@
 #include "core/film/png_chunk.h"
 #include "core/film/png_text.h"
 #include "core/input/json.h"
+#include "core/version.h"
 #include "server/stores/digest.h"
 
 namespace tia::server {
@@ -19,19 +20,6 @@ struct SmallFields {
       to.*member = from.*member;
   }
 };
-
-// As they hold for this picture, whether the request or the scene has said so.
-SceneOptions options_in_effect(const Plan& plan) {
-  SceneOptions options = plan.scene->options;
-  options.integrator = plan.options.integrator;
-  options.transfer = plan.display.transfer;
-  options.samples = options.threshold = std::nullopt;
-  if (plan.options.samples != 1) options.samples = plan.options.samples;
-  if (plan.options.threshold != 0) options.threshold = plan.options.threshold;
-  options.max_depth = plan.options.max_depth;
-  options.seed = plan.options.seed;
-  return options;
-}
 
 // Keys change no byte of the picture: they are told for who goes on from it, unless they are long.
 bool has_long_keys(const Scene& scene) {
@@ -50,7 +38,7 @@ Value told_scene(const Plan& plan) {
   const ObjectsName& objects = plan.scene.objects;
   Scene told;
   Scene::fields(SmallFields{*plan.scene, told});
-  told.options = options_in_effect(plan);
+  told.options = plan.in_effect;
   if (has_long_keys(told)) told.keys.clear();
   const bool small = objects.bytes <= most_told_bytes;
   if (small) {

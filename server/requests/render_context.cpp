@@ -70,19 +70,15 @@ KnownScene scene_of(const ViewRequest& asked, const RenderContext& context,
   });
 }
 
-RenderOptions options_of(const TraceRequest& asked, const Scene& scene,
-                         const RenderContext& context) {
-  const SceneOptions& own = scene.options;
+RenderOptions options_of(const SceneOptions& in_effect, const Limits& limits) {
   RenderOptions options;
-  options.integrator = asked.integrator.value_or(own.integrator);
-  options.max_depth = asked.max_depth.value_or(own.max_depth);
-  if (averages(options.integrator)) {
-    options.samples = asked.samples ? *asked.samples : own.samples.value_or(1);
-    options.threshold = asked.threshold ? *asked.threshold : own.threshold.value_or(0);
-  }
-  options.seed = asked.seed.value_or(own.seed);
-  options.max_rays = context.limits.max_rays;
-  options.max_work = context.limits.max_work;
+  options.integrator = in_effect.integrator;
+  options.max_depth = in_effect.max_depth;
+  options.samples = in_effect.samples.value_or(1);
+  options.threshold = in_effect.threshold.value_or(0);
+  options.seed = in_effect.seed;
+  options.max_rays = limits.max_rays;
+  options.max_work = limits.max_work;
   return options;
 }
 

@@ -49,8 +49,7 @@ KnownScene find_scene(const std::string& name, const RenderContext& context,
 KnownScene scene_of(const ViewRequest& asked, const RenderContext& context,
                     const Requester& requester);
 
-/// How the scene's light is traced: as the request says, else as the scene does.
-RenderOptions options_of(const TraceRequest& asked, const Scene& scene,
-                         const RenderContext& context);
+/// How light is traced by options in effect, within the limits.
+RenderOptions options_of(const SceneOptions& in_effect, const Limits& limits);
 
 }  // namespace tia::server

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 
 #include "core/scene/scene.h"
@@ -71,5 +72,30 @@ struct TraceRequest : ViewRequest {
                .max = SceneOptions::last_seed});
   }
 };
+
+template <class T>
+void replace(T& option, const std::optional<T>& asked) {
+  if (asked) option = *asked;
+}
+template <class T>
+void replace(std::optional<T>& option, const std::optional<T>& asked) {
+  if (asked) option = asked;
+}
+
+/// The scene's options, with what the request says in place of those of the same name; without
+/// what has no effect then.
+template <class Request>
+SceneOptions options_in_effect(SceneOptions options, const Request& asked) {
+  SceneOptions::fields([&](std::string_view name, auto option, const Spec&) {
+    Request::fields([&](std::string_view parameter, auto member, const Spec&) {
+      if constexpr (requires { replace(options.*option, asked.*member); })
+        if (name == parameter) replace(options.*option, asked.*member);
+    });
+  });
+  if (!averages(options.integrator)) options.samples = options.threshold = std::nullopt;
+  if (options.samples == 1) options.samples = std::nullopt;
+  if (options.threshold == 0) options.threshold = std::nullopt;
+  return options;
+}
 
 }  // namespace tia::server

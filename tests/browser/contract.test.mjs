@@ -5,6 +5,7 @@ import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { Validator } from '@seriousme/openapi-schema-validator';
 import { Ajv2020 } from 'ajv/dist/2020.js';
+import { PARAMETERS } from '../../web/state/request.js';
 import { startTia } from './tia.mjs';
 
 let tia, openapi, ajv;
@@ -37,6 +38,12 @@ test('is refused by that schema where anything that it needs is missing', async 
     const { valid } = await new Validator().validate(broken);
     assert.ok(!valid, path);
   }
+});
+
+test('names the parameters that the page knows, and those that are none of a picture’s own', () => {
+  const names = openapi.paths['/render'].get.parameters.filter(({ in: place }) => place === 'query')
+    .map(({ name }) => name);
+  assert.deepEqual(names.toSorted(), [...PARAMETERS, 'format', 'threads', 'v'].toSorted());
 });
 
 test('holds no schema that ajv does not take as JSON Schema 2020-12', () => {
