@@ -1,12 +1,24 @@
-// The thread's compressor, for all that is compressed here.
+// The compressors of all that is compressed here.
 #pragma once
 
 struct libdeflate_compressor;
 
 namespace tia {
 
-/// libdeflate's, level 2. Its tables are large: one for each thread, kept.
-/// Errors: std::bad_alloc.
-libdeflate_compressor& compressor();
+/// Compressor: libdeflate's, level 2, lent while this lives. Its tables are 656 KiB, so that they
+/// are made for those who compress at once, not for each thread that ever does, and some are kept.
+class Compressor {
+ public:
+  /// Errors: std::bad_alloc.
+  Compressor();
+  ~Compressor();
+  Compressor(const Compressor&) = delete;
+  Compressor& operator=(const Compressor&) = delete;
+
+  libdeflate_compressor* get() const { return lent_; }
+
+ private:
+  libdeflate_compressor* lent_;
+};
 
 }  // namespace tia

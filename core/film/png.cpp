@@ -11,21 +11,19 @@
 
 namespace {
 
-using tia::compressor;
-
 // What stb's hook has no parameter for.
 thread_local const std::stop_token* asked = nullptr;
+thread_local libdeflate_compressor* compressor = nullptr;
 thread_local unsigned char* stream = nullptr;  // what it gave, which stb forgets where it fails
 
 // stb's hook: a zlib stream in memory that STBIW_FREE can free; null on failure, or told to stop.
-// Domain: this thread has its compressor.
 unsigned char* deflate(unsigned char* data, int size, int* out_size, int) {
   if (asked->stop_requested()) return nullptr;
   const auto bytes = static_cast<std::size_t>(size);
-  const std::size_t bound = libdeflate_zlib_compress_bound(&compressor(), bytes);
+  const std::size_t bound = libdeflate_zlib_compress_bound(compressor, bytes);
   auto* out = static_cast<unsigned char*>(std::malloc(bound));
   if (out == nullptr) return nullptr;
-  const std::size_t written = libdeflate_zlib_compress(&compressor(), data, bytes, out, bound);
+  const std::size_t written = libdeflate_zlib_compress(compressor, data, bytes, out, bound);
   *out_size = static_cast<int>(written);
   return stream = out;
 }
@@ -52,7 +50,8 @@ std::string encode_png(const Image8& image, const std::stop_token& stop) {
   };
   static_cast<void>(force_filter);
   end_if_asked(stop);
-  compressor();
+  const Compressor lent;
+  compressor = lent.get();
   asked = &stop;
   stream = nullptr;
   int size = 0;

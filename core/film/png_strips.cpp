@@ -31,9 +31,11 @@ std::string header(int width, int height) {
 // A raw deflate stream of the bytes that ends, or goes on with whole bytes.
 std::string deflate(const std::uint8_t* data, std::size_t bytes, bool ends) {
   constexpr std::string_view empty("\0\0\xFF\xFF", 4);  // of a stored block, behind its 3 bits
-  const std::size_t bound = libdeflate_deflate_compress_bound(&compressor(), bytes);
+  const Compressor compressor;
+  const std::size_t bound = libdeflate_deflate_compress_bound(compressor.get(), bytes);
   const auto out = std::make_unique_for_overwrite<std::uint8_t[]>(bound + deflate_end_margin);
-  std::size_t written = libdeflate_deflate_compress(&compressor(), data, bytes, out.get(), bound);
+  std::size_t written =
+      libdeflate_deflate_compress(compressor.get(), data, bytes, out.get(), bound);
   std::string stream;
   if (!ends) {
     std::memset(out.get() + written, 0, deflate_end_margin);

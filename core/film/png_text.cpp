@@ -19,9 +19,10 @@ constexpr std::string_view text_type = "iTXt";
 constexpr std::size_t header_end = png_signature.size() + 12 + 13;  // IHDR holds 13 bytes
 
 std::string compressed(std::string_view text) {
-  std::string out(libdeflate_zlib_compress_bound(&compressor(), text.size()), '\0');
+  const Compressor compressor;
+  std::string out(libdeflate_zlib_compress_bound(compressor.get(), text.size()), '\0');
   out.resize(
-      libdeflate_zlib_compress(&compressor(), text.data(), text.size(), out.data(), out.size()));
+      libdeflate_zlib_compress(compressor.get(), text.data(), text.size(), out.data(), out.size()));
   return out;
 }
 
