@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds Tia and tests it. A step that fails does not stop the next one.
 # The last line of output is "N passed, N failed".
-#   tests/run.sh                 what a change needs: minutes
+#   tests/run.sh                 what a change needs: minutes; of steps that read nothing that has
+#                                changed since they passed it tells that
 #   tests/run.sh --full          all: other compilers and processors, sanitizers, fuzzers, coverage
 #   tests/run.sh core page       single steps, and the builds that they need
 #   tests/run.sh --list          the steps: what each protects, and how long it took last
@@ -39,14 +40,38 @@ list_steps() {
   local row name took
   for row in "${steps[@]}"; do
     name=$(field 1 "$row")
-    took=$(cat "build/steps/$name" 2>/dev/null || echo '-')
+    took=$(cut -d' ' -f1 "build/steps/$name" 2>/dev/null || echo '-')
     printf '%-11s %-7s %6s s  %s\n' "$name" "$(field 2 "$row")" "$took" "$(field 4 "$row")"
   done
 }
 
+# key_of NAME: changes with every file that the step's tests are made of or read, with the system's
+# packages, and with how long the soaks are.
+key_of() {
+  local -a reads
+  read -ra reads <<< "$(reads_of "$1")"
+  {
+    echo "${SOAK:-}"
+    stat -c %Y /var/lib/dpkg/status 2> /dev/null || true
+    git ls-files -coz --exclude-standard -- CMakeLists.txt CMakePresets.json tests/*.sh "${reads[@]}" |
+      sort -zu | xargs -0 sha256sum 2>&1
+  } | sha256sum | cut -d' ' -f1
+}
+
+# is_known NAME: whether all of its tests have passed with just these files; then counts them.
+is_known() {
+  local took tests key
+  [ "$again" = no ] && [ -n "$(reads_of "$1")" ] || return 1
+  read -r took tests key 2> /dev/null < "build/steps/$1" || return 1
+  [ "$key" = "$(key_of "$1")" ] || return 1
+  passed=$((passed + tests))
+  printf '\n== %s: nothing that it reads has changed since its %d tests passed, in %d s\n' "$1" "$tests" "$took"
+}
+
 # do_step NAME: once, after those that it needs; not at all where one of them failed.
 do_step() {
-  local name=$1 row needed before start
+  local name=$1 row needed key
+  local -a before
   [ -z "${done_steps[$name]:-}" ] || return 0
   row=$(row_of "$name")
   done_steps[$name]=yes
@@ -58,15 +83,19 @@ do_step() {
       return 0
     fi
   done
+  if is_known "$name"; then return; fi
   printf '\n== %s (%d s)\n' "$name" "$SECONDS"
-  before=$failed
-  start=$SECONDS
+  before=("$passed" "$failed" "$SECONDS")
+  rm -f "build/steps/$name"
+  key=$(key_of "$name")
   "step_${name//-/_}"
-  if [ "$failed" = "$before" ]; then echo $((SECONDS - start)) > "build/steps/$name"
+  if [ "$failed" = "${before[1]}" ]; then
+    echo "$((SECONDS - before[2])) $((passed - before[0])) $key" > "build/steps/$name"
   elif is_build "$name"; then done_steps[$name]=broken; fi
 }
 
 chosen=()
+again=yes  # steps that were named, and all of them, run whatever is known
 for word in "$@"; do
   case $word in
     --list) list_steps && exit ;;
@@ -77,6 +106,7 @@ for word in "$@"; do
   esac
 done
 if [ $# = 0 ]; then
+  again=no
   for row in "${steps[@]}"; do
     [ "$(field 2 "$row")" = change ] && chosen+=("$(field 1 "$row")")
   done

@@ -21,6 +21,17 @@ steps=(
   'tsan       | full   |                  | no data race in the server'
   'arm64      | full   |                  | a processor of another kind draws the same bytes'
 )
+# reads_of NAME: the paths that a step's tests are made of, where it need not run again while they
+# and the packages are as they were.
+reads_of() {
+  case $1 in
+    server) echo 'core server web tests' ;;
+    core | memory) echo 'core server web tests :!tests/browser :!tests/deploy :!tests/pages :!*.md' ;;
+    page) echo 'core server web tests/browser tests/pages :!*.md' ;;
+    deploy) echo '. :!tests :!*.md tests/deploy' ;;
+    pages) echo '.' ;;
+  esac
+}
 is_build() { [[ $1 =~ ^(release|portable|asan)$ ]]; }
 
 # ---- what steps are made of -----------------------------------------------------------------------
