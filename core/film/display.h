@@ -25,7 +25,7 @@ struct DisplayRule {
   Transfer curve() const { return shown == FeatureDisplay::light ? transfer : Transfer::linear; }
 };
 
-/// Turns a block's numbers into what linear codes store.
-void show(FeatureDisplay shown, Block& block);
+/// Turns a tile's numbers into what linear codes store.
+void show(FeatureDisplay shown, FilmTile& tile);
 
 }  // namespace tia

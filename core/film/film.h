@@ -1,5 +1,5 @@
-// Film: where finished blocks go. Developing a block while it is still in the cache spares a pass
-// over the whole picture; blocks never overlap, so films need no lock.
+// Film: where finished tiles go. Developing a tile while it is still in the cache spares a pass
+// over the whole picture; tiles never overlap, so films need no lock.
 #pragma once
 
 #include <atomic>
@@ -16,7 +16,7 @@ namespace tia {
 class LinearFilm {
  public:
   LinearFilm(int width, int height) : image_(width, height) {}
-  void put(const Block& block);
+  void put(const FilmTile& tile);
   const Image& image() const& { return image_; }
   Image image() && { return std::move(image_); }
 
@@ -32,7 +32,7 @@ class DisplayFilm {
       : DisplayFilm(width, height, DisplayRule{FeatureDisplay::light, transfer}) {}
   DisplayFilm(int width, int height, const DisplayRule& rule)
       : image_(width, height), rule_(rule) {}
-  void put(const Block& block);
+  void put(const FilmTile& tile);
   const Image8& image() const { return image_; }
 
  private:
@@ -40,14 +40,14 @@ class DisplayFilm {
   DisplayRule rule_;
 };
 
-/// ScanlineFilm: DisplayFilm's codes as the scanlines of a PNG. Who brings the last block of a band
+/// ScanlineFilm: DisplayFilm's codes as the scanlines of a PNG. Who brings the last tile of a band
 /// filters its rows, still in the cache, while others trace.
-/// Domain: blocks in bands: those of equal y are equally high.
+/// Domain: tiles in bands: those of equal y are equally high.
 class ScanlineFilm {
  public:
   ScanlineFilm(int width, int height, const DisplayRule& rule)
       : scanlines_(width, height), rule_(rule), come_(static_cast<std::size_t>(height)) {}
-  void put(const Block& block);
+  void put(const FilmTile& tile);
   /// Complete once every pixel has been put.
   const Scanlines& scanlines() const { return scanlines_; }
 

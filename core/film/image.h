@@ -8,10 +8,10 @@
 
 namespace tia {
 
-/// Block: a finished rectangle of linear RGB on its way to a film, at most 32 x 32.
+/// FilmTile: a finished rectangle of linear RGB on its way to a film, at most 32 x 32.
 /// Shape: three planes of `size` rows of `size` floats, of which width x height count.
-/// Space/units: pixels; x, y is the block's corner in the film.
-struct Block {
+/// Space/units: pixels; x, y is the tile's corner in the film.
+struct FilmTile {
   static constexpr int size = 32;
   static constexpr std::size_t index(int column, int row) {
     return static_cast<std::size_t>(row) * size + static_cast<std::size_t>(column);

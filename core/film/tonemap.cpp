@@ -24,7 +24,7 @@ void store_rgb(FourPixels rgbx, std::uint8_t* to) {
 
 void develop_linear(const float* r, const float* g, const float* b, std::uint8_t* to) {
   constexpr std::size_t n = Wide::size;
-  for (std::size_t x = 0; x < Block::size; x += n) {
+  for (std::size_t x = 0; x < FilmTile::size; x += n) {
     const auto code = [x](const float* plane) {
       return to_int(scaled(Wide::load_unaligned(plane + x)));
     };
@@ -96,15 +96,15 @@ std::uint8_t encode_srgb(float light) {
   return static_cast<std::uint8_t>(code + (light >= srgb.threshold[code + 1] ? 1 : 0));
 }
 
-void develop_row(const Block& block, int y, Transfer transfer,
+void develop_row(const FilmTile& tile, int y, Transfer transfer,
                  std::span<std::uint8_t, row_codes> codes) {
-  const std::size_t row = static_cast<std::size_t>(y) * Block::size;
+  const std::size_t row = static_cast<std::size_t>(y) * FilmTile::size;
   if (transfer == Transfer::linear)
-    return develop_linear(&block.r[row], &block.g[row], &block.b[row], codes.data());
-  for (std::size_t x = 0; x < static_cast<std::size_t>(block.width); ++x) {
-    codes[3 * x] = encode_srgb(block.r[row + x]);
-    codes[3 * x + 1] = encode_srgb(block.g[row + x]);
-    codes[3 * x + 2] = encode_srgb(block.b[row + x]);
+    return develop_linear(&tile.r[row], &tile.g[row], &tile.b[row], codes.data());
+  for (std::size_t x = 0; x < static_cast<std::size_t>(tile.width); ++x) {
+    codes[3 * x] = encode_srgb(tile.r[row + x]);
+    codes[3 * x + 1] = encode_srgb(tile.g[row + x]);
+    codes[3 * x + 2] = encode_srgb(tile.b[row + x]);
   }
 }
 

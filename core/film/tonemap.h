@@ -27,10 +27,10 @@ std::uint8_t encode_srgb(float light);
 /// The linear light of an sRGB signal in [0,1]: the curve that encode_srgb inverts.
 double srgb_to_linear(double signal);
 
-/// One row of a block as interleaved RGB codes. Shape: 3 * Block::size codes and four bytes to
+/// One row of a tile as interleaved RGB codes. Shape: 3 * FilmTile::size codes and four bytes to
 /// spare, for pixels are written four at a time in 16 bytes.
-inline constexpr std::size_t row_codes = 3 * Block::size + 4;
-void develop_row(const Block& block, int y, Transfer transfer,
+inline constexpr std::size_t row_codes = 3 * FilmTile::size + 4;
+void develop_row(const FilmTile& tile, int y, Transfer transfer,
                  std::span<std::uint8_t, row_codes> codes);
 
 }  // namespace tia

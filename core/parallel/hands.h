@@ -61,8 +61,8 @@ struct Job : Turn {
 class Hands {
  public:
   using Clock = std::function<Nanoseconds()>;
-  /// Workers that may be suspended at once; one that waits keeps some 20 KiB. The parked pictures
-  /// of one client hold them: beyond these a task goes on to its end.
+  /// Workers that may be suspended at once: each keeps its stack. The parked pictures of one client
+  /// hold them: beyond these a task goes on to its end.
   static constexpr int most_suspended = 256;
 
   Hands(int threads, Clock clock);

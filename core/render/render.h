@@ -9,7 +9,7 @@
 #include "core/accel/world/world.h"
 #include "core/film/image.h"
 #include "core/parallel/pool.h"
-#include "core/render/trace_block.h"
+#include "core/render/trace_tile.h"
 #include "core/scene/limits.h"
 
 namespace tia {
@@ -26,7 +26,7 @@ struct RenderOptions {
   IntegratorName integrator = IntegratorName::thesis;
   int max_depth = SceneOptions{}.max_depth;
   int threads = 1;
-  int tile = Block::size;  ///< pixels a side, at most Block::size
+  int tile = FilmTile::size;  ///< pixels a side, at most FilmTile::size
   Scalar scalar = Scalar::wide;
   int samples = 1;       ///< rays a pixel, 1 .. 65536; 1 goes through the centre of pixel and lens
   double threshold = 0;  ///< what the standard error of a pixel may be, 0 .. 1; 0: any (Sampler)
@@ -37,13 +37,13 @@ struct RenderOptions {
   Flow* flow = nullptr;  ///< the request that it is drawn for; null: one of its own
 };
 
-/// Traces the window and hands each finished block, in window coordinates, to `develop`, from
-/// several threads at once, each pixel in exactly one block.
+/// Traces the window and hands each finished tile, in window coordinates, to `develop`, from
+/// several threads at once, each pixel in exactly one tile.
 /// Errors: Stopped when `stop` is requested; InputError of one `limit` fault, at /samples when more
 /// than max_rays are traced, at /scene when more than max_work is done. They come between tiles, or
 /// within one that takes long. What options.spent throws.
 RayCounts render(const World& world, const View& view, const Window& window,
                  const RenderOptions& options, Pool& pool, const std::stop_token& stop,
-                 const std::function<void(const Block&)>& develop);
+                 const std::function<void(const FilmTile&)>& develop);
 
 }  // namespace tia

@@ -200,7 +200,8 @@ PictureStore::Found picture_of(Plan& plan, const std::string& etag, const Reques
   wish.stop = requester.stop;
   wish.client = requester.client;
   wish.wait = [&] {
-    return std::make_shared<Admission::Place>(service.admission.wait_for_others(requester.client));
+    return std::make_shared<Admission::QueuePlace>(
+        service.admission.wait_for_others(requester.client));
   };
   wish.joined_by = [shared](const std::string& client) { shared->also_for(client); };
   return service.pictures.get(etag, wish);

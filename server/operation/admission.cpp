@@ -229,7 +229,7 @@ void Admission::leave(Entrants::iterator who) {
 
 // ---- who wait for others --------------------------------------------------------------------
 
-Admission::Place Admission::wait_for_others(const std::string& client) {
+Admission::QueuePlace Admission::wait_for_others(const std::string& client) {
   const std::lock_guard lock(mutex_);
   const int most = std::max(queue_, kinds_[light].most);
   const auto own = places_.find(client);

@@ -91,17 +91,18 @@ class Admission {
     Entrants::iterator who_{};
   };
 
-  /// Place: one in the queue, of who waits for what others do.
-  class Place {
+  /// QueuePlace: one in the queue, of who waits for what others do.
+  class QueuePlace {
    public:
-    Place(Place&& from) noexcept : from_(std::exchange(from.from_, nullptr)), place_(from.place_) {}
-    ~Place() {
+    QueuePlace(QueuePlace&& from) noexcept
+        : from_(std::exchange(from.from_, nullptr)), place_(from.place_) {}
+    ~QueuePlace() {
       if (from_ != nullptr) from_->leave_place(place_);
     }
 
    private:
     friend Admission;
-    Place(Admission* from, Places::iterator place) : from_(from), place_(place) {}
+    QueuePlace(Admission* from, Places::iterator place) : from_(from), place_(place) {}
     Admission* from_;
     Places::iterator place_;
   };
@@ -135,7 +136,7 @@ class Admission {
                              const std::stop_token& stop, Waiting* place = nullptr);
   /// A place to wait in without a ticket: as many as the queue has, of which a client may have
   /// half. Errors: HttpError (busy).
-  [[nodiscard]] Place wait_for_others(const std::string& client);
+  [[nodiscard]] QueuePlace wait_for_others(const std::string& client);
 
   int at_work() const;
   int waiting() const;

@@ -97,7 +97,7 @@ Picture draw(const Plan& plan, const RenderContext& context, const std::stop_tok
   const Nanoseconds before = flow.attained;
   const auto trace_onto = [&](auto& film) {
     picture.rays = render(world, plan.view, plan.window, plan.options, context.pool, stop,
-                          [&](const Block& block) { film.put(block); });
+                          [&](const FilmTile& tile) { film.put(tile); });
     picture.timing.trace = watch.lap_ms();
     picture.trace_seconds = static_cast<double>(flow.attained - before) * 1e-9;
   };

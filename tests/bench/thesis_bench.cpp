@@ -38,7 +38,7 @@ Film traced(int width, int height) {
   const View view = view_of(scene.camera, width, height);
   Film film(width, height, DisplayRule{FeatureDisplay::light, Transfer::linear});
   render(world, view, {0, 0, width, height}, {.threads = 2}, pool(), {},
-         [&](const Block& block) { film.put(block); });
+         [&](const FilmTile& tile) { film.put(tile); });
   return film;
 }
 
@@ -67,7 +67,7 @@ void trace(State& state) {
   DisplayFilm film(width, height, Transfer::linear);
   for (auto _ : state)
     render(world, view, {0, 0, width, height}, {.threads = threads}, pool(), {},
-           [&](const Block& block) { film.put(block); });
+           [&](const FilmTile& tile) { film.put(tile); });
 }
 BENCHMARK(trace)
     ->ArgNames({"width", "height", "threads"})

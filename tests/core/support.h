@@ -137,7 +137,7 @@ inline Picture picture(const Scene& scene, int width, int height, const Window& 
   Pool pool(options.threads);
   LinearFilm film(window.width(), window.height());
   const RayCounts rays = render(compile(scene), view_of(scene.camera, width, height), window,
-                                options, pool, {}, [&](const Block& block) { film.put(block); });
+                                options, pool, {}, [&](const FilmTile& tile) { film.put(tile); });
   return {film.image(), rays};
 }
 inline Picture picture(const Scene& scene, int width, int height,

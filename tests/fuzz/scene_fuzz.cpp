@@ -27,7 +27,7 @@ void draw(const Scene& scene) {
   options.max_rays = 4096;
   options.max_work = 1'000'000;
   render(compile(scene), view_of(scene.camera, 8, 8), {0, 0, 8, 8}, options, pool, {},
-         [](const Block&) {});
+         [](const FilmTile&) {});
 }
 
 }  // namespace

@@ -218,13 +218,13 @@ TEST(LinearMemory, IsWithinItsRowForEitherFormat) {
   const auto draw = [&](const auto& encode) {
     return use_of<std::string>([&] {
       LinearFilm film(size, size);
-      Block block;
-      block.width = block.height = Block::size;
-      for (block.y = 0; block.y < size; block.y += Block::size)
-        for (block.x = 0; block.x < size; block.x += Block::size) {
-          for (float& component : block.r) component = static_cast<float>(random.unit());
-          block.g = block.b = block.r;
-          film.put(block);
+      FilmTile tile;
+      tile.width = tile.height = FilmTile::size;
+      for (tile.y = 0; tile.y < size; tile.y += FilmTile::size)
+        for (tile.x = 0; tile.x < size; tile.x += FilmTile::size) {
+          for (float& component : tile.r) component = static_cast<float>(random.unit());
+          tile.g = tile.b = tile.r;
+          film.put(tile);
         }
       return encode(std::move(film));
     });

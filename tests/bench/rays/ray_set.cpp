@@ -5,7 +5,7 @@
 #include "core/accel/world/trace.h"
 #include "core/math/rng.h"
 #include "core/math/warp.h"
-#include "core/render/pixel_tile.h"
+#include "core/render/packet_pixels.h"
 #include "tests/bench/rays/geometry.h"
 
 namespace tia::bench {
@@ -17,10 +17,10 @@ constexpr int width = 640, height = 480;
 template <class Visit>
 void for_each_pixel(Visit visit) {
   using Patch = tia::Patch<Wide>;
-  for (int top = 0; top < height; top += Block::size)
-    for (int left = 0; left < width; left += Block::size)
-      for (int y = top; y < top + Block::size; y += Patch::height)
-        for (int x = left; x < left + Block::size; x += Patch::width)
+  for (int top = 0; top < height; top += FilmTile::size)
+    for (int left = 0; left < width; left += FilmTile::size)
+      for (int y = top; y < top + FilmTile::size; y += Patch::height)
+        for (int x = left; x < left + FilmTile::size; x += Patch::width)
           for (int i = 0; i < lanes<Wide>; ++i) visit(x + i % Patch::width, y + i / Patch::width);
 }
 

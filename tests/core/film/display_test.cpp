@@ -18,13 +18,13 @@ using Codes = std::vector<int>;
 
 // The codes of a picture of one pixel.
 Codes codes_of(const DisplayRule& rule, float r, float g, float b) {
-  Block block;
-  block.width = block.height = 1;
-  block.r[0] = r;
-  block.g[0] = g;
-  block.b[0] = b;
+  FilmTile tile;
+  tile.width = tile.height = 1;
+  tile.r[0] = r;
+  tile.g[0] = g;
+  tile.b[0] = b;
   DisplayFilm film(1, 1, rule);
-  film.put(block);
+  film.put(tile);
   return {film.image().rgb.begin(), film.image().rgb.end()};
 }
 Codes codes_of(FeatureDisplay shown, float v) { return codes_of({shown, Transfer::srgb}, v, v, v); }
@@ -81,16 +81,16 @@ TEST(Display, TheFirst256NumbersAreToldApartByEye) {
 }
 
 TEST(Display, OnlyTheBlocksOwnPixelsAreShown) {
-  Block block;
-  block.width = 3;
-  block.height = 2;
-  block.r.fill(4);
-  block.g.fill(4);
-  block.b.fill(4);
-  show(FeatureDisplay::depth, block);
-  for (std::size_t i = 0; i < block.r.size(); ++i) {
-    const bool inside = i % Block::size < 3 && i / Block::size < 2;
-    EXPECT_EQ(block.r[i], inside ? 0.2F : 4.0F);
+  FilmTile tile;
+  tile.width = 3;
+  tile.height = 2;
+  tile.r.fill(4);
+  tile.g.fill(4);
+  tile.b.fill(4);
+  show(FeatureDisplay::depth, tile);
+  for (std::size_t i = 0; i < tile.r.size(); ++i) {
+    const bool inside = i % FilmTile::size < 3 && i / FilmTile::size < 2;
+    EXPECT_EQ(tile.r[i], inside ? 0.2F : 4.0F);
   }
 }
 

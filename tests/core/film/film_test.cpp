@@ -11,28 +11,28 @@ namespace {
 
 using test::Random;
 
-// A picture of random light cut into blocks of a side.
-std::vector<Block> blocks_of(const Image& image, int side) {
-  std::vector<Block> blocks;
+// A picture of random light cut into tiles of a side.
+std::vector<FilmTile> tiles_of(const Image& image, int side) {
+  std::vector<FilmTile> tiles;
   for (int y0 = 0; y0 < image.height; y0 += side) {
     for (int x0 = 0; x0 < image.width; x0 += side) {
-      Block& block = blocks.emplace_back();
-      block.x = x0;
-      block.y = y0;
-      block.width = std::min(side, image.width - x0);
-      block.height = std::min(side, image.height - y0);
-      for (int y = 0; y < block.height; ++y) {
-        for (int x = 0; x < block.width; ++x) {
+      FilmTile& tile = tiles.emplace_back();
+      tile.x = x0;
+      tile.y = y0;
+      tile.width = std::min(side, image.width - x0);
+      tile.height = std::min(side, image.height - y0);
+      for (int y = 0; y < tile.height; ++y) {
+        for (int x = 0; x < tile.width; ++x) {
           const float* from = image.at(x0 + x, y0 + y);
-          const std::size_t i = Block::index(x, y);
-          block.r[i] = from[0];
-          block.g[i] = from[1];
-          block.b[i] = from[2];
+          const std::size_t i = FilmTile::index(x, y);
+          tile.r[i] = from[0];
+          tile.g[i] = from[1];
+          tile.b[i] = from[2];
         }
       }
     }
   }
-  return blocks;
+  return tiles;
 }
 Image random_light(int width, int height, std::uint64_t seed) {
   Random random(seed);
@@ -45,7 +45,7 @@ TEST(Film, LinearFilmKeepsEveryBitWhateverTheBlocks) {
   const Image light = random_light(101, 67, 110);
   for (const int side : {32, 31, 7, 1}) {
     LinearFilm film(light.width, light.height);
-    for (const Block& block : blocks_of(light, side)) film.put(block);
+    for (const FilmTile& tile : tiles_of(light, side)) film.put(tile);
     EXPECT_EQ(test::bits_of(film.image()), test::bits_of(light)) << side;
   }
 }
@@ -56,7 +56,7 @@ TEST(Film, DisplayFilmHoldsTheCodesOfTheLinearFilmsLight) {
     const auto encode = transfer == Transfer::linear ? encode_linear : encode_srgb;
     for (const int side : {32, 31, 7, 1}) {
       DisplayFilm film(light.width, light.height, transfer);
-      for (const Block& block : blocks_of(light, side)) film.put(block);
+      for (const FilmTile& tile : tiles_of(light, side)) film.put(tile);
       ASSERT_EQ(film.image().rgb.size(), light.rgb.size());
       for (std::size_t i = 0; i < light.rgb.size(); ++i)
         ASSERT_EQ(film.image().rgb[i], encode(light.rgb[i])) << side << ": " << i;
@@ -81,19 +81,19 @@ TEST(Film, ScanlineFilmHoldsTheDisplayFilmsRowsFiltered) {
   for (const auto& [width, height] : {std::pair{1, 1}, {1, 40}, {22, 3}, {101, 67}, {400, 33}}) {
     const Image light = random_light(width, height, 112);
     DisplayFilm codes(width, height, rule);
-    for (const Block& block : blocks_of(light, 32)) codes.put(block);
+    for (const FilmTile& tile : tiles_of(light, 32)) codes.put(tile);
     const std::vector<std::uint8_t> expected = filtered(codes.image());
     for (const int side : {32, 31, 7, 1}) {
-      std::vector<Block> blocks = blocks_of(light, side);
+      std::vector<FilmTile> tiles = tiles_of(light, side);
       for (int turn = 0; turn < 3; ++turn) {
         ScanlineFilm film(width, height, rule);
-        for (const Block& block : blocks) film.put(block);
+        for (const FilmTile& tile : tiles) film.put(tile);
         const Scanlines& lines = film.scanlines();
         ASSERT_EQ(lines.size(), expected.size());
         EXPECT_TRUE(std::equal(expected.begin(), expected.end(), lines.data())) << side;
-        std::rotate(blocks.begin(), blocks.begin() + static_cast<std::ptrdiff_t>(blocks.size() / 2),
-                    blocks.end());
-        if (turn == 1) std::ranges::reverse(blocks);
+        std::rotate(tiles.begin(), tiles.begin() + static_cast<std::ptrdiff_t>(tiles.size() / 2),
+                    tiles.end());
+        if (turn == 1) std::ranges::reverse(tiles);
       }
     }
   }
@@ -101,15 +101,15 @@ TEST(Film, ScanlineFilmHoldsTheDisplayFilmsRowsFiltered) {
 
 TEST(Film, ScanlinesAreTheSameHoweverManyThreadsPutTheirBlocks) {
   const Image light = random_light(333, 217, 113);
-  const std::vector<Block> blocks = blocks_of(light, 16);
+  const std::vector<FilmTile> tiles = tiles_of(light, 16);
   DisplayFilm codes(333, 217, Transfer::srgb);
-  for (const Block& block : blocks) codes.put(block);
+  for (const FilmTile& tile : tiles) codes.put(tile);
   const std::vector<std::uint8_t> expected = filtered(codes.image());
   Pool pool(5);
   for (int turn = 0; turn < 20; ++turn) {
     ScanlineFilm film(333, 217, {FeatureDisplay::light, Transfer::srgb});
-    pool.for_each(static_cast<int>(blocks.size()), 5, {},
-                  [&](int i) { film.put(blocks[static_cast<std::size_t>(i)]); });
+    pool.for_each(static_cast<int>(tiles.size()), 5, {},
+                  [&](int i) { film.put(tiles[static_cast<std::size_t>(i)]); });
     EXPECT_TRUE(std::equal(expected.begin(), expected.end(), film.scanlines().data()));
   }
 }

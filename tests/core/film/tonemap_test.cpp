@@ -141,29 +141,29 @@ TEST(Tonemap, RowsAreDevelopedLikeSingleValues) {
   for (const Transfer transfer : {Transfer::linear, Transfer::srgb}) {
     const auto encode = transfer == Transfer::linear ? encode_linear : encode_srgb;
     for (int round = 0; round < 2000; ++round) {
-      Block block;
-      block.width = 1 + random.below(Block::size);
-      block.height = Block::size;
-      const int y = random.below(Block::size);
-      const std::size_t row = static_cast<std::size_t>(y * Block::size);
-      block.r.fill(nan_float);
-      block.g.fill(nan_float);
-      block.b.fill(nan_float);
+      FilmTile tile;
+      tile.width = 1 + random.below(FilmTile::size);
+      tile.height = FilmTile::size;
+      const int y = random.below(FilmTile::size);
+      const std::size_t row = static_cast<std::size_t>(y * FilmTile::size);
+      tile.r.fill(nan_float);
+      tile.g.fill(nan_float);
+      tile.b.fill(nan_float);
       const auto light = [&] {
         return random.chance(0.1) ? special[static_cast<std::size_t>(random.below(6))]
                                   : any_light(random);
       };
-      for (std::size_t x = 0; x < static_cast<std::size_t>(block.width); ++x) {
-        block.r[row + x] = light();
-        block.g[row + x] = light();
-        block.b[row + x] = light();
+      for (std::size_t x = 0; x < static_cast<std::size_t>(tile.width); ++x) {
+        tile.r[row + x] = light();
+        tile.g[row + x] = light();
+        tile.b[row + x] = light();
       }
       std::array<std::uint8_t, row_codes> codes{};
-      develop_row(block, y, transfer, codes);
-      for (std::size_t x = 0; x < static_cast<std::size_t>(block.width); ++x) {
-        ASSERT_EQ(codes[3 * x], encode(block.r[row + x])) << block.r[row + x];
-        ASSERT_EQ(codes[3 * x + 1], encode(block.g[row + x])) << block.g[row + x];
-        ASSERT_EQ(codes[3 * x + 2], encode(block.b[row + x])) << block.b[row + x];
+      develop_row(tile, y, transfer, codes);
+      for (std::size_t x = 0; x < static_cast<std::size_t>(tile.width); ++x) {
+        ASSERT_EQ(codes[3 * x], encode(tile.r[row + x])) << tile.r[row + x];
+        ASSERT_EQ(codes[3 * x + 1], encode(tile.g[row + x])) << tile.g[row + x];
+        ASSERT_EQ(codes[3 * x + 2], encode(tile.b[row + x])) << tile.b[row + x];
       }
     }
   }

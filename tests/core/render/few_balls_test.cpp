@@ -4,7 +4,7 @@
 
 #include <numeric>
 
-#include "core/render/trace_block.h"
+#include "core/render/trace_tile.h"
 #include "tests/core/accel/worlds.h"
 
 namespace tia {
@@ -19,7 +19,7 @@ Picture traced(World world, const Scene& scene, bool fast, const RenderOptions& 
   Pool pool(1);
   LinearFilm film(width, height);
   const RayCounts rays = render(world, view_of(scene.camera, width, height), {0, 0, width, height},
-                                options, pool, {}, [&](const Block& block) { film.put(block); });
+                                options, pool, {}, [&](const FilmTile& tile) { film.put(tile); });
   return {film.image(), rays};
 }
 

@@ -107,7 +107,7 @@ TEST(MixedPicture, IsTheOneWithoutAnIndex) {
   const auto image_of = [&](const World& each, IntegratorName integrator) {
     LinearFilm film(40, 30);
     render(each, view, {0, 0, 40, 30}, options_for(integrator), pool, {},
-           [&](const Block& block) { film.put(block); });
+           [&](const FilmTile& tile) { film.put(tile); });
     return film.image();
   };
   for (const IntegratorName integrator : integrators()) {

@@ -15,7 +15,7 @@ using test::bits_of;
 using test::picture;
 using test::Random;
 
-RenderOptions options_of(Scalar scalar, int threads = 1, int tile = Block::size) {
+RenderOptions options_of(Scalar scalar, int threads = 1, int tile = FilmTile::size) {
   RenderOptions options;
   options.scalar = scalar;
   options.threads = threads;
@@ -70,7 +70,7 @@ TEST(Render, ThreadsAndTilesNeverChangeAByte) {
     expect_same_bytes_on_any_tile(test::random_scene(seed, 30), {1, 7});
 }
 
-// What a block leaves out depends on its tile; a pixel must not, though the float rays stray from
+// What a tile leaves out depends on which it is; a pixel must not, though the float rays stray from
 // the exact ones: far from the origin, where the eye itself is rounded ...
 TEST(Render, TilesNeverChangeAByteHoweverFarOutTheEye) {
   for (const double far : {1e5, 1e7, 1e8}) {
@@ -145,9 +145,9 @@ TEST(Render, BlocksCoverTheWindowOnceAndStandInItsCoordinates) {
   std::set<std::pair<int, int>> seen;
   Pool pool(1);
   render(compile(scene), view_of(scene.camera, 300, 200), window, options_of(Scalar::wide, 1, 16),
-         pool, {}, [&](const Block& block) {
-           for (int y = block.y; y < block.y + block.height; ++y)
-             for (int x = block.x; x < block.x + block.width; ++x)
+         pool, {}, [&](const FilmTile& tile) {
+           for (int y = tile.y; y < tile.y + tile.height; ++y)
+             for (int x = tile.x; x < tile.x + tile.width; ++x)
                EXPECT_TRUE(seen.emplace(x, y).second) << x << ", " << y;
          });
   EXPECT_EQ(seen.size(), static_cast<std::size_t>(window.width() * window.height()));
@@ -170,7 +170,7 @@ Image8 thesis_codes(char key, int width, int height) {
   DisplayFilm film(width, height, Transfer::srgb);
   Pool pool(1);
   render(compile(scene), view_of(scene.camera, width, height), {0, 0, width, height}, {}, pool, {},
-         [&](const Block& block) { film.put(block); });
+         [&](const FilmTile& tile) { film.put(tile); });
   return film.image();
 }
 using Pixel = std::array<std::uint8_t, 3>;

@@ -186,7 +186,7 @@ TEST(Samples, LimitAndStopAreSeenWithinOneTile) {
   Pool pool(1);
   RenderOptions options = sampling(65536);
   options.max_rays = 1000;
-  const auto nothing = [](const Block&) {};
+  const auto nothing = [](const FilmTile&) {};
   EXPECT_THROW(render(world, view, {0, 0, 32, 32}, options, pool, {}, nothing), InputError);
 
   RayCounts many;

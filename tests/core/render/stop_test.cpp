@@ -28,12 +28,12 @@ TEST(Stop, FromInsideABlockNoThreadBeginsAnother) {
     std::atomic<int> developed = 0;
     EXPECT_THROW(
         render(subject.world, subject.view, subject.all, threads(count), pool, source.get_token(),
-               [&](const Block&) {
+               [&](const FilmTile&) {
                  ++developed;
                  source.request_stop();
                }),
         Stopped);
-    // Each thread may have been at one block when the word came; there are 300.
+    // Each thread may have been at one tile when the word came; there are 300.
     EXPECT_LE(developed, count);
     EXPECT_GE(developed, 1);
   }
@@ -46,7 +46,7 @@ TEST(Stop, BeforeTheStartNothingIsTraced) {
   source.request_stop();
   std::atomic<int> developed = 0;
   EXPECT_THROW(render(subject.world, subject.view, subject.all, threads(3), pool,
-                      source.get_token(), [&](const Block&) { ++developed; }),
+                      source.get_token(), [&](const FilmTile&) { ++developed; }),
                Stopped);
   EXPECT_EQ(developed, 0);
 }
@@ -57,13 +57,13 @@ TEST(Stop, PoolRendersTheNextPictureAsIfNothingHadHappened) {
   LinearFilm before(640, 480), after(640, 480);
   const auto expose = [&](LinearFilm& film) {
     return render(subject.world, subject.view, subject.all, threads(3), pool, {},
-                  [&](const Block& block) { film.put(block); });
+                  [&](const FilmTile& tile) { film.put(tile); });
   };
   const RayCounts rays = expose(before);
   for (int i = 0; i < 20; ++i) {
     std::stop_source source;
     EXPECT_THROW(render(subject.world, subject.view, subject.all, threads(3), pool,
-                        source.get_token(), [&](const Block&) { source.request_stop(); }),
+                        source.get_token(), [&](const FilmTile&) { source.request_stop(); }),
                  Stopped);
   }
   EXPECT_EQ(expose(after), rays);
@@ -75,8 +75,8 @@ TEST(Stop, WhatDevelopThrowsReachesTheCaller) {
   for (const int count : {1, 4}) {
     Pool pool(count);
     EXPECT_THROW(render(subject.world, subject.view, subject.all, threads(count), pool, {},
-                        [](const Block& block) {
-                          if (block.x == 320) throw std::runtime_error("disk full");
+                        [](const FilmTile& tile) {
+                          if (tile.x == 320) throw std::runtime_error("disk full");
                         }),
                  std::runtime_error);
   }

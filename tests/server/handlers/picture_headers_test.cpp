@@ -24,7 +24,7 @@ RayCounts traced(const Vec3d& light, int width, int height, Scalar scalar) {
   const World world = compile(scene);
   const RenderOptions options{.scalar = scalar};
   return render(world, view_of(scene.camera, width, height), {0, 0, width, height}, options,
-                host().pool(), {}, [](const Block&) {});
+                host().pool(), {}, [](const FilmTile&) {});
 }
 
 TEST(TiaRays, AnUnlitPictureHasOnePrimaryRayAPixelAndNoOther) {

@@ -290,7 +290,7 @@ TEST(Admission, AFullQueueOfEqualsMakesNoRoom) {
 
 TEST(Admission, WhoWaitsForOthersTakesAPlaceOfItsOwnKind) {
   Admission admission({.tickets = 1, .queue = 2});
-  auto one = std::make_unique<Admission::Place>(admission.wait_for_others(""));
+  auto one = std::make_unique<Admission::QueuePlace>(admission.wait_for_others(""));
   const auto other = admission.wait_for_others("");
   EXPECT_EQ(admission.waiting(), 2);
   EXPECT_THROW(static_cast<void>(admission.wait_for_others("")), HttpError);
@@ -306,7 +306,7 @@ TEST(Admission, WhoWaitsForOthersTakesAPlaceOfItsOwnKind) {
 TEST(Admission, OfThePlacesForOthersAClientMayHaveHalf) {
   Admission admission({.tickets = 1, .queue = 4});
   const auto one = admission.wait_for_others("a");
-  auto two = std::make_unique<Admission::Place>(admission.wait_for_others("a"));
+  auto two = std::make_unique<Admission::QueuePlace>(admission.wait_for_others("a"));
   EXPECT_THROW(static_cast<void>(admission.wait_for_others("a")), HttpError);
   const auto other = admission.wait_for_others("b");
   two.reset();

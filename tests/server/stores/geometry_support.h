@@ -65,7 +65,7 @@ inline std::vector<float> pixels_of(const World& world, const Scene& scene) {
   options.integrator = IntegratorName::whitted;
   options.max_depth = 3;
   render(world, view_of(scene.camera, width, height), {0, 0, width, height}, options, host().pool(),
-         {}, [&](const Block& block) { film.put(block); });
+         {}, [&](const FilmTile& tile) { film.put(tile); });
   return film.image().rgb;
 }
 

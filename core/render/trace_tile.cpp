@@ -1,4 +1,4 @@
-#include "core/render/trace_block.h"
+#include "core/render/trace_tile.h"
 
 #include <algorithm>
 #include <numeric>
@@ -6,17 +6,17 @@
 
 #include "core/integrators/integrator.h"
 #include "core/integrators/whitted.h"
-#include "core/render/pixel_tile.h"
+#include "core/render/packet_pixels.h"
 
 namespace tia {
 namespace {
 
-// One block's rays through a world view.
+// One tile's rays through a world view.
 template <class Real, class AnyWorldView>
 class Tracer {
  public:
-  Tracer(const Shot& shot, int x0, int y0, const Block& block)
-      : eye(shot.view), shot_(shot), world_view_{world_view_of(shot, x0, y0, block)} {}
+  Tracer(const Shot& shot, int x0, int y0, const FilmTile& tile)
+      : eye(shot.view), shot_(shot), world_view_{world_view_of(shot, x0, y0, tile)} {}
 
   Vec3<Real> light(const Ray<Real>& ray, Mask<Real> active,
                    const SamplerState<Real>& sampler_state) {
@@ -34,9 +34,9 @@ class Tracer {
     shot_.meter.add_work(work);
     shot_.meter.add(rays());
   }
-  AnyWorldView world_view_of(const Shot& shot, int x0, int y0, const Block& block) {
+  AnyWorldView world_view_of(const Shot& shot, int x0, int y0, const FilmTile& tile) {
     if constexpr (std::is_same_v<AnyWorldView, FewBallsView>) {
-      const Beam beam(shot.view, x0, y0, x0 + block.width, y0 + block.height);
+      const Beam beam(shot.view, x0, y0, x0 + tile.width, y0 + tile.height);
       return {shot.world, candidates(shot.world, beam)};
     } else {
       return {shot.world, WorkCounter([this](std::int64_t work) { spent(work); }),
@@ -51,33 +51,33 @@ class Tracer {
 // ---- one ray a pixel of a perspective view, as for most pictures --------------------------------
 
 template <class Real, class AnyWorldView>
-[[gnu::flatten]] void trace_centers(const Shot& shot, int x0, int y0, Block& block) {
-  using PixelTile = tia::PixelTile<Real>;
+[[gnu::flatten]] void trace_centers(const Shot& shot, int x0, int y0, FilmTile& tile) {
+  using PacketPixels = tia::PacketPixels<Real>;
   constexpr bool draws_much = std::is_same_v<AnyWorldView, WorldView>;
   SamplerState<Real> sampler_state;
   sampler_state.key = shot.sampler.key();
-  Tracer<Real, AnyWorldView> tracer(shot, x0, y0, block);
+  Tracer<Real, AnyWorldView> tracer(shot, x0, y0, tile);
   const Vec3<Real> origin = lift<Real>(shot.view.origin);
-  const Real column_of = PixelTile::column(), row_of = PixelTile::row();
+  const Real column_of = PacketPixels::column(), row_of = PacketPixels::row();
   const auto number = [](int i) { return Real(static_cast<float>(i)); };
-  std::array<Vec3<Real>, Block::size / PixelTile::width> columns;
-  for (int x = 0; x < block.width; x += PixelTile::width)
-    columns[static_cast<std::size_t>(x / PixelTile::width)] =
+  std::array<Vec3<Real>, FilmTile::size / PacketPixels::width> columns;
+  for (int x = 0; x < tile.width; x += PacketPixels::width)
+    columns[static_cast<std::size_t>(x / PacketPixels::width)] =
         shot.view.column(number(x0 + x) + column_of);
 
-  for (int y = 0; y < block.height; y += PixelTile::height) {
+  for (int y = 0; y < tile.height; y += PacketPixels::height) {
     const Vec3<Real> row = shot.view.row(number(y0 + y) + row_of);
-    const Mask<Real> rows = row_of < number(block.height - y);
-    for (int x = 0; x < block.width; x += PixelTile::width) {
-      const Vec3<Real>& column = columns[static_cast<std::size_t>(x / PixelTile::width)];
-      const Mask<Real> active = rows && column_of < number(block.width - x);
-      if constexpr (draws_much) PixelTile::number(x0 + x, y0 + y, sampler_state);
+    const Mask<Real> rows = row_of < number(tile.height - y);
+    for (int x = 0; x < tile.width; x += PacketPixels::width) {
+      const Vec3<Real>& column = columns[static_cast<std::size_t>(x / PacketPixels::width)];
+      const Mask<Real> active = rows && column_of < number(tile.width - x);
+      if constexpr (draws_much) PacketPixels::number(x0 + x, y0 + y, sampler_state);
       const Vec3<Real> light =
           tracer.light({origin, normalize(column + row)}, active, sampler_state);
-      const std::size_t i = Block::index(x, y);
-      PixelTile::store(light.x, &block.r[i]);
-      PixelTile::store(light.y, &block.g[i]);
-      PixelTile::store(light.z, &block.b[i]);
+      const std::size_t i = FilmTile::index(x, y);
+      PacketPixels::store(light.x, &tile.r[i]);
+      PacketPixels::store(light.y, &tile.g[i]);
+      PacketPixels::store(light.z, &tile.b[i]);
     }
   }
   shot.meter.add(tracer.rays());
@@ -99,7 +99,7 @@ struct Estimate {
   }
 };
 
-// Several pixels of a block, one in each lane; the first one again in the lanes left over.
+// Several pixels of a tile, one in each lane; the first one again in the lanes left over.
 template <class Real>
 struct Pixels {
   static constexpr auto size = static_cast<std::size_t>(lanes<Real>);
@@ -189,25 +189,25 @@ template <class Real, class AnyWorldView>
 }
 
 // The pixels' means.
-void develop(const std::vector<Estimate>& estimates, Block& block) {
+void develop(const std::vector<Estimate>& estimates, FilmTile& tile) {
   for (std::size_t i = 0; i < estimates.size(); ++i) {
     const Estimate& estimate = estimates[i];
-    const int x = static_cast<int>(i) % block.width, y = static_cast<int>(i) / block.width;
-    const std::size_t at = Block::index(x, y);
-    block.r[at] = static_cast<float>(estimate.light.x / estimate.count);
-    block.g[at] = static_cast<float>(estimate.light.y / estimate.count);
-    block.b[at] = static_cast<float>(estimate.light.z / estimate.count);
+    const int x = static_cast<int>(i) % tile.width, y = static_cast<int>(i) / tile.width;
+    const std::size_t at = FilmTile::index(x, y);
+    tile.r[at] = static_cast<float>(estimate.light.x / estimate.count);
+    tile.g[at] = static_cast<float>(estimate.light.y / estimate.count);
+    tile.b[at] = static_cast<float>(estimate.light.z / estimate.count);
   }
 }
 
-// The block's pixels, patch by patch.
+// The tile's pixels, patch by patch.
 template <class Real>
-std::vector<int> in_patches(const Block& block) {
-  constexpr int w = PixelTile<Real>::width, h = PixelTile<Real>::height;
-  std::vector<int> pixels(static_cast<std::size_t>(block.width * block.height));
+std::vector<int> in_patches(const FilmTile& tile) {
+  constexpr int w = PacketPixels<Real>::width, h = PacketPixels<Real>::height;
+  std::vector<int> pixels(static_cast<std::size_t>(tile.width * tile.height));
   std::iota(pixels.begin(), pixels.end(), 0);
   const auto place = [&](int pixel) {
-    const int x = pixel % block.width, y = pixel / block.width;
+    const int x = pixel % tile.width, y = pixel / tile.width;
     return std::tuple(y / h, x / w, pixel);
   };
   std::ranges::sort(pixels, {}, place);
@@ -215,10 +215,10 @@ std::vector<int> in_patches(const Block& block) {
 }
 
 template <class Real, class AnyWorldView>
-void trace_samples(const Shot& shot, int x0, int y0, Block& block) {
-  Tracer<Real, AnyWorldView> tracer(shot, x0, y0, block);
-  std::vector<Estimate> estimates(static_cast<std::size_t>(block.width * block.height));
-  std::vector<int> unsettled = in_patches<Real>(block);
+void trace_samples(const Shot& shot, int x0, int y0, FilmTile& tile) {
+  Tracer<Real, AnyWorldView> tracer(shot, x0, y0, tile);
+  std::vector<Estimate> estimates(static_cast<std::size_t>(tile.width * tile.height));
+  std::vector<int> unsettled = in_patches<Real>(tile);
   for (int round = 0; round < shot.sampler.rounds() && !unsettled.empty(); ++round) {
     for (std::size_t begin = 0; begin < unsettled.size(); begin += Pixels<Real>::size) {
       Pixels<Real> pixels;
@@ -226,8 +226,8 @@ void trace_samples(const Shot& shot, int x0, int y0, Block& block) {
       for (std::size_t i = 0; i < Pixels<Real>::size; ++i) {
         const int pixel = unsettled[begin + (i < pixels.count ? i : 0)];
         pixels.estimates[i] = &estimates[static_cast<std::size_t>(pixel)];
-        pixels.x[i] = static_cast<std::uint32_t>(x0 + pixel % block.width);
-        pixels.y[i] = static_cast<std::uint32_t>(y0 + pixel / block.width);
+        pixels.x[i] = static_cast<std::uint32_t>(x0 + pixel % tile.width);
+        pixels.y[i] = static_cast<std::uint32_t>(y0 + pixel / tile.width);
       }
       trace_round(shot, round, tracer, pixels);
     }
@@ -236,32 +236,32 @@ void trace_samples(const Shot& shot, int x0, int y0, Block& block) {
     });
   }
   shot.meter.add(tracer.rays());
-  develop(estimates, block);
+  develop(estimates, tile);
 }
 
 template <class Real, class AnyWorldView>
-void trace(const Shot& shot, int x0, int y0, Block& block) {
+void trace(const Shot& shot, int x0, int y0, FilmTile& tile) {
   if (shot.sampler.centered() && !shot.view.orthographic())
-    trace_centers<Real, AnyWorldView>(shot, x0, y0, block);
-  else trace_samples<Real, AnyWorldView>(shot, x0, y0, block);
+    trace_centers<Real, AnyWorldView>(shot, x0, y0, tile);
+  else trace_samples<Real, AnyWorldView>(shot, x0, y0, tile);
 }
 
 // In worlds of few plain balls, as the thesis has, each ray is tried on all of them, without a
 // tree.
 template <class Real>
-void trace(const Shot& shot, int x0, int y0, Block& block) {
+void trace(const Shot& shot, int x0, int y0, FilmTile& tile) {
   if (shot.world.few_balls && row_of(shot.integrator).is_whitted)
-    trace<Real, FewBallsView>(shot, x0, y0, block);
-  else trace<Real, WorldView>(shot, x0, y0, block);
+    trace<Real, FewBallsView>(shot, x0, y0, tile);
+  else trace<Real, WorldView>(shot, x0, y0, tile);
 }
 
 }  // namespace
 
-void trace_block(const Shot& shot, Scalar scalar, int x0, int y0, Block& block) {
+void trace_tile(const Shot& shot, Scalar scalar, int x0, int y0, FilmTile& tile) {
   switch (scalar) {
-    case Scalar::narrow: return trace<float>(shot, x0, y0, block);
-    case Scalar::exact: return trace<double>(shot, x0, y0, block);
-    case Scalar::wide: return trace<Wide>(shot, x0, y0, block);
+    case Scalar::narrow: return trace<float>(shot, x0, y0, tile);
+    case Scalar::exact: return trace<double>(shot, x0, y0, tile);
+    case Scalar::wide: return trace<Wide>(shot, x0, y0, tile);
   }
 }
 

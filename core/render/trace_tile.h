@@ -1,4 +1,4 @@
-// Traces one block of a picture, in any of the three scalars.
+// Traces one tile of a picture, in any of the three scalars.
 #pragma once
 
 #include "core/film/image.h"
@@ -11,7 +11,7 @@ namespace tia {
 /// one ray at a time, `exact` traces in double, for tests and explanations.
 enum class Scalar { wide, narrow, exact };
 
-/// What all blocks of a picture share.
+/// What all tiles of a picture share.
 struct Shot {
   const World& world;
   const View& view;  ///< in world space
@@ -21,8 +21,8 @@ struct Shot {
   RayMeter& meter;
 };
 
-/// Fills the block's pixels, whose corner is pixel (x0, y0) of the picture, and counts their rays.
+/// Fills the tile's pixels, whose corner is pixel (x0, y0) of the picture, and counts their rays.
 /// Errors: the meter's.
-void trace_block(const Shot& shot, Scalar scalar, int x0, int y0, Block& block);
+void trace_tile(const Shot& shot, Scalar scalar, int x0, int y0, FilmTile& tile);
 
 }  // namespace tia

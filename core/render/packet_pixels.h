@@ -1,4 +1,4 @@
-// PixelTile: which pixels are traced together.
+// PacketPixels: which pixels are traced together.
 #pragma once
 
 #include <algorithm>
@@ -10,12 +10,12 @@
 
 namespace tia {
 
-/// PixelTile: the pixels of one packet, as near to a square as its lanes allow: rays that stay
+/// PacketPixels: the pixels of one packet, as near to a square as its lanes allow: rays that stay
 /// together meet fewer boxes.
 template <class Real>
-struct PixelTile {
+struct PacketPixels {
   static constexpr int width = lanes<Real> >= 4 ? 4 : 1, height = lanes<Real> / width;
-  static_assert(Block::size % width == 0 && Block::size % height == 0);
+  static_assert(FilmTile::size % width == 0 && FilmTile::size % height == 0);
 
   /// Each lane's column and row.
   static Real column() {
@@ -31,12 +31,12 @@ struct PixelTile {
       sampler_state.y[static_cast<std::size_t>(i)] = static_cast<std::uint32_t>(y + i / width);
     }
   }
-  /// Stores the lanes where a plane of the block has their pixels; `corner` is the first one's.
+  /// Stores the lanes where a plane of the tile has their pixels; `corner` is the first one's.
   static void store(const Real& value, float* corner) {
     std::array<float, lanes<Real>> each;
     tia::store(value, each.data());
     for (std::size_t y = 0; y < height; ++y)
-      std::copy_n(&each[y * width], width, corner + y * Block::size);
+      std::copy_n(&each[y * width], width, corner + y * FilmTile::size);
   }
 
  private:
