@@ -3,6 +3,7 @@
 #include <barrier>
 #include <thread>
 
+#include "core/film/compressor.h"
 #include "tests/core/film/files.h"
 #include "tests/memory/scarce_memory.h"
 #include "tests/memory/silence.h"
@@ -144,6 +145,7 @@ class ScarceMemory : public testing::TestWithParam<Asked> {
  protected:
   // What is made once, for all requests or all failures, is made here.
   ScarceMemory() {
+    const Compressor one, other, third;  // however many threads compress at once later
     right_ = *ask(Desk().service(), request_).response;
     EXPECT_EQ(right_.status, GetParam().status) << right_.body;
     for (const Shortage shortage : {Shortage::once, Shortage::lasting})
