@@ -3,7 +3,6 @@
 #include <utility>
 
 #include "core/parallel/stopped.h"
-#include "core/parallel/stopped.h"
 #include "core/scene/limits.h"
 
 namespace tia {

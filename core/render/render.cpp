@@ -13,7 +13,8 @@ RayCounts render(const World& world, const View& view, const Window& window,
   const Sampler sampler(options.samples, options.threshold, options.seed);
   RayMeter meter(options.max_rays, options.max_work, stop, options.spent);
   const View in_world = view.seen_from(world.origin);
-  const Shot shot{world, in_world, options.integrator, options.max_depth, sampler, meter};
+  const Rules rules = rules_of(options.integrator, options.max_depth, options.ao_radius);
+  const Shot shot{world, in_world, options.integrator, rules, sampler, meter};
 
   pool.for_each(
       columns * rows, options.threads, stop,

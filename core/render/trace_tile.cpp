@@ -39,8 +39,7 @@ class Tracer {
       const Beam beam(shot.view, x0, y0, x0 + tile.width, y0 + tile.height);
       return {shot.world, candidates(shot.world, beam)};
     } else {
-      return {shot.world, WorkCounter([this](std::int64_t work) { spent(work); }),
-              rules_of(shot.integrator, shot.max_depth)};
+      return {shot.world, WorkCounter([this](std::int64_t work) { spent(work); }), shot.rules};
     }
   }
 

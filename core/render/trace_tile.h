@@ -16,7 +16,7 @@ struct Shot {
   const World& world;
   const View& view;  ///< in world space
   IntegratorName integrator;
-  int max_depth;  ///< how often light may be mirrored or refracted
+  Rules rules;
   const Sampler& sampler;
   RayMeter& meter;
 };

@@ -5,10 +5,13 @@ namespace tia {
 Value Codec<IntegratorName>::schema(const Spec& spec) {
   Value::Object schema = *NamesCodec<IntegratorName>::schema(spec).as<Value::Object>();
   Value::Array each;
-  for (const IntegratorRow& row : integrators)
-    each.push_back(Value::Object{{"const", row.text},
-                                 {"description", row.about},
-                                 {"x-gathers", row.gathers_light() ? "light" : "features"}});
+  for (const IntegratorRow& row : integrators) {
+    Value::Object one{{"const", row.text},
+                      {"description", row.about},
+                      {"x-gathers", row.gathers_light() ? "light" : "features"}};
+    if (row.samples != 1) one.emplace_back("x-samples", row.samples);
+    each.emplace_back(std::move(one));
+  }
   schema.emplace_back("oneOf", std::move(each));
   return schema;
 }

@@ -13,13 +13,25 @@
 namespace tia {
 
 /// How light is gathered along a ray.
-enum class IntegratorName { thesis, whitted, normal, depth, albedo, object, shadow, cost };
+enum class IntegratorName {
+  thesis,
+  whitted,
+  normal,
+  depth,
+  albedo,
+  object,
+  shadow,
+  cost,
+  ambient_occlusion
+};
 
-/// Rules: how far light is followed, and how lights and shadows are simplified.
+/// Rules: how far light is followed, and how lights and shadows are simplified or left out.
 struct Rules {
   int max_depth = std::numeric_limits<int>::max();  ///< how often it may be mirrored or refracted
   bool area_lights = true;  ///< whether lights are sampled over their area, else at their middle
   bool transparent_shadows = true;  ///< whether they are, where the world has them
+  /// How far ambient_occlusion looks for what hides the sky. Space/units: scene units.
+  double ao_radius = std::numeric_limits<double>::infinity();
 };
 
 /// What an integrator's numbers are: light that comes along the ray, or what it finds of surfaces.
@@ -33,6 +45,8 @@ struct IntegratorRow {
   Gathers gathers = Gathers::light;
   FeatureDisplay display = FeatureDisplay::light;  ///< what its numbers mean to the eye
   bool averages = true;  ///< whether a pixel may have the mean of several rays' numbers
+  /// The rays of a pixel where nothing is said of them: several where what one finds is chance.
+  int samples = 1;
   /// Whether it is whitted, within `most`: then /explain tells its tree of rays, and a few plain
   /// balls are traced without a tree over them.
   bool is_whitted = false;
@@ -83,6 +97,11 @@ inline constexpr std::array integrators = std::to_array<IntegratorRow>({
      .about = "how many tests of boxes and surfaces the ray takes",
      .gathers = Gathers::features,
      .display = FeatureDisplay::cost},
+    {.name = IntegratorName::ambient_occlusion,
+     .text = "ambient_occlusion",
+     .about = "how much of the sky over the surface is free, by the cosine: folds and corners are "
+              "dark",
+     .samples = 32},
 });
 
 constexpr const IntegratorRow& row_of(IntegratorName name) {
@@ -106,7 +125,7 @@ struct Names<IntegratorName> {
 };
 
 /// Its schema says of each name what it is, and by the annotation `x-gathers` whether it gathers
-/// "light" or "features".
+/// "light" or "features", by `x-samples` how many rays a pixel has where nothing is said, if not 1.
 template <>
 struct Codec<IntegratorName> : NamesCodec<IntegratorName> {
   static Value schema(const Spec&);
@@ -118,9 +137,10 @@ constexpr bool averages(IntegratorName name) { return row_of(name).averages; }
 /// Whether it gathers light, else numbers of the surfaces.
 constexpr bool gathers_light(IntegratorName name) { return row_of(name).gathers_light(); }
 /// How far one follows light of which max_depth is asked.
-constexpr Rules rules_of(IntegratorName name, int max_depth) {
+constexpr Rules rules_of(IntegratorName name, int max_depth, double ao_radius) {
   Rules rules = row_of(name).most;
   rules.max_depth = rules.max_depth < max_depth ? rules.max_depth : max_depth;
+  rules.ao_radius = ao_radius;
   return rules;
 }
 

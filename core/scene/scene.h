@@ -30,10 +30,11 @@ struct SceneOptions {
   static constexpr int deepest = 64;
   IntegratorName integrator = IntegratorName::whitted;
   Transfer transfer = Transfer::srgb;
-  std::optional<int> samples;       ///< none: 1
+  std::optional<int> samples;       ///< none: the integrator's
   std::optional<double> threshold;  ///< none: off
   int max_depth = 5;
   bool transparent_shadows = false;
+  std::optional<double> ao_radius;  ///< none: infinite
   std::int64_t seed = 0;
 
   template <class Visitor>
@@ -55,6 +56,11 @@ struct SceneOptions {
     visit("transparent_shadows", &SceneOptions::transparent_shadows,
           Spec{.about = "whether light goes straight through what transmits, each surface taking "
                         "its share"});
+    visit("ao_radius", &SceneOptions::ao_radius,
+          Spec{.about = "how far ambient_occlusion looks for what hides the sky; else however far",
+               .min = 0,
+               .max = 1e9,
+               .open_min = true});
     visit("seed", &SceneOptions::seed,
           Spec{.about = "the random stream", .min = 0, .max = last_seed});
   }

@@ -24,8 +24,8 @@ namespace {
 std::string cost_key_of(const Plan& plan) {
   std::string key = hex(plan.scene.objects.digest);
   const auto add = [&](const auto&... parts) { ((key += ' ' + std::to_string(parts)), ...); };
-  add(static_cast<int>(plan.options.integrator), plan.options.max_depth, plan.options.threshold,
-      plan.scene->options.transparent_shadows);
+  add(static_cast<int>(plan.options.integrator), plan.options.max_depth, plan.options.ao_radius,
+      plan.options.threshold, plan.scene->options.transparent_shadows);
   for (const Light& light : plan.scene->lights) {
     const Value written = write_value(light);
     for (const auto& [name, value] : *written.as<Value::Object>())

@@ -74,7 +74,8 @@ RenderOptions options_of(const SceneOptions& in_effect, const Limits& limits) {
   RenderOptions options;
   options.integrator = in_effect.integrator;
   options.max_depth = in_effect.max_depth;
-  options.samples = in_effect.samples.value_or(1);
+  options.ao_radius = in_effect.ao_radius.value_or(options.ao_radius);
+  options.samples = in_effect.samples.value_or(row_of(in_effect.integrator).samples);
   options.threshold = in_effect.threshold.value_or(0);
   options.seed = in_effect.seed;
   options.max_rays = limits.max_rays;

@@ -43,6 +43,7 @@ struct TraceRequest : ViewRequest {
   std::optional<int> samples;
   std::optional<double> threshold;
   std::optional<int> max_depth;
+  std::optional<double> ao_radius;
   std::optional<std::int64_t> seed;
 
   template <class Visitor>
@@ -66,6 +67,12 @@ struct TraceRequest : ViewRequest {
                    "scene says",
                .min = 0,
                .max = SceneOptions::deepest});
+    visit("ao_radius", &T::ao_radius,
+          Spec{.about = "how far ambient_occlusion looks for what hides the sky; else as the scene "
+                        "says",
+               .min = 0,
+               .max = 1e9,
+               .open_min = true});
     visit("seed", &T::seed,
           Spec{.about = "the random stream; else the scene's",
                .min = 0,
@@ -93,8 +100,9 @@ SceneOptions options_in_effect(SceneOptions options, const Request& asked) {
     });
   });
   if (!averages(options.integrator)) options.samples = options.threshold = std::nullopt;
-  if (options.samples == 1) options.samples = std::nullopt;
+  if (options.samples == row_of(options.integrator).samples) options.samples = std::nullopt;
   if (options.threshold == 0) options.threshold = std::nullopt;
+  if (options.integrator != IntegratorName::ambient_occlusion) options.ao_radius = std::nullopt;
   return options;
 }
 

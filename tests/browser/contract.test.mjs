@@ -14,6 +14,7 @@ before(async () => {
   openapi = JSON.parse(await tia.get('/openapi.json'));
   ajv = new Ajv2020({ strict: true, strictTypes: false, strictRequired: false });
   ajv.addKeyword('x-gathers');
+  ajv.addKeyword('x-samples');
   ajv.addKeyword('components'); // all that refers to a schema goes through it
   ajv.addSchema({ $id: 'openapi', components: { schemas: openapi.components.schemas } });
 });

@@ -9,7 +9,8 @@ export async function learnIntegrators() {
   try {
     const { $defs } = await fetchJson('schema/scene.json');
     known = $defs.options.properties.integrator.oneOf.map((one) => (
-      { name: one.const, about: one.description, feature: one['x-gathers'] !== 'light' }));
+      { name: one.const, about: one.description, feature: one['x-gathers'] !== 'light',
+        samples: one['x-samples'] }));
   } catch (problem) {
     console.warn(problem.message);
   }
@@ -21,5 +22,8 @@ const names = (feature) => known.filter((one) => one.feature === feature).map(({
 export const lightNames = () => names(false);
 export const featureNames = () => names(true);
 export const isFeature = (name) => featureNames().includes(name);
+
+/** How many rays a pixel has where nothing is said. */
+export const samplesOf = (name) => known.find((one) => one.name === name)?.samples ?? 1;
 
 export const aboutOf = (name) => known.find((one) => one.name === name)?.about ?? name;

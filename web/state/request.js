@@ -2,7 +2,7 @@
 // relative to the page, which may be served below a prefix.
 
 /** The parameters that the page knows, in the order in which a URL names them. */
-export const PARAMETERS = ['scene', 'key', 'light', 'camera', 'integrator', 'max_depth', 'seed',
+export const PARAMETERS = ['scene', 'key', 'light', 'camera', 'integrator', 'max_depth', 'ao_radius', 'seed',
   'width', 'height', 'samples', 'threshold', 'crop', 'transfer'];
 
 /** What the page opens with: the lamp is on, so that there is a shadow to ask about. */

@@ -80,6 +80,14 @@ Mask<Real> occluded(const World& world, const Ray<Real>& ray, const Real& t_max,
   return query.blocked();
 }
 
+template <class Real>
+Mask<Real> occluded(const World& world, const Ray<Real>& ray, const Real& t_max, Mask<Real> active,
+                    WorkCounter& work) {
+  AnyHit<Real> query{t_max, -1, 0};
+  search(world, ray, active, query, work);
+  return query.blocked();
+}
+
 namespace {
 
 // Calls visit(hit, lanes) for each surface between the ray's origin and t_max, the light's own left
@@ -142,6 +150,8 @@ Blocker first_blocker(const World& world, const Ray<float>& ray, float t_max,
   template Hit<Real> closest_hit(const World&, const Ray<Real>&, Mask<Real>, WorkCounter&);    \
   template Mask<Real> occluded(const World&, const Ray<Real>&, const Real&, const WorldLight&, \
                                Mask<Real>, WorkCounter&);                                      \
+  template Mask<Real> occluded(const World&, const Ray<Real>&, const Real&, Mask<Real>,        \
+                               WorkCounter&);                                                  \
   template Real transmitted(const World&, const Ray<Real>&, const Real&, const WorldLight&,    \
                             Mask<Real>, WorkCounter&);
 TIA_TRACE(Wide)

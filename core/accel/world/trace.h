@@ -36,6 +36,11 @@ template <class Real>
 Mask<Real> occluded(const World& world, const Ray<Real>& ray, const Real& t_max,
                     const WorldLight& light, Mask<Real> active, WorkCounter& work);
 
+/// The same where there is no light: whether anything at all is hit.
+template <class Real>
+Mask<Real> occluded(const World& world, const Ray<Real>& ray, const Real& t_max, Mask<Real> active,
+                    WorkCounter& work);
+
 /// How far from its surface a ray starts: in proportion to the distances, so that scenes of every
 /// scale have neither shadow acne nor light leaks.
 template <class Real>

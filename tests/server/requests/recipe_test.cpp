@@ -55,7 +55,8 @@ TEST(Recipe, EveryParameterIsInIt) {
   Host other(config);
   for (const char* query :
        {"key=w", "light=1,20,3", "samples=3&seed=9", "threshold=0.05", "integrator=depth",
-        "integrator=object&samples=4", "max_depth=0&scene=whitted", "crop=3,4,11,17",
+        "integrator=object&samples=4", "max_depth=0&scene=whitted",
+        "integrator=ambient_occlusion&ao_radius=2&threshold=0.1&scene=shapes", "crop=3,4,11,17",
         "transfer=srgb", "camera=%7B%22fov_degrees%22:30%7D&key=a", "threads=2&v=0.3.0",
         "scene=%7B%22background%22:0.5,%22title%22:%22t%C3%ACa%22%7D"}) {
     SCOPED_TRACE(query);
@@ -77,12 +78,15 @@ struct FieldNames {
 // What a recipe did not tell, the cache would not tell apart.
 TEST(Recipe, ChangesWithEveryParameterThatChangesThePicture) {
   const std::map<std::string, std::string> other{
-      {"scene", "whitted"},    {"key", "a"},     {"light", "1,20,3"},
-      {"width", "17"},         {"height", "13"}, {"camera", "%7B%22fov_degrees%22:30%7D"},
-      {"integrator", "depth"}, {"samples", "2"}, {"threshold", "0.1"},
-      {"max_depth", "1"},      {"seed", "5"},    {"crop", "1,2,3,4"},
-      {"transfer", "srgb"},    {"format", "pfm"}};
+      {"scene", "whitted"},    {"key", "a"},      {"light", "1,20,3"},
+      {"width", "17"},         {"height", "13"},  {"camera", "%7B%22fov_degrees%22:30%7D"},
+      {"integrator", "depth"}, {"samples", "2"},  {"threshold", "0.1"},
+      {"max_depth", "1"},      {"seed", "5"},     {"crop", "1,2,3,4"},
+      {"transfer", "srgb"},    {"format", "pfm"}, {"ao_radius", "2"}};
   const std::set<std::string> of_no_byte{"threads", "v"};
+  // What has an effect only beside another one.
+  const std::map<std::string, std::map<std::string, std::string>> beside{
+      {"ao_radius", {{"integrator", "ambient_occlusion"}}}};
   FieldNames fields;
   PictureRequest::fields(fields);
   const auto tag = [](std::map<std::string, std::string> query) {
@@ -92,11 +96,14 @@ TEST(Recipe, ChangesWithEveryParameterThatChangesThePicture) {
     for (const auto& [name, value] : query) target.append(name).append("=").append(value) += '&';
     return header(host().get(target.substr(0, target.size() - 1)), "ETag");
   };
-  const auto usual = tag({});
   for (const std::string& name : fields.names) {
     if (of_no_byte.contains(name)) continue;
     ASSERT_TRUE(other.contains(name)) << name << " is new: give it a value here";
-    const auto changed = tag({{name, other.at(name)}});
+    std::map<std::string, std::string> query;
+    if (beside.contains(name)) query = beside.at(name);
+    const auto usual = tag(query);
+    query[name] = other.at(name);
+    const auto changed = tag(query);
     ASSERT_TRUE(changed) << name;
     EXPECT_NE(changed, usual) << name;
   }

@@ -1,0 +1,53 @@
+// Ambient occlusion: how much of the sky over a surface is free.
+#include "core/integrators/integrator.h"
+#include "core/math/sobol.h"
+#include "core/math/warp.h"
+
+namespace tia {
+namespace {
+
+// A direction of the upper hemisphere around n, of density cos / pi.
+// Source: Malley's method (Pharr, Jakob, Humphreys, "Physically Based Rendering", 4th ed., A.5.3):
+// the points of the unit disc, evenly, and what stands above them on the sphere.
+template <class Real>
+Vec3<Real> cosine_direction(const Vec3<Real>& n, Real u, Real v) {
+  using std::sqrt;
+  const DiscPoint<Real> d = square_to_disc(u, v);
+  const Real z = sqrt(max_of(Real(1) - d.x * d.x - d.y * d.y, Real(0)));
+  const auto [across, along] = axes_around(n);
+  return across * d.x + along * d.y + n * z;
+}
+
+}  // namespace
+
+// (1 / pi) times the integral of V(wi) n.wi over the upper hemisphere, V = 0 where something is
+// nearer than the radius: one ray a sample. 1 where nothing is hit. A direction below the geometric
+// horizon, which an interpolated normal may have, meets the surface itself.
+// Source: Zhukov, Iones, Kronin, "An ambient light illumination model" (1998), with V for their
+// fall-off.
+template <>
+template <class Real>
+Vec3<Real> Integrator<IntegratorName::ambient_occlusion>::radiance(
+    WorldView& world_view, const Ray<Real>& ray, Mask<Real> active,
+    const SamplerState<Real>& sampler_state) {
+  const auto isect = surfaces(world_view, ray, first_hit(world_view, ray, active), active);
+  if (!any(isect.here)) return {Real(1), Real(1), Real(1)};
+  constexpr std::uint32_t block = 0x40000000;  // of dimensions: no other integrator's
+  const auto words =
+      sobol_words(sampler_state.x, sampler_state.y, sampler_state.sample, block, sampler_state.key);
+  constexpr auto n = static_cast<std::size_t>(lanes<Real>);
+  std::array<LaneOf<Real>, n> u, v;
+  for (std::size_t i = 0; i < n; ++i) u[i] = unit_float(words.a[i]), v[i] = unit_float(words.b[i]);
+  const Vec3<Real> wi = cosine_direction(isect.at.n, load<Real>(u.data()), load<Real>(v.data()));
+  const Mask<Real> upper = isect.here && dot(isect.at.ng, wi) > Real(0);
+  world_view.rays.shadow += count(upper);
+  const Real radius = lift<Real>(world_view.rules.ao_radius);
+  const Mask<Real> blocked =
+      occluded(world_view.world, isect.shadow_ray(wi), radius, upper, world_view.work);
+  const Real seen = select(isect.here, select(upper && !blocked, Real(1), Real(0)), Real(1));
+  return {seen, seen, seen};
+}
+
+TIA_INTEGRATOR(ambient_occlusion)
+
+}  // namespace tia

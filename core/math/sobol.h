@@ -1,0 +1,100 @@
+// Low-discrepancy points: Sobol's, Owen-scrambled by hashing, so that any prefix of a pixel's
+// samples fills the unit square evenly, and a function of a counter like the words of rng.h.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "core/math/rng.h"
+
+namespace tia {
+
+constexpr std::uint32_t reversed_bits(std::uint32_t v) {
+  v = (v >> 1U & 0x55555555) | (v & 0x55555555) << 1U;
+  v = (v >> 2U & 0x33333333) | (v & 0x33333333) << 2U;
+  v = (v >> 4U & 0x0F0F0F0F) | (v & 0x0F0F0F0F) << 4U;
+  v = (v >> 8U & 0x00FF00FF) | (v & 0x00FF00FF) << 8U;
+  return v >> 16U | v << 16U;
+}
+
+/// A nested uniform scramble of v as a binary fraction: whether a bit is flipped depends on all
+/// higher bits, by a hash of its own for every seed. Source: Owen (1995); Burley, "Practical
+/// Hash-based Owen Scrambling", JCGT 9(4) (2020), section 3; the hash: Vegdahl, "Building a Better
+/// LK Hash" (2021), which mixes low bits better than Burley's.
+constexpr std::uint32_t owen_scrambled(std::uint32_t v, std::uint32_t seed) {
+  v = reversed_bits(v);
+  v ^= v * 0x3D20ADEA;
+  v += seed;
+  v *= seed >> 16U | 1U;
+  v ^= v * 0x05526C56;
+  v ^= v * 0x53A22864;
+  return reversed_bits(v);
+}
+
+namespace detail {
+
+/// Sobol's direction numbers of the first four dimensions, as binary fractions.
+/// Source: Joe, Kuo, "Constructing Sobol sequences with better two-dimensional projections", SIAM
+/// J. Sci. Comput. 30 (2008), new-joe-kuo-6.
+inline constexpr auto sobol_directions = [] {
+  struct Row {
+    std::uint32_t degree, inner;  // of the primitive polynomial: its inner coefficients as bits
+    std::array<std::uint32_t, 3> m;
+  };
+  constexpr std::array<Row, 3> rows{{{1, 0, {1}}, {2, 1, {1, 3}}, {3, 1, {1, 3, 1}}}};
+  std::array<std::array<std::uint32_t, 32>, 4> v{};
+  for (std::uint32_t i = 0; i < 32; ++i) v[0][i] = 1U << (31 - i);
+  for (std::size_t d = 0; d < rows.size(); ++d) {
+    const Row& row = rows[d];
+    auto& own = v[d + 1];
+    for (std::uint32_t i = 0; i < 32; ++i) {
+      if (i < row.degree) {
+        own[i] = row.m[i] << (31 - i);
+        continue;
+      }
+      own[i] = own[i - row.degree] ^ own[i - row.degree] >> row.degree;
+      for (std::uint32_t k = 1; k < row.degree; ++k)
+        if (row.inner >> (row.degree - 1 - k) & 1U) own[i] ^= own[i - k];
+    }
+  }
+  return v;
+}();
+
+}  // namespace detail
+
+/// Dimension 0 .. 3 of Sobol's point of that index, as a binary fraction.
+constexpr std::uint32_t sobol(std::uint32_t index, std::size_t dimension) {
+  std::uint32_t bits = 0;
+  for (std::size_t i = 0; i < 32; ++i)
+    bits ^= detail::sobol_directions[dimension][i] & (0U - (index >> i & 1U));
+  return bits;
+}
+
+/// The four numbers, as binary fractions, of a sample of several pixels, one in each lane. Every
+/// pixel and every block of four dimensions has its points in an order and scrambled in a way of
+/// their own, so that blocks are independent of each other, as pixels are. Of 2^k samples from the
+/// first on one falls into each of 2^k equal parts of each dimension, and of the first two
+/// dimensions' square however it is cut into 2^k equal rectangles along powers of two.
+/// Source: Burley (2020), sections 2 and 4 ("padded" points).
+template <std::size_t n>
+RandomWords<n> sobol_words(const std::array<std::uint32_t, n>& x,
+                           const std::array<std::uint32_t, n>& y, std::uint32_t sample,
+                           std::uint32_t block, RandomKey key) {
+  constexpr std::uint32_t of_seeds = 0xFFFFFFFF;  // a sample that no pixel has
+  RandomWords<n> seeds{x, y, {}, {}};
+  seeds.c.fill(of_seeds);
+  seeds.d.fill(block);
+  philox(seeds, key);
+  RandomWords<n> words;
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::uint32_t index = owen_scrambled(sample, seeds.a[i]);
+    words.a[i] = owen_scrambled(sobol(index, 0), seeds.b[i]);
+    words.b[i] = owen_scrambled(sobol(index, 1), seeds.c[i]);
+    words.c[i] = owen_scrambled(sobol(index, 2), seeds.d[i]);
+    words.d[i] = owen_scrambled(sobol(index, 3), seeds.a[i] ^ seeds.b[i]);
+  }
+  return words;
+}
+
+}  // namespace tia

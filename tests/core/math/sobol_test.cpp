@@ -1,0 +1,155 @@
+#include "core/math/sobol.h"
+
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cmath>
+#include <set>
+#include <vector>
+
+#include "tests/core/support.h"
+
+namespace tia {
+namespace {
+
+using test::Random;
+using Words = std::array<std::uint32_t, 4>;
+
+Words words_of(std::uint32_t x, std::uint32_t y, std::uint32_t sample, std::uint32_t block,
+               std::int64_t seed) {
+  const RandomWords<1> words = sobol_words<1>({x}, {y}, sample, block, RandomKey(seed));
+  return {words.a[0], words.b[0], words.c[0], words.d[0]};
+}
+std::uint32_t any_word(Random& random) { return static_cast<std::uint32_t>(random.in(0, 4.29e9)); }
+
+TEST(Sobol, FirstPointsAreTheKnownOnes) {
+  // Source: Sobol (1967), as Joe and Kuo's numbers give them in the order of the binary index.
+  constexpr std::array<double, 8> first{0, 0.5, 0.25, 0.75, 0.125, 0.625, 0.375, 0.875};
+  constexpr std::array<double, 8> second{0, 0.5, 0.75, 0.25, 0.625, 0.125, 0.375, 0.875};
+  for (std::uint32_t i = 0; i < 8; ++i) {
+    EXPECT_EQ(unit_double(sobol(i, 0)), first[i]);
+    EXPECT_EQ(unit_double(sobol(i, 1)), second[i]);
+  }
+}
+
+// A nested scramble keeps how long the common start of two fractions is.
+TEST(OwenScramble, KeepsWhereTwoNumbersPart) {
+  Random random(80);
+  for (int i = 0; i < 20'000; ++i) {
+    const std::uint32_t a = any_word(random), seed = any_word(random);
+    const std::uint32_t b =
+        a ^ (1U << random.below(32)) ^ (any_word(random) >> random.whole(1, 31));
+    const std::uint32_t before = a ^ b, after = owen_scrambled(a, seed) ^ owen_scrambled(b, seed);
+    ASSERT_EQ(std::countl_zero(before), std::countl_zero(after)) << a << " " << b << " " << seed;
+  }
+}
+
+// Each bit is flipped in half of the seeds, whatever the bits above it are.
+TEST(OwenScramble, FlipsEachBitByHalfOfTheSeeds) {
+  Random random(81);
+  constexpr int seeds = 4096;
+  for (const std::uint32_t v : {0U, ~0U, 0x12345678U, any_word(random)}) {
+    std::array<int, 32> flipped{};
+    for (int i = 0; i < seeds; ++i) {
+      const std::uint32_t change = v ^ owen_scrambled(v, any_word(random));
+      for (std::size_t bit = 0; bit < 32; ++bit) flipped[bit] += change >> bit & 1U;
+    }
+    for (const int count : flipped) EXPECT_NEAR(count, seeds / 2, 5 * std::sqrt(seeds) / 2) << v;
+  }
+}
+
+// Of the first 2^k samples one is in each part, along every dimension and, of the first two, in
+// each rectangle of 2^-a by 2^-(k - a): they are a (0, 2)-sequence. Source: Niederreiter, "Random
+// number generation and quasi-Monte Carlo methods" (1992), ch. 4.
+TEST(SobolWords, OfAPowerOfTwoFillEveryPartOnce) {
+  Random random(82);
+  for (int round = 0; round < 60; ++round) {
+    const std::uint32_t x = any_word(random), y = any_word(random), block = any_word(random);
+    const auto seed = static_cast<std::int64_t>(random.in(0, 9e15));
+    const auto k = static_cast<std::uint32_t>(random.whole(1, 9));
+    std::vector<Words> samples;
+    for (std::uint32_t i = 0; i < 1U << k; ++i) samples.push_back(words_of(x, y, i, block, seed));
+    for (std::uint32_t a = 0; a <= k; ++a) {
+      std::set<std::pair<std::uint32_t, std::uint32_t>> parts;
+      for (const Words& words : samples)
+        parts.emplace(std::uint64_t{words[0]} >> (32 - a), std::uint64_t{words[1]} >> (32 - k + a));
+      EXPECT_EQ(parts.size(), samples.size()) << k << " " << a;
+    }
+    for (std::size_t dimension = 0; dimension < 4; ++dimension) {
+      std::set<std::uint32_t> parts;
+      for (const Words& words : samples) parts.insert(words[dimension] >> (32 - k));
+      EXPECT_EQ(parts.size(), samples.size()) << k << ", dimension " << dimension;
+    }
+  }
+}
+
+// Pearson's statistic of two numbers of each of many pixels in 8 x 8 cells, as standard deviations
+// from its mean.
+template <class Pair>
+double surprise(const Pair& pair) {
+  constexpr int side = 128, cells = 64;
+  std::array<int, cells> counts{};
+  for (std::uint32_t y = 0; y < side; ++y)
+    for (std::uint32_t x = 0; x < side; ++x) {
+      const auto [u, v] = pair(x, y);
+      ++counts[(u >> 29U) * 8 + (v >> 29U)];
+    }
+  constexpr double expected = double(side) * side / cells;
+  double statistic = 0;
+  for (const int count : counts) statistic += (count - expected) * (count - expected) / expected;
+  return (statistic - (cells - 1)) / std::sqrt(2.0 * (cells - 1));
+}
+
+TEST(SobolWords, PixelsAndBlocksAreIndependent) {
+  for (std::uint32_t sample : {0U, 1U, 7U, 100U}) {
+    EXPECT_LT(surprise([&](std::uint32_t x, std::uint32_t y) {
+                return std::pair(words_of(x, y, sample, 0, 3)[0],
+                                 words_of(x + 1, y, sample, 0, 3)[0]);
+              }),
+              4);
+    EXPECT_LT(surprise([&](std::uint32_t x, std::uint32_t y) {
+                return std::pair(words_of(x, y, sample, 0, 3)[0], words_of(x, y, sample, 1, 3)[0]);
+              }),
+              4);
+    EXPECT_LT(surprise([&](std::uint32_t x, std::uint32_t y) {
+                return std::pair(words_of(x, y, sample, 0, 3)[2], words_of(x, y, sample, 0, 4)[2]);
+              }),
+              4);
+    EXPECT_LT(surprise([&](std::uint32_t x, std::uint32_t y) {
+                const Words words = words_of(x, y, sample, 5, 3);
+                return std::pair(words[1], words[3]);
+              }),
+              4);
+  }
+}
+
+// The mean of u v over n points: independent ones are off by sqrt((1/9 - 1/16) / n).
+TEST(SobolWords, HaveASmallErrorWhereIndependentOnesHaveALargeOne) {
+  constexpr std::uint32_t n = 64, pixels = 500;
+  double squares = 0, sum = 0;
+  for (std::uint32_t x = 0; x < pixels; ++x) {
+    double mean = 0;
+    for (std::uint32_t i = 0; i < n; ++i) {
+      const Words words = words_of(x, 9, i, 2, 1);
+      mean += unit_double(words[0]) * unit_double(words[1]) / n;
+    }
+    sum += mean - 0.25;
+    squares += (mean - 0.25) * (mean - 0.25);
+  }
+  const double error = std::sqrt(squares / pixels), independent = std::sqrt((1 / 9. - 1 / 16.) / n);
+  EXPECT_LT(error, independent / 8);
+  EXPECT_LT(std::fabs(sum / pixels), 5 * error / std::sqrt(pixels)) << "without bias";
+}
+
+TEST(SobolWords, LanesAreDrawnAsIfAlone) {
+  Random random(83);
+  std::array<std::uint32_t, 16> x{}, y{};
+  for (std::size_t i = 0; i < 16; ++i) x[i] = any_word(random), y[i] = any_word(random);
+  const RandomWords<16> many = sobol_words<16>(x, y, 11, 3, RandomKey(12345));
+  for (std::size_t i = 0; i < 16; ++i)
+    EXPECT_EQ(words_of(x[i], y[i], 11, 3, 12345),
+              (Words{many.a[i], many.b[i], many.c[i], many.d[i]}));
+}
+
+}  // namespace
+}  // namespace tia
