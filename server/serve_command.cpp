@@ -44,11 +44,12 @@ void bound_idle_memory(std::int64_t memory_bytes) {
 
 // Threads' stacks: the deepest scenes and trees take less than half a MiB. The usual 8 MiB of some
 // ninety threads would be more addresses than small machines allow.
+constexpr int stack_bytes = 1 << 20;
 void bound_stacks() {
 #if defined(__GLIBC__) && !defined(TIA_SANITIZED)
   pthread_attr_t attributes;
   if (pthread_attr_init(&attributes) != 0) return;
-  pthread_attr_setstacksize(&attributes, 1 << 20);
+  pthread_attr_setstacksize(&attributes, stack_bytes);
   pthread_setattr_default_np(&attributes);
   pthread_attr_destroy(&attributes);
 #endif
@@ -136,7 +137,9 @@ void serve(const Config& config) {
   Service& service = backend.service;
   HttpServer server(http_options(config), application(service));
   service.connections = [&] { return server.connections(); };
-  backend.memory.add(MemoryAccount::program, addresses_beyond(config.memory_bytes));
+  backend.memory.add(MemoryAccount::program,
+                     addresses_beyond(config.memory_bytes, backend.pool.most_more_threads() *
+                                                               std::int64_t{stack_bytes}));
 
   const Log log;
   std::jthread listening([&] { server.run(); });

@@ -238,7 +238,7 @@ void Hands::let_others_go(Hand& hand) {
 bool Hands::may_suspend(const Hand& hand) {
   if (hand.is_caller) return true;
   const int left = static_cast<int>(workers_.size()) - suspended_ - 1;
-  return left >= threads() - 1 || (suspended_ < most_suspended && add_worker());
+  return left >= threads() - 1 || (suspended_ < most_suspended(threads()) && add_worker());
 }
 
 void Hands::suspend(Hand& hand, Job& job) {

@@ -2,6 +2,7 @@
 // used.
 #pragma once
 
+#include <algorithm>
 #include <condition_variable>
 #include <cstdint>
 #include <exception>
@@ -61,9 +62,11 @@ struct Job : Turn {
 class Hands {
  public:
   using Clock = std::function<Nanoseconds()>;
-  /// Workers that may be suspended at once: each keeps its stack. The parked pictures of one client
-  /// hold them: beyond these a task goes on to its end.
-  static constexpr int most_suspended = 256;
+  /// Workers that may be suspended at once, of so many threads: each keeps its stack. The parked
+  /// pictures of one client hold them: beyond these a task goes on to its end.
+  static int most_suspended(int threads) {
+    return threads > 1 ? std::min(8 * threads, 64) : 0;  // the only thread is the caller's
+  }
 
   Hands(int threads, Clock clock);
   ~Hands();

@@ -24,6 +24,8 @@ Pool::~Pool() = default;
 
 int Pool::threads() const { return hands_->threads(); }
 
+int Pool::most_more_threads() const { return Hands::most_suspended(threads()); }
+
 void Pool::also_for(Flow& flow, std::uint64_t client) { hands_->also_for(flow, client); }
 
 void Pool::for_each(int count, int max_threads, const std::stop_token& stop,

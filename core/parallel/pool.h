@@ -26,6 +26,8 @@ class Pool {
   ~Pool();
 
   int threads() const;
+  /// The most threads that it may yet make, where tasks are suspended.
+  int most_more_threads() const;
 
   /// Calls task(0) … task(count - 1), each once, in no order, on at most `max_threads` threads;
   /// inside of another task in turn, on the thread of that one; inside of lone work with all

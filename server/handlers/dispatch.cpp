@@ -75,6 +75,8 @@ Response answer_or_refusal(const Request& request, MemoryClaim& claim, Service& 
     return finished(dispatch(request, service), request, service);
   } catch (const std::bad_alloc&) {
     claim.settle();  // what was freed on the way here is there for the refusal's words
+    // Nobody could make room while it was allocated: who comes again finds it.
+    if (claim.was_refused()) service.memory.make_room(2 * claim.most_used());
     const auto failure =
         claim.was_refused() ? std::make_exception_ptr(claim.refusal()) : std::current_exception();
     return refusal(failure, request, service);

@@ -143,7 +143,8 @@ bool MemoryAccount::wait_for(const Waiter& who, const std::stop_token& stop) {
 // ---- shares ---------------------------------------------------------------------------------
 
 std::size_t MemoryShare::most() const {
-  const std::int64_t left = account_ == nullptr ? most_ : account_->free() + booked_;
+  if (account_ == nullptr) return static_cast<std::size_t>(most_);
+  const std::int64_t left = account_->free() + booked_ - account_->limit() / 8;
   return static_cast<std::size_t>(std::clamp<std::int64_t>(left, 0, most_));
 }
 
@@ -248,13 +249,13 @@ std::int64_t usual_memory_bytes() {
   return std::max(least, bytes / 4 * 3);
 }
 
-std::int64_t addresses_beyond(std::int64_t memory_bytes) {
+std::int64_t addresses_beyond(std::int64_t memory_bytes, std::int64_t later) {
   rlimit space{};
   if (getrlimit(RLIMIT_AS, &space) != 0 || space.rlim_cur == RLIM_INFINITY) return 0;
   const auto limit = static_cast<std::int64_t>(space.rlim_cur);
   const std::int64_t taken = number_in("/proc/self/statm", 0) * sysconf(_SC_PAGESIZE);
   const std::int64_t scattered = limit / 6;  // between the pieces that are in use
-  return std::max<std::int64_t>(0, memory_bytes + taken + scattered - limit);
+  return std::max<std::int64_t>(0, memory_bytes + taken + later + scattered - limit);
 }
 
 }  // namespace tia::server

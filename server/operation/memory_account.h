@@ -51,7 +51,7 @@ class MemoryAccount {
   /// The most that one request may have: an eighth is kept for small ones, and kept scenes, which
   /// are nobody's to give, stay. However much they hold, a small one may have its own.
   std::int64_t most_of_one() const {
-    return std::max(most_small(), limit_ - program_bytes - limit_ / 8 - held_[scenes]);
+    return std::max(most_small(), limit_ - held_[program] - limit_ / 8 - held_[scenes]);
   }
   /// A claim so small may have that eighth, and need not wait for larger ones. Unit: bytes.
   std::int64_t most_small() const { return limit_ / 32; }
@@ -112,7 +112,8 @@ class MemoryAccount {
   std::map<std::string, Client> clients_;
 };
 
-/// MemoryShare: what a store holds of the account, and may hold at most. The store guards it.
+/// MemoryShare: what a store holds of the account, and may hold at most: an eighth of the account
+/// it leaves to what is counted only when it is allocated. The store guards it.
 class MemoryShare {
  public:
   /// Without an account only `most` bounds it.
@@ -207,7 +208,8 @@ void settle_memory();
 std::int64_t usual_memory_bytes();
 
 /// Where addresses are limited (RLIMIT_AS): how many of them the program has taken by now,
-/// libraries and stacks, that the limit does not leave besides so much memory. Else 0. Unit: bytes.
-std::int64_t addresses_beyond(std::int64_t memory_bytes);
+/// libraries and stacks, and may take `later`, that the limit does not leave besides so much
+/// memory. Else 0. Unit: bytes.
+std::int64_t addresses_beyond(std::int64_t memory_bytes, std::int64_t later);
 
 }  // namespace tia::server

@@ -115,7 +115,8 @@ Picture draw(const Plan& plan, const RenderContext& context, const std::stop_tok
     workers.alone([&] { picture.bytes = encode_png(film.image(), stop); });
   }
   if (plan.format == Format::png)
-    picture.bytes = with_text(std::move(picture.bytes), recipe_keyword, plan.recipe);
+    workers.alone(
+        [&] { picture.bytes = with_text(std::move(picture.bytes), recipe_keyword, plan.recipe); });
   picture.media_type = media_type_of(plan.format);
   picture.timing.encode = watch.lap_ms();
   return picture;
