@@ -37,7 +37,7 @@ template <>
 
 inline double floor_of(double x) { return std::floor(x); }
 inline Octet floor_of(const Octet& x) {
-#if defined(__SSE2__) && !defined(__SSE4_1__)  // where it is made of integers, which have no -0
+#if !defined(__SSE4_1__)  // where it is made of integers, which have no -0
   return Octet::map(
       [](const DoubleRegister& each) { return xsimd::floor(each) | xsimd::bitofsign(each); }, x);
 #else
