@@ -40,7 +40,7 @@ RenderOptions checked_options(const ExplainRequest& asked, const Scene& scene,
   const RenderOptions options = options_of(options_in_effect(scene.options, asked), limits);
   if (!row_of(options.integrator).is_whitted)
     throw InputError({FaultKind::out_of_range, "/integrator", Value(name_of(options.integrator)),
-                      explained_names() + ", which gather light"});
+                      explained_names() + ", whose rays make a tree"});
   const int rays = least_samples(options.samples, options.threshold);
   const int most = options.threshold > 0 ? 16 * rays : rays;
   if (asked.sample >= most)

@@ -90,9 +90,13 @@ void replace(std::optional<T>& option, const std::optional<T>& asked) {
 }
 
 /// The scene's options, with what the request says in place of those of the same name; without
-/// what has no effect then.
+/// what has no effect then. How many rays a scene wants for its own integrator says nothing of
+/// another whose rays are chance: that one has its own number.
 template <class Request>
 SceneOptions options_in_effect(SceneOptions options, const Request& asked) {
+  if (asked.integrator && *asked.integrator != options.integrator &&
+      row_of(*asked.integrator).samples != 1)
+    options.samples = options.threshold = std::nullopt;
   SceneOptions::fields([&](std::string_view name, auto option, const Spec&) {
     Request::fields([&](std::string_view parameter, auto member, const Spec&) {
       if constexpr (requires { replace(options.*option, asked.*member); })

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <map>
 #include <set>
+#include <string>
 
 #include "tests/server/picture_support.h"
 #include "tests/server/support.h"
@@ -115,6 +116,21 @@ TEST(FeatureImages, NumbersOfObjectsAreNeverAveraged) {
   EXPECT_TRUE(feature_numbers("object", R"(,"samples":16)") == feature_numbers("object"));
   EXPECT_TRUE(feature_codes("object", R"(,"samples":16,"threshold":0.01)") ==
               feature_codes("object"));
+}
+
+// What a scene says of rays is meant for its own integrator: four that agree by chance would settle
+// a pixel of ambient occlusion. What the request says holds.
+TEST(AmbientOcclusionOverHttp, HasRaysOfItsOwnWhereTheSceneSpeaksOfAnotherIntegrators) {
+  constexpr int pixels = 16 * 12;
+  const auto primary = [](const std::string& more) {
+    const Response response =
+        host().get("/render?scene=whitted&integrator=ambient_occlusion&width=16&height=12" + more);
+    const std::string text = header(response, "Tia-Rays").value_or("primary=0");
+    return std::stoi(text.substr(text.find("primary=") + 8));
+  };
+  EXPECT_EQ(primary(""), 32 * pixels);
+  EXPECT_EQ(primary("&samples=3"), 3 * pixels);
+  EXPECT_GE(primary("&threshold=0.2"), 32 * pixels);
 }
 
 }  // namespace
