@@ -258,7 +258,7 @@ step_asan() {
   local -x LLVM_PROFILE_FILE=$ROOT/build/asan/counts/%4m.profraw
   rm -rf build/asan/counts
   googletest asan core_tests
-  googletest asan server_tests
+  googletest asan server_tests "$waiting"
   googletest asan memory_tests
 }
 
@@ -276,7 +276,7 @@ step_coverage() {
 step_tsan() {
   local -x SOAK=0.5
   build tsan -- server_tests || return 0
-  TSAN_OPTIONS="suppressions=$ROOT/tests/tsan.supp" googletest tsan server_tests
+  TSAN_OPTIONS="suppressions=$ROOT/tests/tsan.supp" googletest tsan server_tests "$waiting"
 }
 
 # Each fuzzer for FUZZ_SECONDS, from the seeds on. What breaks it stays in build/asan. What is not

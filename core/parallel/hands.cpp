@@ -165,15 +165,10 @@ bool Hands::add_worker() {
 void Hands::serve(Hand& hand, const std::stop_token& ending) {
   std::unique_lock lock(mutex_);
   for (;;) {
+    idle_.push_back(&hand);  // before anyone is called: it may be the one
     call_hands();
-    const auto can = [](const Job& job) { return !job.is_alone && job.suspended == 0; };
-    if (Job* const job = next_job(can)) {
-      seat(hand, *job);
-    } else {
-      idle_.push_back(&hand);
-      if (!hand.called.wait(lock, ending, [&] { return hand.job != nullptr; })) return;
-      idle_.erase(std::find(idle_.begin(), idle_.end(), &hand));
-    }
+    if (!hand.called.wait(lock, ending, [&] { return hand.job != nullptr; })) return;
+    idle_.erase(std::find(idle_.begin(), idle_.end(), &hand));
     call_hands();  // to the places of hands that were dismissed
     work(hand, lock);
   }
@@ -255,8 +250,7 @@ void Hands::restore(Hand& hand, Job& job) {
   if (!hand.is_caller) --suspended_;
 }
 
-// ---- who is called where
-// --------------------------------------------------------------------------
+// ---- who is called where ------------------------------------------------------------------------
 
 // Until there is news, or for a while: those at work grow old without telling, which may make room.
 template <class News>
@@ -300,14 +294,14 @@ void Hands::call_hands() {
   }
 }
 
-// First one that is suspended within the job's tasks, then its own caller, then an idle worker;
-// null without any. A worker that has only begun to live looks for itself.
+// First one that is suspended within the job's tasks, then its own caller, then the worker that has
+// been idle for the shortest time; null without any.
 Hand* Hands::hand_for(Job& job) const {
   if (job.suspended > 0) return job.suspended_hands;
   if (job.caller.job == nullptr) return &job.caller;
   const auto is_uncalled = [](const Hand* each) { return each->job == nullptr; };
-  const auto idle = std::find_if(idle_.begin(), idle_.end(), is_uncalled);
-  return idle != idle_.end() ? *idle : nullptr;
+  const auto idle = std::find_if(idle_.rbegin(), idle_.rend(), is_uncalled);
+  return idle != idle_.rend() ? *idle : nullptr;
 }
 
 }  // namespace tia
