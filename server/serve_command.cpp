@@ -7,6 +7,9 @@
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <stdexcept>
+#include <string>
+#include <system_error>
 #include <thread>
 
 #if defined(__GLIBC__)
@@ -120,9 +123,7 @@ std::unique_ptr<SceneFile> scene_file(const Config& config) {
   return std::make_unique<SceneFile>(config.data_dir, config.max_data_bytes);
 }
 
-}  // namespace
-
-void serve(const Config& config) {
+void serve_until_told(const Config& config) {
   bound_idle_memory(config.memory_bytes);
   bound_stacks();
   // Blocked in every thread, so that one can wait for them.
@@ -153,6 +154,17 @@ void serve(const Config& config) {
   service.draining = true;
   server.stop(milliseconds(config.drain_delay_ms), milliseconds(config.drain_ms));
   listening.join();
+}
+
+}  // namespace
+
+void serve(const Config& config) try {
+  serve_until_told(config);
+} catch (const std::system_error& error) {
+  if (error.code() != std::errc::resource_unavailable_try_again) throw;
+  throw std::runtime_error(
+      std::string("no room for all threads (options TIA_THREADS, TIA_RENDERS, TIA_QUEUE): ") +
+      error.what());
 }
 
 bool is_healthy(const Config& config) {

@@ -6,7 +6,7 @@
 namespace tia::server {
 
 /// Serves until SIGTERM or SIGINT, then finishes what has come. A second signal ends at once.
-/// Errors: std::runtime_error if the address or the file of kept scenes cannot be had.
+/// Errors: std::runtime_error if the address, the threads or the file of kept scenes cannot be had.
 void serve(const Config& config);
 
 /// Whether a server with this configuration answers on this machine.

@@ -40,6 +40,9 @@ class BrokenStart : public testing::TestWithParam<BrokenCall> {
     if (end.status == 0) return failed;
     EXPECT_EQ(end.status, 2);
     EXPECT_THAT(end.err, testing::StartsWith("tia: "));
+    if (GetParam().call == faults_pthread_create) {
+      EXPECT_THAT(end.err, testing::HasSubstr("TIA_THREADS"));
+    }
     return failed;
   }
 
