@@ -279,19 +279,21 @@ step_tsan() {
   TSAN_OPTIONS="suppressions=$ROOT/tests/tsan.supp" googletest tsan server_tests "$waiting"
 }
 
-# Each fuzzer for FUZZ_SECONDS, from the seeds on. What breaks it stays in build/asan. What is not
-# text by nature may be long: a kilobyte of a picture unpacks to a megabyte.
+# Each fuzzer for FUZZ_SECONDS, from the seeds on, all at once. What breaks it stays in build/asan.
 step_fuzz() {
-  local name longest
-  for name in request scene query formula picture; do
-    mkdir -p "$scratch/$name"
-    longest=4096
-    if [ "$name" = picture ] || [ "$name" = request ]; then longest=65536; fi
-    if LLVM_PROFILE_FILE=/dev/null "build/asan/tests/${name}_fuzz" -max_total_time="${FUZZ_SECONDS:-10}" \
-      -max_len="$longest" -timeout=5 -rss_limit_mb=2048 -verbosity=0 -artifact_prefix=build/asan/ \
-      "$scratch/$name" "tests/fuzz/corpus/$name" > "$scratch/log" 2>&1; then pass; else
-      cat "$scratch/log"
-      fail "fuzz $name"
-    fi
-  done
+  in_shares 5 fuzz request scene query formula picture
+}
+# What is not text by nature may be long: a kilobyte of a picture unpacks to a megabyte.
+fuzz_share() {
+  local names=("${@:2}") longest=4096
+  local name=${names[$1]}
+  if [ "$name" = picture ] || [ "$name" = request ]; then longest=65536; fi
+  mkdir -p "$scratch/$name"
+  LLVM_PROFILE_FILE=/dev/null "build/asan/tests/${name}_fuzz" -max_total_time="${FUZZ_SECONDS:-25}" \
+    -max_len="$longest" -timeout=5 -rss_limit_mb=2048 -verbosity=0 -artifact_prefix=build/asan/ \
+    "$scratch/$name" "tests/fuzz/corpus/$name"
+}
+fuzz_count() {
+  local names=("${@:2}")
+  if [ "$status" = 0 ]; then pass; else fail "fuzz ${names[$1]}"; fi
 }
