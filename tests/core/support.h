@@ -131,14 +131,18 @@ struct Picture {
   RayCounts rays;
 };
 
-/// The window of the scene's picture, linear.
-inline Picture picture(const Scene& scene, int width, int height, const Window& window,
+/// The window of the picture that the view has of a world, linear.
+inline Picture picture(const World& world, const View& view, const Window& window,
                        const RenderOptions& options = {}) {
   Pool pool(options.threads);
   LinearFilm film(window.width(), window.height());
-  const RayCounts rays = render(compile(scene), view_of(scene.camera, width, height), window,
-                                options, pool, {}, [&](const FilmTile& tile) { film.put(tile); });
+  const RayCounts rays =
+      render(world, view, window, options, pool, {}, [&](const FilmTile& tile) { film.put(tile); });
   return {film.image(), rays};
+}
+inline Picture picture(const Scene& scene, int width, int height, const Window& window,
+                       const RenderOptions& options = {}) {
+  return picture(compile(scene), view_of(scene.camera, width, height), window, options);
 }
 inline Picture picture(const Scene& scene, int width, int height,
                        const RenderOptions& options = {}) {

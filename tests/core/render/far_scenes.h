@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "tests/contract/formula_specimens.h"
@@ -96,19 +97,19 @@ inline int different(const Image& a, const Image& b, float tolerance, float most
 // 1 pixel of 1000 may differ by more than 2/255.
 inline void expect_alike(const Scene& scene, const Scene& far) {
   constexpr int few = far_width * far_height / 1000;
+  const auto worlds = std::array{compile(scene), compile(far)};
+  const auto views = std::array{view_of(scene.camera, far_width, far_height),
+                                view_of(far.camera, far_width, far_height)};
+  const auto drawn = [&](std::size_t i, IntegratorName integrator) {
+    return picture(worlds[i], views[i], {0, 0, far_width, far_height}, drawn_by(integrator)).image;
+  };
   for (const IntegratorName integrator :
        {IntegratorName::whitted, IntegratorName::thesis, IntegratorName::shadow,
-        IntegratorName::normal, IntegratorName::albedo, IntegratorName::object}) {
-    const RenderOptions options = drawn_by(integrator);
-    EXPECT_LE(different(picture(scene, far_width, far_height, options).image,
-                        picture(far, far_width, far_height, options).image, 2.0F / 255),
-              few)
+        IntegratorName::normal, IntegratorName::albedo, IntegratorName::object})
+    EXPECT_LE(different(drawn(0, integrator), drawn(1, integrator), 2.0F / 255), few)
         << Names<IntegratorName>::names[static_cast<std::size_t>(integrator)];
-  }
-  const RenderOptions depth = drawn_by(IntegratorName::depth);
-  EXPECT_LE(different(picture(scene, far_width, far_height, depth).image,
-                      picture(far, far_width, far_height, depth).image, 1e-3F, 1e6F),
-            few);
+  const auto depth = IntegratorName::depth;
+  EXPECT_LE(different(drawn(0, depth), drawn(1, depth), 1e-3F, 1e6F), few);
 }
 
 // ---- scenes -----------------------------------------------------------------------------------
