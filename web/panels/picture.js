@@ -2,8 +2,7 @@
 
 import { decode } from '../picture/server.js';
 import { windowOf } from '../state/window.js';
-import { lampWords } from '../words/scene_words.js';
-import { t } from '../words/words.js';
+import { lampWords, t } from '../words/words.js';
 import { onRetry, showProblem } from './problem_view.js';
 import { lookAround } from './seen.js';
 

@@ -2,6 +2,7 @@
 
 import en from './en.js';
 import { recall, remember } from '../state/memory.js';
+import { numberText } from '../state/request.js';
 
 export const LANGUAGES = ['en', 'vi'];
 let language = 'en';
@@ -65,4 +66,13 @@ export function countWords(count) {
 /** A duration with three digits that mean something. */
 export function msWords(ms) {
   return `${numberWords(ms, ms < 1000 ? 3 : 4)} ms`;
+}
+
+/** Where the lamp is, in words; `light` is its place, where that is known. */
+export function lampWords({ key, light: wished }, light) {
+  if (!key && !light) return t('light.isOff');
+  const at = (wished ?? light)?.map((value) => numberText(Number(value.toPrecision(6)))).join(', ');
+  if (!key) return t('light.isAt', { at });
+  const place = has(`light.key_${key}`) ? t(`light.key_${key}`) : t('light.key', { key });
+  return at ? t('light.isPlacedAt', { place, at }) : t('light.isPlaced', { place });
 }
