@@ -182,6 +182,7 @@ step_same_bytes() {
     same_picture "$options.pfm" shapes --integrator "$options"
   done
   same_picture occlusion.pfm shapes --integrator ambient_occlusion --samples 4
+  same_picture path.pfm cornell --integrator path --samples 4
   same_picture samples.pfm shapes --samples 5 --seed 7
   same_picture threshold.pfm shapes --threshold 0.05
   same_picture lens.pfm shapes --samples 3 --camera '{"aperture": 1, "focus_distance": 12}'

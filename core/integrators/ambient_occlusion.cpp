@@ -4,22 +4,6 @@
 #include "core/math/warp.h"
 
 namespace tia {
-namespace {
-
-// A direction of the upper hemisphere around n, of density cos / pi.
-// Source: Malley's method (Pharr, Jakob, Humphreys, "Physically Based Rendering", 4th ed., A.5.3):
-// the points of the unit disc, evenly, and what stands above them on the sphere.
-template <class Real>
-Vec3<Real> cosine_direction(const Vec3<Real>& n, Real u, Real v) {
-  using std::sqrt;
-  const DiscPoint<Real> d = square_to_disc(u, v);
-  const Real z = sqrt(max_of(Real(1) - d.x * d.x - d.y * d.y, Real(0)));
-  const auto [across, along] = axes_around(n);
-  return across * d.x + along * d.y + n * z;
-}
-
-}  // namespace
-
 // (1 / pi) times the integral of V(wi) n.wi over the upper hemisphere, V = 0 where something is
 // nearer than the radius: one ray a sample. 1 where nothing is hit. A direction below the geometric
 // horizon, which an interpolated normal may have, meets the surface itself.
@@ -38,7 +22,8 @@ Vec3<Real> Integrator<IntegratorName::ambient_occlusion>::radiance(
   constexpr auto n = static_cast<std::size_t>(lanes<Real>);
   std::array<LaneOf<Real>, n> u, v;
   for (std::size_t i = 0; i < n; ++i) u[i] = unit_float(words.a[i]), v[i] = unit_float(words.b[i]);
-  const Vec3<Real> wi = cosine_direction(isect.at.n, load<Real>(u.data()), load<Real>(v.data()));
+  const Vec3<Real> wi =
+      square_to_cosine_hemisphere(isect.at.n, load<Real>(u.data()), load<Real>(v.data()));
   const Mask<Real> upper = isect.here && dot(isect.at.ng, wi) > Real(0);
   world_view.rays.shadow += count(upper);
   const Real radius = lift<Real>(world_view.rules.ao_radius);

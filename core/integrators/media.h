@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "core/math/lanes.h"
+#include "core/math/powers.h"
 
 namespace tia {
 
@@ -81,6 +81,16 @@ Medium<Real> medium_around(const MediumTransition<Real>* last, Mask<Real> here, 
   }
   return {load<Real>(found[0].data()),
           {load<Real>(found[1].data()), load<Real>(found[2].data()), load<Real>(found[3].data())}};
+}
+
+/// The share of light that a medium lets pass along t. Source: the law of Beer and Lambert.
+template <class Real>
+Vec3<Real> transmittance_of(const Vec3<Real>& absorption, const Real& t) {
+  const auto passed = [&](const Real& a) {
+    const Mask<Real> absorbs = a > Real(0);
+    return any(absorbs) ? select(absorbs, exp_of(-a * t), Real(1)) : Real(1);
+  };
+  return {passed(absorption.x), passed(absorption.y), passed(absorption.z)};
 }
 
 }  // namespace tia

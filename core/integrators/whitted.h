@@ -133,15 +133,6 @@ class Whitted {
     recorder_.child(name, weight, value);
   }
 
-  // The share of light that a medium lets pass along t. Source: the law of Beer and Lambert.
-  static V transmittance_of(const V& absorption, const Real& t) {
-    const auto passed = [&](const Real& a) {
-      const Mask<Real> absorbs = a > Real(0);
-      return any(absorbs) ? select(absorbs, exp_of(-a * t), Real(1)) : Real(1);
-    };
-    return {passed(absorption.x), passed(absorption.y), passed(absorption.z)};
-  }
-
   AnyWorldView& world_view_;
   Recorder& recorder_;
 };

@@ -36,10 +36,27 @@ template <class Form>
 concept SamplesLi = requires(const Form& form, const Vec3<Wide>& p) {
   { sample_li(form, p) } -> std::same_as<LightSample<Wide>>;
 };
-/// LitForm: a light made ready. It has either a middle or a sample_li(form, p). With both, the two
-/// could contradict each other, so it is none.
+/// A form with an area: `sample_li(form, p, u, v)` is the sample for a point (u, v) of the unit
+/// square. Equal areas of the square have equal shares of the light that p gets.
 template <class Form>
-concept LitForm = (ShinesFromPoint<Form> != SamplesLi<Form>);
+concept SamplesArea = requires(const Form& form, const Vec3<Wide>& p, const Wide& u) {
+  { sample_li(form, p, u, u) } -> std::same_as<LightSample<Wide>>;
+};
+/// `pdf_li(form, p, wi, distance)` is the density with which that sample comes from wi, where the
+/// area is at that distance, by solid angle; 0 where none does.
+template <class Form>
+concept HasDensity = requires(const Form& form, const Vec3<Wide>& p, const Wide& distance) {
+  { pdf_li(form, p, p, distance) } -> std::same_as<Wide>;
+};
+
+/// LitForm: a light made ready. It has either a middle or a sample_li(form, p). With both, the two
+/// could contradict each other, so it is none. One with an area tells its density.
+template <class Form>
+concept LitForm = (ShinesFromPoint<Form> != SamplesLi<Form>)&&(SamplesArea<Form> ==
+                                                               HasDensity<Form>);
+/// AreaForm: one with an area.
+template <class Form>
+concept AreaForm = LitForm<Form> && SamplesArea<Form>;
 
 /// The sample of a light without an area, or at the middle of one that has an area.
 template <class Real, LitForm Form>
@@ -47,12 +64,5 @@ LightSample<Real> sample_middle(const Form& form, const Vec3<Real>& p) {
   if constexpr (ShinesFromPoint<Form>) return sample_from(lift<Real>(form.middle), p);
   else return sample_li(form, p);
 }
-
-/// AreaForm: one with an area: `sample_li(form, p, u, v)` is the sample for a point (u, v) of the
-/// unit square. Equal areas of the square have equal shares of the light that p gets.
-template <class Form>
-concept AreaForm = LitForm<Form> && requires(const Form& form, const Vec3<Wide>& p, const Wide& u) {
-  { sample_li(form, p, u, u) } -> std::same_as<LightSample<Wide>>;
-};
 
 }  // namespace tia

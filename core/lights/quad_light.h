@@ -60,6 +60,13 @@ LightSample<Real> sample_li(const QuadForm& light, const Vec3<Real>& p, const Re
   return sample_from(lift<Real>(light.corner) + lift<Real>(light.u) * u + lift<Real>(light.v) * v,
                      p);
 }
+/// The density of a direction by solid angle, where its point is at that distance.
+template <class Real>
+Real pdf_li(const QuadForm& light, const Vec3<Real>&, const Vec3<Real>& wi, const Real& distance) {
+  // |u x v| times the cosine at the light.
+  const Real facing = abs_of(dot(cross(lift<Real>(light.u), lift<Real>(light.v)), wi));
+  return select(facing > Real(0), distance * distance / facing, Real(0));
+}
 static_assert(AreaForm<QuadForm>);
 
 }  // namespace tia

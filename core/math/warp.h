@@ -44,4 +44,16 @@ std::pair<Vec3<Real>, Vec3<Real>> axes_around(const Vec3<Real>& n) {
   return {{Real(1) + sign * n.x * n.x * a, sign * b, -sign * n.x}, {b, sign + n.y * n.y * a, -n.y}};
 }
 
+/// A direction of the upper hemisphere around the unit vector n, of density cos / pi.
+/// Source: Malley's method (Pharr, Jakob, Humphreys, "Physically Based Rendering", 4th ed., A.5.3):
+/// the points of the unit disc, evenly, and what stands above them on the sphere.
+template <class Real>
+Vec3<Real> square_to_cosine_hemisphere(const Vec3<Real>& n, const Real& u, const Real& v) {
+  using std::sqrt;
+  const DiscPoint<Real> d = square_to_disc(u, v);
+  const Real z = sqrt(max_of(Real(1) - d.x * d.x - d.y * d.y, Real(0)));
+  const auto [across, along] = axes_around(n);
+  return across * d.x + along * d.y + n * z;
+}
+
 }  // namespace tia

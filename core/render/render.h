@@ -24,7 +24,7 @@ struct Window {
 
 struct RenderOptions {
   IntegratorName integrator = IntegratorName::thesis;
-  int max_depth = SceneOptions{}.max_depth;
+  int max_depth = row_of(IntegratorName::whitted).max_depth;
   double ao_radius = Rules{}.ao_radius;  ///< of ambient_occlusion, in scene units
   int threads = 1;
   int tile = FilmTile::size;  ///< pixels a side, at most FilmTile::size

@@ -10,6 +10,7 @@ Value Codec<IntegratorName>::schema(const Spec& spec) {
                       {"description", row.about},
                       {"x-gathers", row.gathers_light() ? "light" : "features"}};
     if (row.samples != 1) one.emplace_back("x-samples", row.samples);
+    if (row.max_depth != 5) one.emplace_back("x-max-depth", row.max_depth);
     each.emplace_back(std::move(one));
   }
   schema.emplace_back("oneOf", std::move(each));

@@ -22,7 +22,8 @@ enum class IntegratorName {
   object,
   shadow,
   cost,
-  ambient_occlusion
+  ambient_occlusion,
+  path
 };
 
 /// Rules: how far light is followed, and how lights and shadows are simplified or left out.
@@ -47,6 +48,7 @@ struct IntegratorRow {
   bool averages = true;  ///< whether a pixel may have the mean of several rays' numbers
   /// The rays of a pixel where nothing is said of them: several where what one finds is chance.
   int samples = 1;
+  int max_depth = 5;  ///< where nothing is said of it
   /// Whether it is whitted, within `most`: then /explain tells its tree of rays, and a few plain
   /// balls are traced without a tree over them.
   bool is_whitted = false;
@@ -102,6 +104,11 @@ inline constexpr std::array integrators = std::to_array<IntegratorRow>({
      .about = "how much of the sky over the surface is free, by the cosine: folds and corners are "
               "dark",
      .samples = 32},
+    {.name = IntegratorName::path,
+     .text = "path",
+     .about = "light as it really goes: from surface to surface, until it is absorbed",
+     .samples = 64,
+     .max_depth = 16},
 });
 
 constexpr const IntegratorRow& row_of(IntegratorName name) {
@@ -125,7 +132,8 @@ struct Names<IntegratorName> {
 };
 
 /// Its schema says of each name what it is, and by the annotation `x-gathers` whether it gathers
-/// "light" or "features", by `x-samples` how many rays a pixel has where nothing is said, if not 1.
+/// "light" or "features", by `x-samples` how many rays a pixel has and by `x-max-depth` how often
+/// light turns on its way where nothing is said, if not 1 and 5.
 template <>
 struct Codec<IntegratorName> : NamesCodec<IntegratorName> {
   static Value schema(const Spec&);

@@ -32,7 +32,7 @@ struct SceneOptions {
   Transfer transfer = Transfer::srgb;
   std::optional<int> samples;       ///< none: the integrator's
   std::optional<double> threshold;  ///< none: off
-  int max_depth = 5;
+  std::optional<int> max_depth;     ///< none: the integrator's
   bool transparent_shadows = false;
   std::optional<double> ao_radius;  ///< none: infinite
   std::int64_t seed = 0;
@@ -50,7 +50,9 @@ struct SceneOptions {
                .min = 0,
                .max = 1});
     visit("max_depth", &SceneOptions::max_depth,
-          Spec{.about = "how often light is mirrored or refracted on its way; 0 is never",
+          Spec{.about =
+                   "how often light is mirrored, refracted or, by path, scattered on its way; 0 is "
+                   "never; else 5, by path 16",
                .min = 0,
                .max = deepest});
     visit("transparent_shadows", &SceneOptions::transparent_shadows,

@@ -73,7 +73,7 @@ KnownScene scene_of(const ViewRequest& asked, const RenderContext& context,
 RenderOptions options_of(const SceneOptions& in_effect, const Limits& limits) {
   RenderOptions options;
   options.integrator = in_effect.integrator;
-  options.max_depth = in_effect.max_depth;
+  options.max_depth = in_effect.max_depth.value_or(row_of(in_effect.integrator).max_depth);
   options.ao_radius = in_effect.ao_radius.value_or(options.ao_radius);
   options.samples = in_effect.samples.value_or(row_of(in_effect.integrator).samples);
   options.threshold = in_effect.threshold.value_or(0);

@@ -63,7 +63,8 @@ struct TraceRequest : ViewRequest {
                .max = 1});
     visit("max_depth", &T::max_depth,
           Spec{.about =
-                   "how often light is mirrored or refracted on its way; 0 is never; else as the "
+                   "how often light is mirrored, refracted or, by path, scattered on its way; 0 is "
+                   "never; else as the "
                    "scene says",
                .min = 0,
                .max = SceneOptions::deepest});
@@ -90,13 +91,13 @@ void replace(std::optional<T>& option, const std::optional<T>& asked) {
 }
 
 /// The scene's options, with what the request says in place of those of the same name; without
-/// what has no effect then. How many rays a scene wants for its own integrator says nothing of
-/// another whose rays are chance: that one has its own number.
+/// what has no effect then. How many rays a scene wants for its own integrator, and how deep they
+/// go, says nothing of another whose rays are chance: that one has its own numbers.
 template <class Request>
 SceneOptions options_in_effect(SceneOptions options, const Request& asked) {
   if (asked.integrator && *asked.integrator != options.integrator &&
       row_of(*asked.integrator).samples != 1)
-    options.samples = options.threshold = std::nullopt;
+    options.samples = options.threshold = std::nullopt, options.max_depth = std::nullopt;
   SceneOptions::fields([&](std::string_view name, auto option, const Spec&) {
     Request::fields([&](std::string_view parameter, auto member, const Spec&) {
       if constexpr (requires { replace(options.*option, asked.*member); })
@@ -105,6 +106,7 @@ SceneOptions options_in_effect(SceneOptions options, const Request& asked) {
   });
   if (!averages(options.integrator)) options.samples = options.threshold = std::nullopt;
   if (options.samples == row_of(options.integrator).samples) options.samples = std::nullopt;
+  if (options.max_depth == row_of(options.integrator).max_depth) options.max_depth = std::nullopt;
   if (options.threshold == 0) options.threshold = std::nullopt;
   if (options.integrator != IntegratorName::ambient_occlusion) options.ao_radius = std::nullopt;
   return options;

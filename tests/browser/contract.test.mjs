@@ -15,6 +15,7 @@ before(async () => {
   ajv = new Ajv2020({ strict: true, strictTypes: false, strictRequired: false });
   ajv.addKeyword('x-gathers');
   ajv.addKeyword('x-samples');
+  ajv.addKeyword('x-max-depth');
   ajv.addKeyword('components'); // all that refers to a schema goes through it
   ajv.addSchema({ $id: 'openapi', components: { schemas: openapi.components.schemas } });
 });

@@ -92,6 +92,7 @@ struct PlaneForm {  // that shines from an area
   Constant middle;
 };
 LightSample<Wide> sample_li(const PlaneForm&, const Vec3<Wide>&, const Wide&, const Wide&);
+Wide pdf_li(const PlaneForm&, const Vec3<Wide>&, const Vec3<Wide>&, const Wide&);
 
 template <class Kind>
 struct Near : Described<Kind> {
@@ -161,6 +162,13 @@ struct SeenArea : UnseenArea {};
 PlaneForm prepare(const SeenArea&);
 Sphere surface(const SeenArea&);
 static_assert(IsLight<SeenArea>);
+
+// A path that hits it could not tell how often it asks for it.
+struct FormWithoutDensity {
+  Constant middle;
+};
+LightSample<Wide> sample_li(const FormWithoutDensity&, const Vec3<Wide>&, const Wide&, const Wide&);
+static_assert(ShinesFromPoint<FormWithoutDensity> && !LitForm<FormWithoutDensity>);
 
 // Few plain balls are lit by a form's middle, all others by what comes in: they must not differ.
 struct FormOfTwoMinds {

@@ -23,7 +23,7 @@ void draw(const Scene& scene) {
   static Pool pool(1);
   RenderOptions options;
   options.integrator = scene.options.integrator;
-  options.max_depth = scene.options.max_depth;
+  options.max_depth = scene.options.max_depth.value_or(options.max_depth);
   options.max_rays = 4096;
   options.max_work = 1'000'000;
   render(compile(scene), view_of(scene.camera, 8, 8), {0, 0, 8, 8}, options, pool, {},

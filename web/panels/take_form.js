@@ -1,13 +1,13 @@
 // How the picture is drawn: its size, its edges, and how many rays it takes.
 
-import { aboutOf, lightNames } from '../picture/integrators.js';
+import { aboutOf, lightNames, usualOf } from '../picture/integrators.js';
 import { SIZE, resized, sizeOf } from '../state/window.js';
 import { t, wordsOr } from '../words/words.js';
 import { element } from './element.js';
 
 const SIZES = [[320, 240], [640, 480], [800, 600], [1024, 768], [1280, 960], [1600, 1200], [1920, 1440]];
-// Least, most, and what holds where neither request nor scene says anything.
-const NUMBERS = { samples: [1, 65536, 1], max_depth: [0, 64, 5], seed: [0, Number.MAX_SAFE_INTEGER, 0] };
+// Least and most.
+const NUMBERS = { samples: [1, 65536], max_depth: [0, 64], seed: [0, Number.MAX_SAFE_INTEGER] };
 
 /** The form as { node, draw() }. */
 export function takeForm(studio) {
@@ -34,10 +34,13 @@ export function takeForm(studio) {
     choices(method, ['', ...lightNames()], request.integrator ?? '',
       (value) => (value ? wordsOr(`take.method_${value}`, aboutOf(value)) : t('take.asScene')));
     smooth.checked = studio.smooth;
+    const ofScene = source?.options?.integrator ?? 'whitted';
+    const integrator = request.integrator ?? ofScene;
+    const own = integrator === ofScene && source?.options; // not what it says of another
     for (const { name, field } of numbers) {
       if (field === document.activeElement) continue;
       field.value = request[name] ?? '';
-      field.placeholder = source?.options?.[name] ?? NUMBERS[name][2];
+      field.placeholder = own?.[name] ?? usualOf(integrator, name) ?? '';
     }
   }
 

@@ -10,7 +10,7 @@ export async function learnIntegrators() {
     const { $defs } = await fetchJson('schema/scene.json');
     known = $defs.options.properties.integrator.oneOf.map((one) => (
       { name: one.const, about: one.description, feature: one['x-gathers'] !== 'light',
-        samples: one['x-samples'] }));
+        usual: { samples: one['x-samples'] ?? 1, max_depth: one['x-max-depth'] ?? 5, seed: 0 } }));
   } catch (problem) {
     console.warn(problem.message);
   }
@@ -23,7 +23,7 @@ export const lightNames = () => names(false);
 export const featureNames = () => names(true);
 export const isFeature = (name) => featureNames().includes(name);
 
-/** How many rays a pixel has where nothing is said. */
-export const samplesOf = (name) => known.find((one) => one.name === name)?.samples ?? 1;
+/** Its samples, max_depth or seed where nothing is said. */
+export const usualOf = (name, option) => known.find((one) => one.name === name)?.usual[option];
 
 export const aboutOf = (name) => known.find((one) => one.name === name)?.about ?? name;

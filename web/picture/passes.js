@@ -2,7 +2,7 @@
 // was asked for, then the same with smooth edges. One request at a time; of wishes that come
 // meanwhile only the newest counts, and it does not wait for a finer picture of an older one.
 
-import { isFeature, samplesOf } from './integrators.js';
+import { isFeature, usualOf } from './integrators.js';
 import { pixelsOf, scaled } from '../state/window.js';
 
 const FRAME_MS = 36; // for 30 pictures a second: while one is decoded the next is under way
@@ -23,7 +23,7 @@ export function plain(request, options) {
 }
 
 function single(request, options) {
-  const usual = samplesOf(said('integrator', request, options));
+  const usual = usualOf(said('integrator', request, options), 'samples') ?? 1;
   return (said('samples', request, options) ?? usual) === 1 && !said('threshold', request, options);
 }
 

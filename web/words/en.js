@@ -435,6 +435,7 @@ export default {
     method_thesis: 'Thesis: light and shadow only',
     method_whitted: 'Whitted: mirrors and glass too',
     method_ambient_occlusion: 'Open sky: folds and corners are dark',
+    method_path: 'Paths: light from wall to wall',
     samples: 'Rays a pixel',
     max_depth: 'Bounces at most',
     seed: 'Random seed',

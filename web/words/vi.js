@@ -435,6 +435,7 @@ export default {
     method_thesis: 'Luận văn: chỉ có sáng và bóng',
     method_whitted: 'Whitted: thêm gương và thủy tinh',
     method_ambient_occlusion: 'Trời mở: khe và góc thì tối',
+    method_path: 'Đường đi: ánh sáng qua lại giữa các mặt',
     samples: 'Số tia mỗi điểm ảnh',
     max_depth: 'Số lần dội nhiều nhất',
     seed: 'Mầm ngẫu nhiên',

@@ -131,7 +131,7 @@ TEST(SceneSchema, RefusesWhatTheReaderRefuses) {
         R"({"options":{"seed":-1}})",
         R"({"options":{"seed":1.5}})",
         R"({"options":{"transfer":"gamma"}})",
-        R"({"options":{"integrator":"path"}})",
+        R"({"options":{"integrator":"paths"}})",
         R"({"objects":[{"type":"group","children":[]}]})",
         R"({"objects":[{"type":"csg","operation":"minus","children":[{"type":"group"}]}]})",
         R"({"objects":[{"type":"mesh","positions":[0,0,0],"indices":[0,0,0]}]})",

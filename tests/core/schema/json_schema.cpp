@@ -63,7 +63,7 @@ bool JsonSchema::obeys(const std::string& word, const Value& is, const Value& va
                        const Value::Object& schema) const {
   for (const char* annotation :
        {"description", "default", "title", "examples", "$schema", "$defs", "contentEncoding",
-        "contentMediaType", "contentSchema", "x-gathers", "x-samples"})
+        "contentMediaType", "contentSchema", "x-gathers", "x-samples", "x-max-depth"})
     if (word == annotation) return true;
   if (word == "type") return has_type(value, as_text(is));
   if (word == "const") return value == is;

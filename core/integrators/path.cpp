@@ -1,0 +1,229 @@
+// Path tracing: light as it really goes, with all that surfaces send to each other.
+#include "core/integrators/finish_bsdf.h"
+#include "core/integrators/integrator.h"
+#include "core/math/sobol.h"
+#include "core/scene/scene.h"
+
+namespace tia {
+namespace {
+
+/// PathTracer: the light along camera rays, estimated by one path each: at every vertex one point
+/// of one light is asked for, and one direction, drawn by the surface, goes on. What both can find,
+/// the light of a luminous surface, is weighted by the power heuristic.
+/// Source: Kajiya, "The rendering equation" (1986); Veach, "Robust Monte Carlo methods for light
+/// transport simulation" (1997), ch. 8 to 10.
+template <class Real>
+class PathTracer {
+  using V = Vec3<Real>;
+  using Surface = SurfaceInteraction<SurfacePoint<Real>, Real>;
+
+ public:
+  PathTracer(WorldView& world_view, const SamplerState<Real>& sampler_state)
+      : world_view_(world_view), sampler_state_(sampler_state) {}
+
+  V trace(Ray<Real> ray, Mask<Real> active) {
+    const int max_depth = std::min(world_view_.rules.max_depth, SceneOptions::deepest);
+    for (int depth = 0; any(active); ++depth) {
+      const Hit<Real> hit =
+          first_hit(world_view_, ray, active, depth == 0 ? RayKind::primary : RayKind::reflection);
+      const Surface isect = surfaces(world_view_, ray, hit, active);
+      beta_ = beta_ * transmittance_of(absorption_, hit.t);
+      add_emitted(hit, isect, active);
+      active = isect.here;
+      if (depth == max_depth || !any(active)) break;
+      const Finishes<Real> finish = finishes(world_view_.world, hit, active);
+      const FinishBsdf<Real> bsdf(ray.direction, hit, isect, finish, last_);
+      const Numbers numbers = draw(depth);
+      add_direct(isect, bsdf, numbers);
+      const BsdfSample<Real> next = bsdf.sample(numbers.lobe, numbers.u, numbers.v);
+      active = next.here && survives(depth, bsdf, next, numbers);
+      if (any(next.transmitted)) pass(hit, isect, finish, bsdf, next, depth);
+      pdf_ = next.pdf;
+      from_ = isect.at.p;
+      const Real offset = select(next.transmitted, -isect.offset, isect.offset);
+      ray = {isect.at.p + isect.at.ng * offset, normalize(next.wi)};
+    }
+    return light_;
+  }
+
+ private:
+  // ---- numbers at random ------------------------------------------------------------------------
+
+  struct Numbers {
+    Real light, light_u, light_v, lobe, u, v, roulette;
+  };
+  // Two blocks of four dimensions for each vertex.
+  Numbers draw(int depth) const {
+    constexpr std::uint32_t of_paths = 0x20000000;  // no other integrator's
+    const std::uint32_t block = of_paths + 2 * static_cast<std::uint32_t>(depth);
+    const auto words = [&](std::uint32_t of) {
+      return sobol_words(sampler_state_.x, sampler_state_.y, sampler_state_.sample, of,
+                         sampler_state_.key);
+    };
+    const auto first = words(block), second = words(block + 1);
+    return {units(first.c),  units(first.a),  units(first.b), units(first.d),
+            units(second.a), units(second.b), units(second.c)};
+  }
+  static constexpr auto n = static_cast<std::size_t>(lanes<Real>);
+  static Real units(const std::array<std::uint32_t, n>& words) {
+    std::array<LaneOf<Real>, n> each;
+    for (std::size_t i = 0; i < n; ++i) each[i] = unit_float(words[i]);
+    return load<Real>(each.data());
+  }
+
+  // ---- light ------------------------------------------------------------------------------------
+
+  void add(Mask<Real> here, const V& radiance) {
+    const V none{Real(0), Real(0), Real(0)};
+    light_ = light_ + select(here, beta_ * radiance, none);
+  }
+  static Mask<Real> shines(const V& light) {
+    return light.x > Real(0) || light.y > Real(0) || light.z > Real(0);
+  }
+
+  // What the ray finds: the background, or what the surface sends out by itself.
+  void add_emitted(const Hit<Real>& hit, const Surface& isect, Mask<Real> active) {
+    if (const Mask<Real> missed = active && !isect.here; any(missed))
+      add(missed, lift<Real>(world_view_.world.background));
+    const Mask<Real> luminous = isect.here && shines(isect.emission);
+    if (!any(luminous)) return;
+    Real weight(1);
+    if (const Mask<Real> rivals = luminous && pdf_ > Real(0); any(rivals)) {
+      const Real other = light_pdf(hit, isect, rivals) / pdf_;
+      weight = select(rivals, Real(1) / (Real(1) + other * other), Real(1));
+    }
+    add(luminous, isect.emission * weight);
+  }
+  // The density with which add_direct() asks for the point that the ray has hit, by solid angle.
+  Real light_pdf(const Hit<Real>& hit, const Surface& isect, Mask<Real> luminous) const {
+    Real pdf(0);
+    const V to_light = isect.at.p - from_;
+    const Real distance = length(to_light);
+    const V wi = to_light * (Real(1) / distance);
+    const auto& lights = world_view_.world.lights;
+    for_each_winner(hit, luminous, [&](int primitive, Mask<Real> here) {
+      for (const WorldLight& light : lights) {
+        if (light.primitive != primitive) continue;
+        const Mask<Real> own = here && hit.instance == Real(static_cast<float>(light.instance));
+        pdf = select(own, area_pdf(light, from_, wi, distance), pdf);
+      }
+    });
+    return pdf * Real(1 / static_cast<float>(lights.size()));
+  }
+  static Real area_pdf(const WorldLight& light, const V& p, const V& wi, const Real& distance) {
+    return std::visit(
+        [&]<class Form>(const Form& form) -> Real {
+          if constexpr (AreaForm<Form>) return pdf_li(form, p, wi, distance);
+          else return Real(0);
+        },
+        light.form);
+  }
+
+  // What one point of one light, drawn among them all alike, gives the surface to scatter.
+  void add_direct(const Surface& isect, const FinishBsdf<Real>& bsdf, const Numbers& numbers) {
+    const auto& lights = world_view_.world.lights;
+    Mask<Real> left = bsdf.scatters();
+    if (lights.empty() || !any(left)) return;
+    const auto count = static_cast<float>(lights.size());
+    std::array<LaneOf<Real>, n> each;
+    for (std::size_t i = 0; i < n; ++i)
+      each[i] = std::floor(static_cast<float>(lane(numbers.light, static_cast<int>(i))) * count);
+    const Real chosen = load<Real>(each.data());
+    while (const unsigned lanes_left = bits(left)) {
+      const auto number = each[static_cast<std::size_t>(std::countr_zero(lanes_left))];
+      const Mask<Real> here = left && chosen == Real(number);
+      add_light(lights[static_cast<std::size_t>(number)], isect, bsdf, numbers, here);
+      left = left && !here;
+    }
+  }
+  void add_light(const WorldLight& light, const Surface& isect, const FinishBsdf<Real>& bsdf,
+                 const Numbers& numbers, Mask<Real> here) {
+    world_view_.work.test();
+    const Incident in = incident(light, isect.at.p, numbers.light_u, numbers.light_v);
+    const V scattered = bsdf.eval(in.wi) * in.light;
+    const Mask<Real> lit = here && shines(scattered) && dot(scattered, scattered) < Real(infinity);
+    if (!any(lit)) return;
+    world_view_.rays.shadow += count(lit);
+    const Mask<Real> dark = occluded(world_view_.world, isect.shadow_ray(in.wi), in.distance, light,
+                                     lit, world_view_.work);
+    const auto lights = static_cast<float>(world_view_.world.lights.size());
+    Real weight(lights);
+    if (in.has_area) {
+      const Real other = bsdf.pdf(in.wi) * Real(lights) / in.pdf;
+      weight = weight / (in.pdf * (Real(1) + other * other));
+    }
+    add(lit && !dark, scattered * weight);
+  }
+
+  // What comes to p from one point of a light, before it is divided by the density.
+  struct Incident {
+    V wi, light;
+    Real distance, pdf = Real(1);
+    bool has_area = false;
+  };
+  // Point, spot and directional lights have an intensity and an irradiance, those with an area a
+  // radiance. A luminous object's is found by the directions that surfaces draw.
+  static Incident incident(const WorldLight& light, const V& p, const Real& u, const Real& v) {
+    const V color = lift<Real>(light.color), none{Real(0), Real(0), Real(0)};
+    return std::visit(
+        [&]<class Form>(const Form& form) -> Incident {
+          if constexpr (AreaForm<Form>) {
+            const LightSample<Real> at = sample_li(form, p, u, v);
+            const Real pdf = pdf_li(form, p, at.wi, at.distance);
+            return {at.wi, select(pdf > Real(0), color, none), at.distance, pdf, true};
+          } else {
+            const LightSample<Real> at = sample_middle(form, p);
+            const Real spread = select(at.distance < Real(infinity),
+                                       Real(1) / (at.distance * at.distance), Real(1));
+            const Real share = at.strength * spread;
+            return {at.wi, light.primitive < 0 ? color * share : none, at.distance};
+          }
+        },
+        light.form);
+  }
+
+  // ---- the path goes on -------------------------------------------------------------------------
+
+  // Multiplies the weight of the direction in. From the fifth vertex on paths end by chance, the
+  // less they count the sooner. Returns: the lanes that go on.
+  Mask<Real> survives(int depth, const FinishBsdf<Real>& bsdf, const BsdfSample<Real>& next,
+                      const Numbers& numbers) {
+    beta_ = beta_ * next.weight;
+    denser_ = select(next.transmitted, denser_ / (bsdf.eta() * bsdf.eta()), denser_);
+    if (depth + 1 < 5) return shines(beta_);
+    const Real most = max_of(max_of(beta_.x, beta_.y), beta_.z) * denser_;
+    const Real q = min_of(Real(0.95F), most);
+    beta_ = beta_ * (Real(1) / q);
+    return shines(beta_) && numbers.roulette < q;
+  }
+  void pass(const Hit<Real>& hit, const Surface& isect, const Finishes<Real>& finish,
+            const FinishBsdf<Real>& bsdf, const BsdfSample<Real>& next, int depth) {
+    MediumTransition<Real>& own = passed_[static_cast<std::size_t>(depth)];
+    own = {last_, next.transmitted, isect.at.front, finish.object, hit.instance, finish.inside};
+    last_ = &own;
+    absorption_ = select(next.transmitted, bsdf.medium_t().absorption, absorption_);
+  }
+
+  WorldView& world_view_;
+  const SamplerState<Real>& sampler_state_;
+  V light_{Real(0), Real(0), Real(0)}, beta_{Real(1), Real(1), Real(1)};
+  V absorption_{Real(0), Real(0), Real(0)};  // of the medium, per scene unit
+  V from_{Real(0), Real(0), Real(0)};        // the last vertex
+  Real pdf_ = Real(0);     // of the direction from there; 0: of the camera, of mirrors and of glass
+  Real denser_ = Real(1);  // the square of the index of refraction, where the path began with 1
+  std::array<MediumTransition<Real>, SceneOptions::deepest> passed_;
+  const MediumTransition<Real>* last_ = nullptr;
+};
+
+}  // namespace
+
+template <>
+template <class Real>
+Vec3<Real> Integrator<IntegratorName::path>::radiance(WorldView& world_view, const Ray<Real>& ray,
+                                                      Mask<Real> active,
+                                                      const SamplerState<Real>& sampler_state) {
+  return PathTracer<Real>(world_view, sampler_state).trace(ray, active);
+}
+TIA_INTEGRATOR(path)
+
+}  // namespace tia

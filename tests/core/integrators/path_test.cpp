@@ -1,0 +1,232 @@
+// The path tracer, by closed forms. A mean of several seeds is held to four of its standard errors,
+// and the standard error to a quarter of a percent.
+#include <gtest/gtest.h>
+
+#include "tests/core/tree.h"
+
+namespace tia {
+namespace {
+
+using namespace test;
+
+struct Mean {
+  double value, error;
+};
+
+// What comes from `to` to the eye: one pixel, so narrow that all of its paths begin at one point.
+Mean light_from(Scene scene, const Vec3d& eye, const Vec3d& to, int samples, int max_depth,
+                int seeds = 16) {
+  scene.camera = Camera{};
+  scene.camera.location = eye;
+  scene.camera.direction = to - eye;
+  scene.camera.up = onb_around(normalize(to - eye)).u;
+  scene.camera.fov_degrees = 1e-3;
+  const World world = compile(scene);
+  RenderOptions options;
+  options.integrator = IntegratorName::path;
+  options.max_depth = max_depth;
+  options.samples = samples;
+  double sum = 0, squares = 0;
+  for (int seed = 0; seed < seeds; ++seed) {
+    options.seed = seed;
+    const Image image = picture(world, view_of(scene.camera, 1, 1), {0, 0, 1, 1}, options).image;
+    const double one = static_cast<double>(image.rgb[0]);
+    sum += one, squares += one * one;
+  }
+  const double mean = sum / seeds;
+  const double variance = std::max(0.0, squares / seeds - mean * mean) / (seeds - 1);
+  return {mean, std::sqrt(variance)};
+}
+void expect_mean(const Mean& mean, double expected) {
+  EXPECT_NEAR(mean.value, expected, 4 * mean.error + 2e-5 * expected);
+  EXPECT_LT(mean.error, 0.0025 * expected);
+}
+
+Finish matt(double albedo) {
+  Finish finish;
+  finish.color = {1, 1, 1};
+  finish.diffuse = albedo;
+  return finish;
+}
+// In a closed ball every path goes on: the light is that of the first, second, ... wall, each the
+// albedo darker.
+TEST(Path, FurnaceCutAfterSomeEventsIsThePartialSum) {
+  Random random(820);
+  for (int depth = 0; depth < 5; ++depth) {
+    const double albedo = random.in(0.2, 0.9), emitted = random.in(0.5, 2);
+    Scene scene;
+    Finish wall = matt(albedo);
+    wall.emission = {emitted, emitted, emitted};
+    scene.objects = {object(Sphere{random.point(3), 9}, wall)};
+    const double expected = emitted * (1 - std::pow(albedo, depth + 1)) / (1 - albedo);
+    const Mean mean = light_from(scene, {0, 0, 0}, random.direction(), 64, depth, 2);
+    EXPECT_NEAR(mean.value, expected, 1e-5 * expected) << depth;
+  }
+}
+TEST(Path, FurnaceIsTheWholeSumWhereverPathsEndByChance) {
+  for (const double albedo : {0.3, 0.7}) {
+    Scene scene;
+    Finish wall = matt(albedo);
+    wall.emission = {1, 1, 1};
+    scene.objects = {object(Sphere{{0, 0, 0}, 2}, wall)};
+    expect_mean(light_from(scene, {0.5, 0.2, 0.1}, {2, 1, 0}, 2048, 64), 1 / (1 - albedo));
+  }
+}
+
+// Whatever loses no light is as bright as the sky around it.
+TEST(Path, WhiteBodiesInAWhiteSkyCannotBeSeen) {
+  Random random(821);
+  Finish mirror;
+  mirror.diffuse = 0, mirror.reflection = 1;
+  Finish half = matt(1);
+  half.reflection = 0.5;
+  for (const Finish& finish : {matt(1), mirror, half, glass(1.5), glass(0.7), clear_glass(1.5)}) {
+    Scene scene;
+    scene.background = {1, 1, 1};
+    scene.objects = {object(Sphere{{0, 0, 0}, 1}, finish)};
+    const Vec3d aside = random.direction() * 0.9;
+    const Mean mean = light_from(scene, random.direction() * 5.0, aside, 1024, 64);
+    EXPECT_NEAR(mean.value, 1, 4 * mean.error + 1e-4);
+    EXPECT_LT(mean.error, 0.0025);
+  }
+}
+
+// E = I cos / d^2, and what leaves is albedo / pi of it.
+TEST(Path, PointLightFollowsTheInverseSquare) {
+  Random random(822);
+  for (int i = 0; i < 10; ++i) {
+    const Onb frame = onb_around(random.direction());
+    const Vec3d p = random.point(3);
+    const double albedo = random.in(0.1, 1), intensity = random.in(1, 50);
+    const Vec3d light = p + frame.n * random.in(0.5, 4) + frame.u * random.in(-2, 2);
+    Scene scene;
+    scene.objects = {object(Plane{p, frame.n}, matt(albedo))};
+    scene.lights = {point_light(light)};
+    scene.lights[0].intensity = intensity;
+    const Vec3d to = light - p;
+    const double irradiance = intensity * dot(normalize(to), frame.n) / dot(to, to);
+    const Mean mean = light_from(scene, p + frame.n * 2.0 + frame.v, p, 4, 1, 2);
+    EXPECT_NEAR(mean.value, albedo / pi * irradiance, 1e-4 * irradiance);
+  }
+}
+
+// A ball of radiance L above the horizon: E = pi L (r / d)^2 cos.
+// Source: Howell, "A catalog of radiation heat transfer configuration factors", B-43.
+TEST(Path, BallsLightIsItsFormFactor) {
+  Random random(823);
+  for (int i = 0; i < 6; ++i) {
+    const Onb frame = onb_around(random.direction());
+    const double d = random.in(2, 5), r = random.in(0.2, 0.9), slant = random.in(0, 0.9);
+    const Vec3d up = normalize(frame.n + frame.u * slant);
+    Scene scene;
+    scene.objects = {object(Plane{{0, 0, 0}, frame.n}, matt(0.7))};
+    scene.lights = {sphere_light(up * d, r)};
+    const double irradiance = pi * r * r / (d * d) * dot(up, frame.n);
+    ASSERT_GT(d * dot(up, frame.n), r);
+    expect_mean(light_from(scene, frame.n * 2.0 - frame.u, {0, 0, 0}, 256, 1),
+                0.7 / pi * irradiance);
+  }
+}
+
+// Lambert's formula: half the sum over the edges of the angle that an edge fills, times the cosine
+// of the normal of the plane through it and the point.
+// Source: Lambert, "Photometria" (1760); Arvo, "Analytic methods for simulated light transport"
+// (1995), ch. 4.
+double polygon_irradiance(const std::vector<Vec3d>& corners, const Vec3d& n) {
+  double sum = 0;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Vec3d a = normalize(corners[i]), b = normalize(corners[(i + 1) % corners.size()]);
+    const Vec3d across = cross(a, b);
+    sum += std::atan2(length(across), dot(a, b)) * dot(normalize(across), n);
+  }
+  return std::fabs(sum) / 2;
+}
+TEST(Path, QuadsLightIsLambertsFormula) {
+  Random random(824);
+  for (int i = 0; i < 6; ++i) {
+    const Vec3d n = random.direction();
+    const Onb frame = onb_around(n);
+    const Vec3d corner =
+        frame.n * random.in(1, 3) + frame.u * random.in(-2, 1) + frame.v * random.in(-2, 1);
+    const Vec3d u = frame.u * random.in(0.5, 2) + frame.n * random.in(0, 0.5);
+    const Vec3d v = frame.v * random.in(0.5, 2) + frame.n * random.in(0, 0.5);
+    Scene scene;
+    scene.objects = {object(Plane{{0, 0, 0}, n}, matt(0.6))};
+    Light light;
+    light.kind = QuadLight{corner, u, v};
+    scene.lights = {light};
+    const double irradiance =
+        polygon_irradiance({corner, corner + u, corner + u + v, corner + v}, n);
+    expect_mean(light_from(scene, frame.n * 0.5 - frame.u - frame.v, {0, 0, 0}, 1024, 1),
+                0.6 / pi * irradiance);
+  }
+}
+
+// In an integrating sphere all that is scattered, wherever from, lights each point of the wall
+// alike: E = direct + Phi a / (4 pi R^2 (1 - a)).
+// Source: Jacquez, Kuppenheim, "Theory of the integrating sphere", JOSA 45 (1955).
+TEST(Path, IntegratingSphereSpreadsWhatItScatters) {
+  Random random(825);
+  for (int i = 0; i < 4; ++i) {
+    const double radius = random.in(1, 3), albedo = random.in(0.3, 0.8);
+    Scene scene;
+    scene.objects = {object(Sphere{{0, 0, 0}, radius}, matt(albedo))};
+    const Vec3d light = random.point(0.5 * radius);
+    scene.lights = {point_light(light)};
+    const Vec3d wall = random.direction() * radius, to = light - wall;
+    const double direct = dot(normalize(to), normalize(wall) * -1.0) / dot(to, to);
+    const double spread = albedo / (radius * radius * (1 - albedo));
+    expect_mean(light_from(scene, {0, 0, 0}, wall, 1024, 64), albedo / pi * (direct + spread));
+  }
+}
+
+// Source: the law of Beer and Lambert; between equal indices nothing bends.
+TEST(Path, WhatIsInsideAbsorbsAlongTheChord) {
+  Scene scene;
+  scene.background = {1, 1, 1};
+  Finish tinted = clear_glass(1);
+  tinted.absorption = {0.3, 0.3, 0.3};
+  scene.objects = {object(Sphere{{0, 0, 0}, 1}, tinted)};
+  for (const double aside : {0.0, 0.5, 0.9}) {
+    const double chord = 2 * std::sqrt(1 - aside * aside);
+    const Mean mean = light_from(scene, {aside, 0, 5}, {aside, 0, 0}, 4, 16, 2);
+    EXPECT_NEAR(mean.value, std::exp(-0.3 * chord), 2e-5);
+  }
+}
+
+// All kinds of lights and finishes in one room.
+Scene room() {
+  Scene scene;
+  scene.background = {0.2, 0.3, 0.4};
+  scene.camera.location = {0, 1, 6};
+  scene.camera.look_at = Vec3d{0, 0, 0};
+  Finish glow = matt(0.5);
+  glow.emission = {2, 1, 0.5};
+  Finish mirror = matt(0.2);
+  mirror.reflection = 0.7;
+  scene.objects = {
+      object(Plane{{0, -1, 0}, {0, 1, 0}}, matt(0.7)), object(Sphere{{-1.2, 0, 0}, 1}, glass(1.5)),
+      object(Sphere{{1.2, 0, 0}, 1}, mirror), object(Sphere{{0, -0.7, 1.5}, 0.3}, glow)};
+  Light quad;
+  quad.kind = QuadLight{Vec3d{-1, 3, -1}, {2, 0, 0}, {0, 0, 2}};
+  scene.lights = {point_light({3, 3, 3}), sphere_light({-3, 2, 1}, 0.5), quad};
+  return scene;
+}
+
+TEST(Path, NeitherThreadsNorTilesNorLanesChangeAByte) {
+  RenderOptions options;
+  options.integrator = IntegratorName::path;
+  options.max_depth = 16;
+  options.samples = rounds(40);
+  const auto usual = bits_of(picture(room(), 37, 29, options).image);
+  for (const int threads : {2, 7}) {
+    options.threads = threads;
+    options.tile = 5 + threads;
+    EXPECT_EQ(bits_of(picture(room(), 37, 29, options).image), usual);
+  }
+  options.scalar = Scalar::narrow;
+  EXPECT_EQ(bits_of(picture(room(), 37, 29, options).image), usual);
+}
+
+}  // namespace
+}  // namespace tia
