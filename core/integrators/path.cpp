@@ -1,4 +1,6 @@
 // Path tracing: light as it really goes, with all that surfaces send to each other.
+#include <optional>
+
 #include "core/integrators/finish_bsdf.h"
 #include "core/integrators/integrator.h"
 #include "core/math/sobol.h"
@@ -24,8 +26,8 @@ class PathTracer {
   V trace(Ray<Real> ray, Mask<Real> active) {
     const int max_depth = std::min(world_view_.rules.max_depth, SceneOptions::deepest);
     for (int depth = 0; any(active); ++depth) {
-      const Hit<Real> hit =
-          first_hit(world_view_, ray, active, depth == 0 ? RayKind::primary : RayKind::reflection);
+      count_rays(depth, active);
+      const Hit<Real> hit = world_view_.closest(ray, active);
       const Surface isect = surfaces(world_view_, ray, hit, active);
       beta_ = beta_ * transmittance_of(absorption_, hit.t);
       add_emitted(hit, isect, active);
@@ -40,6 +42,7 @@ class PathTracer {
       if (any(next.transmitted)) pass(hit, isect, finish, bsdf, next, depth);
       pdf_ = next.pdf;
       from_ = isect.at.p;
+      transmitted_ = next.transmitted;
       const Real offset = select(next.transmitted, -isect.offset, isect.offset);
       ray = {isect.at.p + isect.at.ng * offset, normalize(next.wi)};
     }
@@ -47,6 +50,14 @@ class PathTracer {
   }
 
  private:
+  // What a matt surface sends on counts as reflected.
+  void count_rays(int depth, Mask<Real> active) {
+    const int refracted = depth == 0 ? 0 : count(active && transmitted_);
+    world_view_.rays.count(RayKind::refraction, refracted);
+    world_view_.rays.count(depth == 0 ? RayKind::primary : RayKind::reflection,
+                           count(active) - refracted);
+  }
+
   // ---- numbers at random ------------------------------------------------------------------------
 
   struct Numbers {
@@ -81,6 +92,10 @@ class PathTracer {
     return light.x > Real(0) || light.y > Real(0) || light.z > Real(0);
   }
 
+  static Mask<Real> is_finite(const V& light) {
+    return light.x < Real(infinity) && light.y < Real(infinity) && light.z < Real(infinity);
+  }
+
   // What the ray finds: the background, or what the surface sends out by itself.
   void add_emitted(const Hit<Real>& hit, const Surface& isect, Mask<Real> active) {
     if (const Mask<Real> missed = active && !isect.here; any(missed))
@@ -108,7 +123,7 @@ class PathTracer {
         pdf = select(own, area_pdf(light, from_, wi, distance), pdf);
       }
     });
-    return pdf * Real(1 / static_cast<float>(lights.size()));
+    return pdf / Real(static_cast<float>(std::max<std::size_t>(lights.size(), 1)));
   }
   static Real area_pdf(const WorldLight& light, const V& p, const V& wi, const Real& distance) {
     return std::visit(
@@ -140,12 +155,15 @@ class PathTracer {
                  const Numbers& numbers, Mask<Real> here) {
     world_view_.work.test();
     const Incident in = incident(light, isect.at.p, numbers.light_u, numbers.light_v);
-    const V scattered = bsdf.eval(in.wi) * in.light;
-    const Mask<Real> lit = here && shines(scattered) && dot(scattered, scattered) < Real(infinity);
+    const V scattered = bsdf.eval(in.wi) * in.light * transmittance_of(absorption_, in.distance);
+    const Mask<Real> lit = here && shines(scattered) && is_finite(scattered);
     if (!any(lit)) return;
     world_view_.rays.shadow += count(lit);
-    const Mask<Real> dark = occluded(world_view_.world, isect.shadow_ray(in.wi), in.distance, light,
-                                     lit, world_view_.work);
+    // What is as near to the light as rays start off surfaces is at it: a ceiling that it is part
+    // of.
+    const Real reach = in.distance * Real(1 - 2 * tolerance::ray_offset);
+    const Mask<Real> dark =
+        occluded(world_view_.world, isect.shadow_ray(in.wi), reach, light, lit, world_view_.work);
     const auto lights = static_cast<float>(world_view_.world.lights.size());
     Real weight(lights);
     if (in.has_area) {
@@ -198,9 +216,8 @@ class PathTracer {
   }
   void pass(const Hit<Real>& hit, const Surface& isect, const Finishes<Real>& finish,
             const FinishBsdf<Real>& bsdf, const BsdfSample<Real>& next, int depth) {
-    MediumTransition<Real>& own = passed_[static_cast<std::size_t>(depth)];
-    own = {last_, next.transmitted, isect.at.front, finish.object, hit.instance, finish.inside};
-    last_ = &own;
+    last_ = &passed_[static_cast<std::size_t>(depth)].emplace(MediumTransition<Real>{
+        last_, next.transmitted, isect.at.front, finish.object, hit.instance, finish.inside});
     absorption_ = select(next.transmitted, bsdf.medium_t().absorption, absorption_);
   }
 
@@ -209,9 +226,10 @@ class PathTracer {
   V light_{Real(0), Real(0), Real(0)}, beta_{Real(1), Real(1), Real(1)};
   V absorption_{Real(0), Real(0), Real(0)};  // of the medium, per scene unit
   V from_{Real(0), Real(0), Real(0)};        // the last vertex
-  Real pdf_ = Real(0);     // of the direction from there; 0: of the camera, of mirrors and of glass
-  Real denser_ = Real(1);  // the square of the index of refraction, where the path began with 1
-  std::array<MediumTransition<Real>, SceneOptions::deepest> passed_;
+  Real pdf_ = Real(0);  // of the direction from there; 0: of the camera, of mirrors and of glass
+  Mask<Real> transmitted_{};  // whether that direction went through the surface
+  Real denser_ = Real(1);  // the square of the index of refraction, over that where the path began
+  std::array<std::optional<MediumTransition<Real>>, SceneOptions::deepest> passed_{};
   const MediumTransition<Real>* last_ = nullptr;
 };
 

@@ -73,6 +73,16 @@ TEST(Path, FurnaceIsTheWholeSumWhereverPathsEndByChance) {
   }
 }
 
+// Where the scene has no light, only what surfaces draw finds those that shine.
+TEST(Path, FurnaceOfABoxNeedsNoLight) {
+  Scene scene;
+  Finish wall = matt(0.5);
+  wall.emission = {1, 1, 1};
+  scene.objects = {object(Box{{-1, -1, -1}, {1, 1, 1}}, wall)};
+  const Mean mean = light_from(scene, {0, 0, 0}, {0.2, 1, 0.1}, 64, 3, 2);
+  EXPECT_NEAR(mean.value, 1.875, 1e-5);
+}
+
 // Whatever loses no light is as bright as the sky around it.
 TEST(Path, WhiteBodiesInAWhiteSkyCannotBeSeen) {
   Random random(821);
@@ -192,6 +202,69 @@ TEST(Path, WhatIsInsideAbsorbsAlongTheChord) {
     const Mean mean = light_from(scene, {aside, 0, 5}, {aside, 0, 0}, 4, 16, 2);
     EXPECT_NEAR(mean.value, std::exp(-0.3 * chord), 2e-5);
   }
+}
+
+// The light that a surface inside asks for, as well as what comes back from it.
+TEST(Path, WhatIsInsideAbsorbsOnTheWayFromTheLightToo) {
+  Scene scene;
+  Finish tinted = clear_glass(1);
+  tinted.absorption = {0.5, 0.5, 0.5};
+  scene.objects = {object(Sphere{{0, 0, 0}, 3}, tinted),
+                   object(Box{{-1, -1, -1}, {1, 1, 0}}, matt(0.8))};
+  scene.lights = {point_light({0, 0, 2}, {10, 10, 10})};
+  const double expected = 10.0 / 4 * 0.8 / pi * std::exp(-0.5 * 3) * std::exp(-0.5 * 2);
+  EXPECT_NEAR(light_from(scene, {0, 0, 5}, {0, 0, 0}, 4, 2, 2).value, expected, 1e-4 * expected);
+  // Of a ball of radius 0.3 all at about the same distance, whoever finds it.
+  scene.lights = {sphere_light({0, 0, 2}, 0.3, {10, 10, 10})};
+  Scene found = scene;
+  found.lights.clear();
+  Finish glow = dark();
+  glow.emission = {10, 10, 10};
+  found.objects.push_back(object(Sphere{{0, 0, 2}, 0.3}, glow));
+  const Vec3d eye{0, 2, 5};
+  const Mean asked = light_from(scene, eye, {0, 0, 0}, 1024, 2),
+             drawn = light_from(found, eye, {0, 0, 0}, 16384, 2);
+  EXPECT_NEAR(asked.value, drawn.value, 4 * std::hypot(asked.error, drawn.error));
+  EXPECT_LT(drawn.error, 0.01 * drawn.value);
+}
+
+// But for what surfaces draw, which meets the ceiling: of two at one distance the first of the
+// scene.
+TEST(Path, LampInTheCeilingIsNotHiddenByIt) {
+  Scene scene;
+  scene.objects = {object(Plane{{0, 0, 0}, {0, 1, 0}}, matt(0.5)),
+                   object(Box{{-9, 2, -9}, {9, 3, 9}}, dark())};
+  Light lamp;
+  const Vec3d corner{-0.5, 2, -0.5}, u{1, 0, 0}, v{0, 0, 1};
+  lamp.kind = QuadLight{corner, u, v};
+  scene.lights = {lamp};
+  const double irradiance =
+      polygon_irradiance({corner, corner + u, corner + u + v, corner + v}, {0, 1, 0});
+  const double expected = 0.5 / pi * irradiance;
+  EXPECT_NEAR(light_from(scene, {0, 1, 3}, {0, 0, 0}, 256, 1).value, expected, 0.01 * expected);
+}
+
+TEST(Path, LightNearlyInfiniteIsNoneLess) {
+  Scene scene;
+  scene.objects = {object(Plane{{0, 0, 0}, {0, 1, 0}}, matt(0.5))};
+  scene.lights = {point_light({0, 2e-5, 0}, {1e6, 1e6, 1e6})};
+  scene.lights[0].intensity = 1e6;
+  const double expected = 0.5 / pi * 1e12 / 4e-10;
+  EXPECT_NEAR(light_from(scene, {0, 1e-5, 0}, {0, 0, 0}, 1, 1, 2).value, expected, 1e-4 * expected);
+}
+
+TEST(Path, CountsRaysByWhatSentThem) {
+  Scene scene;
+  scene.background = {1, 1, 1};
+  scene.objects = {object(Sphere{{0, 0, 0}, 1}, clear_glass(1.5))};
+  scene.camera.location = {0, 0, 5};
+  scene.camera.look_at = Vec3d{0, 0, 0};
+  scene.camera.fov_degrees = 1;
+  RenderOptions options;
+  options.integrator = IntegratorName::path;
+  options.samples = 4;
+  const RayCounts rays = picture(scene, 8, 8, options).rays;
+  EXPECT_EQ(rays, (RayCounts{256, 0, 0, 512}));
 }
 
 // All kinds of lights and finishes in one room.
