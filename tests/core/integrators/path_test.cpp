@@ -1,5 +1,5 @@
 // The path tracer, by closed forms. A mean of several seeds is held to four of its standard errors,
-// and the standard error to a quarter of a percent.
+// and the standard error to a quarter of a percent; where sanitizers watch, paths are few.
 #include <gtest/gtest.h>
 
 #include "tests/core/tree.h"
@@ -25,7 +25,7 @@ Mean light_from(Scene scene, const Vec3d& eye, const Vec3d& to, int samples, int
   RenderOptions options;
   options.integrator = IntegratorName::path;
   options.max_depth = max_depth;
-  options.samples = samples;
+  options.samples = rounds(samples, 16);
   double sum = 0, squares = 0;
   for (int seed = 0; seed < seeds; ++seed) {
     options.seed = seed;
@@ -37,9 +37,11 @@ Mean light_from(Scene scene, const Vec3d& eye, const Vec3d& to, int samples, int
   const double variance = std::max(0.0, squares / seeds - mean * mean) / (seeds - 1);
   return {mean, std::sqrt(variance)};
 }
-void expect_mean(const Mean& mean, double expected) {
-  EXPECT_NEAR(mean.value, expected, 4 * mean.error + 2e-5 * expected);
-  EXPECT_LT(mean.error, 0.0025 * expected);
+void expect_mean(const Mean& mean, double expected, double rounding = 2e-5) {
+  EXPECT_NEAR(mean.value, expected, 4 * mean.error + rounding * expected);
+  if (!sanitized()) {
+    EXPECT_LT(mean.error, 0.0025 * expected);
+  }
 }
 
 Finish matt(double albedo) {
@@ -96,8 +98,7 @@ TEST(Path, WhiteBodiesInAWhiteSkyCannotBeSeen) {
     scene.objects = {object(Sphere{{0, 0, 0}, 1}, finish)};
     const Vec3d aside = random.direction() * 0.9;
     const Mean mean = light_from(scene, random.direction() * 5.0, aside, 1024, 64);
-    EXPECT_NEAR(mean.value, 1, 4 * mean.error + 1e-4);
-    EXPECT_LT(mean.error, 0.0025);
+    expect_mean(mean, 1, 1e-4);
   }
 }
 
@@ -225,7 +226,9 @@ TEST(Path, WhatIsInsideAbsorbsOnTheWayFromTheLightToo) {
   const Mean asked = light_from(scene, eye, {0, 0, 0}, 1024, 2),
              drawn = light_from(found, eye, {0, 0, 0}, 16384, 2);
   EXPECT_NEAR(asked.value, drawn.value, 4 * std::hypot(asked.error, drawn.error));
-  EXPECT_LT(drawn.error, 0.01 * drawn.value);
+  if (!sanitized()) {
+    EXPECT_LT(drawn.error, 0.01 * drawn.value);
+  }
 }
 
 // But for what surfaces draw, which meets the ceiling: of two at one distance the first of the
