@@ -280,7 +280,8 @@ step_tsan() {
   TSAN_OPTIONS="suppressions=$ROOT/tests/tsan.supp" googletest tsan server_tests "$waiting"
 }
 
-# Each fuzzer for FUZZ_SECONDS, from the seeds on, all at once. What breaks it stays in build/asan.
+# Each fuzzer for FUZZ_SECONDS, from the seeds on, all at once, each with two fifths of a processor,
+# as the timeout allows for. What breaks it stays in build/asan.
 step_fuzz() {
   in_shares 5 fuzz request scene query formula picture
 }
@@ -291,7 +292,7 @@ fuzz_share() {
   if [ "$name" = picture ] || [ "$name" = request ]; then longest=65536; fi
   mkdir -p "$scratch/$name"
   LLVM_PROFILE_FILE=/dev/null "build/asan/tests/${name}_fuzz" -max_total_time="${FUZZ_SECONDS:-25}" \
-    -max_len="$longest" -timeout=5 -rss_limit_mb=2048 -verbosity=0 -artifact_prefix=build/asan/ \
+    -max_len="$longest" -timeout=12 -rss_limit_mb=2048 -verbosity=0 -artifact_prefix=build/asan/ \
     "$scratch/$name" "tests/fuzz/corpus/$name"
 }
 fuzz_count() {
