@@ -221,8 +221,6 @@ class PathTracer {
     absorption_ = select(next.transmitted, bsdf.medium_t().absorption, absorption_);
   }
 
-  WorldView& world_view_;
-  const SamplerState<Real>& sampler_state_;
   V light_{Real(0), Real(0), Real(0)}, beta_{Real(1), Real(1), Real(1)};
   V absorption_{Real(0), Real(0), Real(0)};  // of the medium, per scene unit
   V from_{Real(0), Real(0), Real(0)};        // the last vertex
@@ -231,6 +229,8 @@ class PathTracer {
   Real denser_ = Real(1);  // the square of the index of refraction, over that where the path began
   std::array<std::optional<MediumTransition<Real>>, SceneOptions::deepest> passed_{};
   const MediumTransition<Real>* last_ = nullptr;
+  WorldView& world_view_;
+  const SamplerState<Real>& sampler_state_;
 };
 
 }  // namespace
