@@ -1,9 +1,11 @@
 // Ambient occlusion: how much of the sky over a surface is free.
 #include "core/integrators/integrator.h"
 #include "core/math/sobol.h"
+#include "core/math/unit_lanes.h"
 #include "core/math/warp.h"
 
 namespace tia {
+
 // (1 / pi) times the integral of V(wi) n.wi over the upper hemisphere, V = 0 where something is
 // nearer than the radius: one ray a sample. 1 where nothing is hit. A direction below the geometric
 // horizon, which an interpolated normal may have, meets the surface itself.
@@ -19,11 +21,8 @@ Vec3<Real> Integrator<IntegratorName::ambient_occlusion>::radiance(
   constexpr std::uint32_t block = 0x40000000;  // of dimensions: no other integrator's
   const auto words =
       sobol_words(sampler_state.x, sampler_state.y, sampler_state.sample, block, sampler_state.key);
-  constexpr auto n = static_cast<std::size_t>(lanes<Real>);
-  std::array<LaneOf<Real>, n> u, v;
-  for (std::size_t i = 0; i < n; ++i) u[i] = unit_float(words.a[i]), v[i] = unit_float(words.b[i]);
   const Vec3<Real> wi =
-      square_to_cosine_hemisphere(isect.at.n, load<Real>(u.data()), load<Real>(v.data()));
+      square_to_cosine_hemisphere(isect.at.n, unit_lanes<Real>(words.a), unit_lanes<Real>(words.b));
   const Mask<Real> upper = isect.here && dot(isect.at.ng, wi) > Real(0);
   world_view.rays.shadow += count(upper);
   const Real radius = lift<Real>(world_view.rules.ao_radius);

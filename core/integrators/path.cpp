@@ -4,6 +4,7 @@
 #include "core/integrators/finish_bsdf.h"
 #include "core/integrators/integrator.h"
 #include "core/math/sobol.h"
+#include "core/math/unit_lanes.h"
 #include "core/scene/scene.h"
 
 namespace tia {
@@ -72,14 +73,9 @@ class PathTracer {
                          sampler_state_.key);
     };
     const auto first = words(block), second = words(block + 1);
+    const auto units = [](const auto& each) { return unit_lanes<Real>(each); };
     return {units(first.c),  units(first.a),  units(first.b), units(first.d),
             units(second.a), units(second.b), units(second.c)};
-  }
-  static constexpr auto n = static_cast<std::size_t>(lanes<Real>);
-  static Real units(const std::array<std::uint32_t, n>& words) {
-    std::array<LaneOf<Real>, n> each;
-    for (std::size_t i = 0; i < n; ++i) each[i] = unit_float(words[i]);
-    return load<Real>(each.data());
   }
 
   // ---- light ------------------------------------------------------------------------------------
@@ -91,7 +87,6 @@ class PathTracer {
   static Mask<Real> shines(const V& light) {
     return light.x > Real(0) || light.y > Real(0) || light.z > Real(0);
   }
-
   static Mask<Real> is_finite(const V& light) {
     return light.x < Real(infinity) && light.y < Real(infinity) && light.z < Real(infinity);
   }
@@ -140,8 +135,8 @@ class PathTracer {
     Mask<Real> left = bsdf.scatters();
     if (lights.empty() || !any(left)) return;
     const auto count = static_cast<float>(lights.size());
-    std::array<LaneOf<Real>, n> each;
-    for (std::size_t i = 0; i < n; ++i)
+    std::array<LaneOf<Real>, static_cast<std::size_t>(lanes<Real>)> each;
+    for (std::size_t i = 0; i < each.size(); ++i)
       each[i] = std::floor(static_cast<float>(lane(numbers.light, static_cast<int>(i))) * count);
     const Real chosen = load<Real>(each.data());
     while (const unsigned lanes_left = bits(left)) {

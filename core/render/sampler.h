@@ -6,6 +6,7 @@
 
 #include "core/math/rng.h"
 #include "core/math/strata.h"
+#include "core/math/unit_lanes.h"
 #include "core/math/warp.h"
 #include "core/scene/view.h"
 
@@ -104,11 +105,7 @@ class Aims {
     if (even != pair_of_) pair_ = drawn(pair_of_ = even, in_pixel);
     return sample != even;
   }
-  static Real units(const Pixels& words) {
-    std::array<LaneOf<Real>, n> each;
-    for (std::size_t i = 0; i < n; ++i) each[i] = unit_float(words[i]);
-    return load<Real>(each.data());
-  }
+  static Real units(const Pixels& words) { return unit_lanes<Real>(words); }
   void aim_on_lens(std::uint32_t index, Aim<Real>& aim) const {
     const RandomWords<n> words = drawn(before_ + index, on_lens);
     std::array<LaneOf<Real>, n> u, v;

@@ -64,8 +64,7 @@ struct TraceRequest : ViewRequest {
     visit("max_depth", &T::max_depth,
           Spec{.about =
                    "how often light is mirrored, refracted or, by path, scattered on its way; 0 is "
-                   "never; else as the "
-                   "scene says",
+                   "never; else as the scene says",
                .min = 0,
                .max = SceneOptions::deepest});
     visit("ao_radius", &T::ao_radius,
@@ -97,7 +96,7 @@ template <class Request>
 SceneOptions options_in_effect(SceneOptions options, const Request& asked) {
   if (asked.integrator && *asked.integrator != options.integrator &&
       row_of(*asked.integrator).samples != 1)
-    options.samples = options.threshold = std::nullopt, options.max_depth = std::nullopt;
+    options.samples = options.max_depth = std::nullopt, options.threshold = std::nullopt;
   SceneOptions::fields([&](std::string_view name, auto option, const Spec&) {
     Request::fields([&](std::string_view parameter, auto member, const Spec&) {
       if constexpr (requires { replace(options.*option, asked.*member); })

@@ -149,3 +149,14 @@ test('rays, bounces, seed and method are asked for; what is out of range is not,
     const { bytes } = await saved(page, 'Save the picture');
     assert.deepEqual(bytes, await on.tia.get('/render?key=a&integrator=whitted&max_depth=3&seed=7&samples=4'));
   }, { panel: 'take' }));
+
+test('where nothing is filled in, the form shows what the server takes: the scene\'s number, or the method\'s own', () =>
+  on.open(async (page) => {
+    const shown = (label) => page.getByLabel(label).getAttribute('placeholder');
+    const method = page.getByLabel('Way of drawing');
+    for (const [name, rays, bounces] of [['thesis', '8', '5'], ['path', '64', '16'], ['', '8', '5']]) {
+      await method.selectOption(name);
+      await until(async () => (await shown('Rays a pixel')) === rays);
+      assert.equal(await shown('Bounces at most'), bounces);
+    }
+  }, { at: '/?scene=cornell&width=64&height=48', panel: 'take' }));

@@ -1,6 +1,6 @@
 // How the picture is drawn: its size, its edges, and how many rays it takes.
 
-import { aboutOf, lightNames, usualOf } from '../picture/integrators.js';
+import { aboutOf, countingOptions, lightNames, usualOf } from '../picture/integrators.js';
 import { SIZE, resized, sizeOf } from '../state/window.js';
 import { t, wordsOr } from '../words/words.js';
 import { element } from './element.js';
@@ -34,9 +34,8 @@ export function takeForm(studio) {
     choices(method, ['', ...lightNames()], request.integrator ?? '',
       (value) => (value ? wordsOr(`take.method_${value}`, aboutOf(value)) : t('take.asScene')));
     smooth.checked = studio.smooth;
-    const ofScene = source?.options?.integrator ?? 'whitted';
-    const integrator = request.integrator ?? ofScene;
-    const own = integrator === ofScene && source?.options; // not what it says of another
+    const integrator = request.integrator ?? source?.options?.integrator ?? 'whitted';
+    const own = countingOptions(request, source?.options);
     for (const { name, field } of numbers) {
       if (field === document.activeElement) continue;
       field.value = request[name] ?? '';

@@ -26,4 +26,8 @@ export const isFeature = (name) => featureNames().includes(name);
 /** Its samples, max_depth or seed where nothing is said. */
 export const usualOf = (name, option) => known.find((one) => one.name === name)?.usual[option];
 
+/** What counts of a scene's options: rays that are chance have numbers of their own where it means others. */
+export const countingOptions = ({ integrator }, options) =>
+  integrator && integrator !== (options?.integrator ?? 'whitted') && usualOf(integrator, 'samples') > 1 ? {} : options;
+
 export const aboutOf = (name) => known.find((one) => one.name === name)?.about ?? name;

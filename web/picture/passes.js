@@ -2,7 +2,7 @@
 // was asked for, then the same with smooth edges. One request at a time; of wishes that come
 // meanwhile only the newest counts, and it does not wait for a finer picture of an older one.
 
-import { isFeature, usualOf } from './integrators.js';
+import { countingOptions, isFeature, usualOf } from './integrators.js';
 import { pixelsOf, scaled } from '../state/window.js';
 
 const FRAME_MS = 36; // for 30 pictures a second: while one is decoded the next is under way
@@ -15,7 +15,7 @@ const SCALES = [1, 1 / 2, 1 / 4, 1 / 8];
 export const SMOOTH = 0.02;
 
 /** What holds of a picture's rays: the request's own word, else its scene's. */
-const said = (name, request, options) => request[name] ?? options?.[name];
+const said = (name, request, options) => request[name] ?? countingOptions(request, options)?.[name];
 
 /** The request with one ray a pixel, through its centre. */
 export function plain(request, options) {
