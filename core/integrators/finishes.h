@@ -53,7 +53,6 @@ struct SpecularSplit {
   Real reflection = Real(0), refraction = Real(0);  ///< the weights of the two rays
   Refraction<Real> refracted{};                     ///< the refracted ray
   Medium<Real> medium_t{};                          ///< the medium that it goes on in
-  Real eta = Real(1);  ///< the index that the ray comes from over the one that it goes on in
 };
 
 /// Domain: unit direction and n, direction.n <= 0; `front`: where the ray comes from outside of the
@@ -74,8 +73,7 @@ SpecularSplit<Real> split_specular(const Vec3<Real>& direction, const Vec3<Real>
   const Real eta_i = select(front, outside.ior, inside.ior);
   const Real eta_t = select(front, inside.ior, outside.ior);
   split.medium_t = {eta_t, select(front, inside.absorption, outside.absorption)};
-  split.eta = eta_i / eta_t;
-  split.refracted = refract(direction, n, split.eta);
+  split.refracted = refract(direction, n, eta_i / eta_t);
   const Real reflected = select(finish.fresnel, fr_dielectric(eta_i, eta_t, split.refracted),
                                 select(split.refracted.total, one, zero));
   split.reflection = split.reflection + select(transmits, finish.transmission * reflected, zero);

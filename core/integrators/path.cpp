@@ -1,8 +1,9 @@
 // Path tracing: light as it really goes, with all that surfaces send to each other.
 #include <optional>
 
-#include "core/integrators/finish_bsdf.h"
 #include "core/integrators/integrator.h"
+#include "core/integrators/scatterers.h"
+#include "core/materials/spectrum.h"
 #include "core/math/sobol.h"
 #include "core/math/unit_lanes.h"
 #include "core/scene/scene.h"
@@ -34,18 +35,21 @@ class PathTracer {
       add_emitted(hit, isect, active);
       active = isect.here;
       if (depth == max_depth || !any(active)) break;
-      const Finishes<Real> finish = finishes(world_view_.world, hit, active);
-      const FinishBsdf<Real> bsdf(ray.direction, hit, isect, finish, last_);
+      auto materials = scatterers(world_view_.world, hit, isect);
+      if (any(disperses(materials, isect.here))) disperse(materials, isect.here);
+      const auto behind = boundary(materials, isect, hit, last_);
+      const Bsdf<Real> bsdf(materials.bsdf, -ray.direction, isect.at.n, isect.at.ng, behind.eta,
+                            isect.here);
       const Numbers numbers = draw(depth);
-      add_direct(isect, bsdf, numbers);
+      add_direct(isect, bsdf, behind, numbers);
       const BsdfSample<Real> next = bsdf.sample(numbers.lobe, numbers.u, numbers.v);
       active = next.here && survives(depth, bsdf, next, numbers);
-      if (any(next.transmitted)) pass(hit, isect, finish, bsdf, next, depth);
+      const Mask<Real> enters = next.transmitted && !materials.bsdf.thin;
+      if (any(enters)) pass(hit, isect, materials, behind, enters, depth);
       pdf_ = next.pdf;
       from_ = isect.at.p;
       transmitted_ = next.transmitted;
-      const Real offset = select(next.transmitted, -isect.offset, isect.offset);
-      ray = {isect.at.p + isect.at.ng * offset, normalize(next.wi)};
+      ray = off(isect, next.wi, next.transmitted);
     }
     return light_;
   }
@@ -76,6 +80,26 @@ class PathTracer {
     const auto units = [](const auto& each) { return unit_lanes<Real>(each); };
     return {units(first.c),  units(first.a),  units(first.b), units(first.d),
             units(second.a), units(second.b), units(second.c)};
+  }
+
+  // ---- wavelengths ------------------------------------------------------------------------------
+
+  static Mask<Real> disperses(const Scatterers<Real>& materials, Mask<Real> here) {
+    return here && materials.bsdf.glass > Real(0) && materials.bsdf.dispersion > Real(0);
+  }
+  // A path that meets glass which parts colours is of a single wavelength from there on.
+  void disperse(Scatterers<Real>& materials, Mask<Real> here) {
+    constexpr std::uint32_t of_waves = 0x1FFFFFFF;
+    const Mask<Real> parted = disperses(materials, here), fresh = parted && !(wave_ > Real(0));
+    if (any(fresh)) {
+      const auto words = sobol_words(sampler_state_.x, sampler_state_.y, sampler_state_.sample,
+                                     of_waves, sampler_state_.key);
+      const Real u = unit_lanes<Real>(words.a);
+      wave_ = select(fresh, Real(shortest_wave) + u * Real(longest_wave - shortest_wave), wave_);
+      beta_ = select(fresh, beta_ * wave_color(wave_), beta_);
+    }
+    auto& [bsdf, inside, object] = materials;
+    inside.ior = select(parted, ior_at(bsdf.ior, bsdf.dispersion, wave_), inside.ior);
   }
 
   // ---- light ------------------------------------------------------------------------------------
@@ -130,7 +154,8 @@ class PathTracer {
   }
 
   // What one point of one light, drawn among them all alike, gives the surface to scatter.
-  void add_direct(const Surface& isect, const FinishBsdf<Real>& bsdf, const Numbers& numbers) {
+  void add_direct(const Surface& isect, const Bsdf<Real>& bsdf, const MediumBoundary<Real>& behind,
+                  const Numbers& numbers) {
     const auto& lights = world_view_.world.lights;
     Mask<Real> left = bsdf.scatters();
     if (lights.empty() || !any(left)) return;
@@ -142,15 +167,18 @@ class PathTracer {
     while (const unsigned lanes_left = bits(left)) {
       const auto number = each[static_cast<std::size_t>(std::countr_zero(lanes_left))];
       const Mask<Real> here = left && chosen == Real(number);
-      add_light(lights[static_cast<std::size_t>(number)], isect, bsdf, numbers, here);
+      add_light(lights[static_cast<std::size_t>(number)], isect, bsdf, behind, numbers, here);
       left = left && !here;
     }
   }
-  void add_light(const WorldLight& light, const Surface& isect, const FinishBsdf<Real>& bsdf,
-                 const Numbers& numbers, Mask<Real> here) {
+  void add_light(const WorldLight& light, const Surface& isect, const Bsdf<Real>& bsdf,
+                 const MediumBoundary<Real>& behind, const Numbers& numbers, Mask<Real> here) {
     world_view_.work.test();
     const Incident in = incident(light, isect.at.p, numbers.light_u, numbers.light_v);
-    const V scattered = bsdf.eval(in.wi) * in.light * transmittance_of(absorption_, in.distance);
+    const BsdfValue<Real> at = bsdf.value(in.wi);
+    const Mask<Real> below = dot(isect.at.ng, in.wi) < Real(0);
+    const V absorption = select(below, behind.absorption, absorption_);
+    const V scattered = at.f_cos * in.light * transmittance_of(absorption, in.distance);
     const Mask<Real> lit = here && shines(scattered) && is_finite(scattered);
     if (!any(lit)) return;
     world_view_.rays.shadow += count(lit);
@@ -158,11 +186,11 @@ class PathTracer {
     // of.
     const Real reach = in.distance * Real(1 - 2 * tolerance::ray_offset);
     const Mask<Real> dark =
-        occluded(world_view_.world, isect.shadow_ray(in.wi), reach, light, lit, world_view_.work);
+        occluded(world_view_.world, off(isect, in.wi, below), reach, light, lit, world_view_.work);
     const auto lights = static_cast<float>(world_view_.world.lights.size());
     Real weight(lights);
     if (in.has_area) {
-      const Real other = bsdf.pdf(in.wi) * Real(lights) / in.pdf;
+      const Real other = at.pdf * Real(lights) / in.pdf;
       weight = weight / (in.pdf * (Real(1) + other * other));
     }
     add(lit && !dark, scattered * weight);
@@ -199,25 +227,29 @@ class PathTracer {
 
   // Multiplies the weight of the direction in. From the fifth vertex on paths end by chance, the
   // less they count the sooner. Returns: the lanes that go on.
-  Mask<Real> survives(int depth, const FinishBsdf<Real>& bsdf, const BsdfSample<Real>& next,
+  Mask<Real> survives(int depth, const Bsdf<Real>& bsdf, const BsdfSample<Real>& next,
                       const Numbers& numbers) {
     beta_ = beta_ * next.weight;
-    denser_ = select(next.transmitted, denser_ / (bsdf.eta() * bsdf.eta()), denser_);
+    denser_ = select(next.transmitted, denser_ * (bsdf.eta() * bsdf.eta()), denser_);
     if (depth + 1 < 5) return shines(beta_);
     const Real most = max_of(max_of(beta_.x, beta_.y), beta_.z) * denser_;
     const Real q = min_of(Real(0.95F), most);
     beta_ = beta_ * (Real(1) / q);
     return shines(beta_) && numbers.roulette < q;
   }
-  void pass(const Hit<Real>& hit, const Surface& isect, const Finishes<Real>& finish,
-            const FinishBsdf<Real>& bsdf, const BsdfSample<Real>& next, int depth) {
+  void pass(const Hit<Real>& hit, const Surface& isect, const Scatterers<Real>& materials,
+            const MediumBoundary<Real>& behind, Mask<Real> enters, int depth) {
     last_ = &passed_[static_cast<std::size_t>(depth)].emplace(MediumTransition<Real>{
-        last_, next.transmitted, isect.at.front, finish.object, hit.instance, finish.inside});
-    absorption_ = select(next.transmitted, bsdf.medium_t().absorption, absorption_);
+        last_, enters, isect.at.front, materials.object, hit.instance, materials.inside});
+    absorption_ = select(enters, behind.absorption, absorption_);
+  }
+  static Ray<Real> off(const Surface& isect, const V& wi, Mask<Real> below) {
+    return {isect.at.p + isect.at.ng * select(below, -isect.offset, isect.offset), wi};
   }
 
   V light_{Real(0), Real(0), Real(0)}, beta_{Real(1), Real(1), Real(1)};
   V absorption_{Real(0), Real(0), Real(0)};  // of the medium, per scene unit
+  Real wave_ = Real(0);                      // in nanometres; 0: white
   V from_{Real(0), Real(0), Real(0)};        // the last vertex
   Real pdf_ = Real(0);  // of the direction from there; 0: of the camera, of mirrors and of glass
   Mask<Real> transmitted_{};  // whether that direction went through the surface

@@ -7,6 +7,7 @@
 
 #include "core/input/kinds.h"
 #include "core/materials/finish.h"
+#include "core/materials/principled.h"
 
 namespace tia {
 
@@ -27,7 +28,7 @@ using MaterialList = std::variant<ListedMaterial<Kinds>...>;
 
 struct Material {
   static constexpr std::string_view schema_name = "material";
-  MaterialList<Finish> kind;
+  MaterialList<Finish, Principled> kind;
 
   template <class Visitor>
   static void fields(Visitor&& visit) {

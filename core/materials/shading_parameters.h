@@ -1,6 +1,7 @@
 // ShadingParameters: the numbers that shading needs of a material of any kind.
 #pragma once
 
+#include "core/materials/bsdf_parameters.h"
 #include "core/math/wide.h"
 
 namespace tia {
@@ -8,7 +9,8 @@ namespace tia {
 /// Whether any component is above 0.
 inline bool emits(const Vec3d& light) { return light.x > 0 || light.y > 0 || light.z > 0; }
 
-/// ShadingParameters: what shading needs of a material. Linear RGB.
+/// ShadingParameters: what shading needs of a material, as whitted takes it, and for `path` as a
+/// BSDF. Linear RGB.
 struct ShadingParameters {
   Constant albedo;    ///< diffuse * color; a texture's colour is multiplied in at each point
   Constant ambient;   ///< ambient reflection times ambient light, without a texture's colour
@@ -19,6 +21,8 @@ struct ShadingParameters {
   double reflection = 0, transmission = 0, ior = 1;
   bool fresnel = false;
   int texture = -1;  ///< the index of its texture in the geometry; -1: none
+
+  BsdfParameters<double> bsdf{};
 
   bool operator==(const ShadingParameters&) const = default;
 };

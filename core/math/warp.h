@@ -56,4 +56,13 @@ Vec3<Real> square_to_cosine_hemisphere(const Vec3<Real>& n, const Real& u, const
   return across * d.x + along * d.y + n * z;
 }
 
+/// A direction of the hemisphere around the third axis, evenly.
+template <class Real>
+Vec3<Real> square_to_uniform_hemisphere(const Real& u, const Real& v) {
+  using std::sqrt;
+  const DiscPoint<Real> d = square_to_disc(u, v);
+  const Real away = d.x * d.x + d.y * d.y, wider = sqrt(max_of(Real(2) - away, Real(0)));
+  return {d.x * wider, d.y * wider, max_of(Real(1) - away, Real(0))};
+}
+
 }  // namespace tia

@@ -63,9 +63,10 @@ function standard(name, { default: value }) {
   return plain ? code(name) : `${code(name)} ${code(JSON.stringify(value))}`;
 }
 
-/** The fields of a material, of all its kinds, or of the options, each with its default. */
-const fieldsOf = ({ schema }, name) => table(['field', 'default', 'field', 'default', 'field', 'default'],
-  threes((schema.$defs[name].oneOf ?? [schema.$defs[name]]).flatMap((kind) => Object.entries(kind.properties)).filter(([field]) => field !== 'type')
+/** The fields of the options, or of a material of that type, each with its default. */
+const fieldsOf = ({ schema }, name, type) => table(['field', 'default', 'field', 'default', 'field', 'default'],
+  threes((schema.$defs[name].oneOf ?? [schema.$defs[name]]).filter((kind) => !type || kind.properties.type.const === type)
+    .flatMap((kind) => Object.entries(kind.properties)).filter(([field]) => field !== 'type')
     .map(([field, { default: value }]) => [code(field), value === undefined ? '' : code(JSON.stringify(value))])));
 
 function threes(cells) {
@@ -100,7 +101,8 @@ const TABLES = {
   shapes: (facts) => kinds(facts, 'object'),
   lights: (facts) => kinds(facts, 'light'),
   textures: (facts) => kinds(facts, 'texture'),
-  material: (facts) => fieldsOf(facts, 'material'),
+  finish: (facts) => fieldsOf(facts, 'material', 'finish'),
+  principled: (facts) => fieldsOf(facts, 'material', 'principled'),
   'scene-options': (facts) => fieldsOf(facts, 'options'),
 };
 

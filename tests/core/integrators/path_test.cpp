@@ -102,6 +102,48 @@ TEST(Path, WhiteBodiesInAWhiteSkyCannotBeSeen) {
   }
 }
 
+TEST(Path, RoughWhiteBodiesInAWhiteSkyCannotBeSeenEither) {
+  Random random(834);
+  for (const double roughness : {0.2, 0.6, 1.0})
+    for (int kind = 0; kind < 6; ++kind) {
+      Principled principled;
+      principled.roughness = roughness;
+      principled.metallic = kind == 1 ? 1 : 0;
+      principled.transmission = kind == 2 || kind == 3 || kind == 5 ? 1 : 0;
+      principled.thin = kind == 3;
+      principled.dispersion = kind == 5 ? 0.5 : 0;
+      principled.clearcoat = kind == 4 ? 1 : 0;
+      principled.clearcoat_roughness = roughness / 2;
+      Scene scene;
+      scene.background = {1, 1, 1};
+      scene.objects = {object(Sphere{{0, 0, 0}, 1}, Finish{})};
+      scene.objects[0].material = Boxed<Material>(Material{principled});
+      const Vec3d aside = random.direction() * 0.9;
+      const Mean mean = light_from(scene, random.direction() * 5.0, aside, 256, 64, 4);
+      EXPECT_NEAR(mean.value, 1, 0.01 + 4 * mean.error) << roughness << ' ' << kind;
+    }
+}
+
+// In the direction of the mirror: D = 1 / (pi alpha^2), f = s D G / (4 cos^2), with the facets that
+// light and eye both see G = 1 / sqrt(1 + alpha^2 tan^2), and E = I cos / d^2.
+TEST(Path, HighlightIsGgxsPeak) {
+  Random random(835);
+  for (int i = 0; i < 10; ++i) {
+    const double roughness = random.in(0.01, 0.5), s = random.in(0.1, 0.9);
+    const double slant = random.in(0.1, 1.2), alpha_2 = 2 / (1 / roughness + 2);
+    const Vec3d up{0, 0, 1}, wo{std::sin(slant), 0, std::cos(slant)}, wi{-wo.x, 0, wo.z};
+    Finish finish = matt(0);
+    finish.specular = s, finish.roughness = roughness;
+    Scene scene;
+    scene.objects = {object(Plane{{0, 0, 0}, up}, finish)};
+    scene.lights = {point_light(wi * 2.0)};
+    const double tangent = std::tan(slant);
+    const double expected = s / (pi * alpha_2) / std::sqrt(1 + alpha_2 * tangent * tangent) /
+                            (4 * wo.z * wo.z) * wo.z / 4;
+    EXPECT_NEAR(light_from(scene, wo * 3.0, {0, 0, 0}, 4, 1, 2).value, expected, 2e-3 * expected);
+  }
+}
+
 // E = I cos / d^2, and what leaves is albedo / pi of it.
 TEST(Path, PointLightFollowsTheInverseSquare) {
   Random random(822);

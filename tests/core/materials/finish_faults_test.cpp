@@ -91,8 +91,8 @@ TEST(FinishFaults, UnknownWordsNameTheNearest) {
         std::string("{\"") + word + "\":1}",
         {{unknown_name, std::string("/") + word, std::string("\"") + word + "\"",
           "color, ambient, diffuse, brilliance, specular, roughness, reflection", nearest}});
-  expect_material_refused(R"({"type":"principled"})",
-                          {{unknown_name, "/type", "\"principled\"", "one of finish", ""}});
+  expect_material_refused(R"({"type":"principle"})", {{unknown_name, "/type", "\"principle\"",
+                                                       "one of finish, principled", "principled"}});
 }
 
 // ---- textures -----------------------------------------------------------------------------------

@@ -1,0 +1,233 @@
+#include "core/materials/bsdf_shares.h"
+
+#include "core/materials/sheen.h"
+
+#include <tuple>
+
+namespace tia {
+
+using detail::grey;
+using detail::over;
+
+namespace {
+
+template <class Real>
+Real max3(const Vec3<Real>& v) {
+  return max_of(max_of(v.x, v.y), v.z);
+}
+template <class Real>
+Vec3<Real> quotient(const Vec3<Real>& a, const Vec3<Real>& b) {
+  return {a.x / b.x, a.y / b.y, a.z / b.z};
+}
+// What v leaves of 1; never nothing, for it divides.
+template <class Real>
+Real left_of(const Real& x) {
+  return max_of(Real(1) - x, Real(1e-4F));
+}
+template <class Real>
+Vec3<Real> left_of(const Vec3<Real>& v) {
+  return {left_of(v.x), left_of(v.y), left_of(v.z)};
+}
+// Schlick's share by the cosine's mean, 2 times the integral of c (1 - c)^5 being 1/21.
+template <class Real>
+Vec3<Real> mean_fresnel(const Vec3<Real>& f0, const Real& f90) {
+  return f0 + (grey(f90) - f0) * Real(1.0F / 21);
+}
+// Fresnel's share by the cosine's mean, for light that comes from the thinner side; the other
+// side's follows from it. Source: the fit of Kulla, Conty (2017).
+template <class Real>
+Real mean_dielectric(const Real& eta) {
+  const Real denser = max_of(eta, Real(1) / eta);
+  const Real outer = (denser - Real(1)) / (Real(4.08567F) + Real(1.00071F) * denser);
+  return select(eta < Real(1), Real(1) - (Real(1) - outer) * eta * eta, outer);
+}
+// A pane's two sides, between which light goes to and fro.
+// Source: Pharr, Jakob, Humphreys, "Physically Based Rendering", 4th ed., 9.5.
+template <class Real>
+Real of_pane(const Real& reflected) {
+  return (reflected + reflected) / (Real(1) + reflected);
+}
+
+}  // namespace
+
+template <class Real>
+BsdfShares<Real>::BsdfShares(const BsdfParameters<Real>& parameters, const V& wo, const V& n,
+                             const V& ng, const Real& eta, Here here)
+    : p_(parameters), here_(here), ng_(ng), eta_(eta), index_(eta) {
+  passes_ = here_ && p_.glass > Real(0);
+  // An interpolated normal may face away from the viewer.
+  n_ = select(dot(n, wo) > Real(0), n, ng);
+  set_frame();
+  wo_ = local(wo);
+  wo_.z = max_of(wo_.z, Real(1e-4F));
+  set_facets(eta);
+  set_cover();
+  set_ground();
+  if (any(passes_)) set_glass();
+  all_ = coat_ + facets_ + below_ + sheen_ + matt_;
+}
+
+// Facets are stretched along the horizontal, as a turned body's grooves are.
+template <class Real>
+void BsdfShares<Real>::set_frame() {
+  std::tie(x_, y_) = axes_around(n_);
+  const Here grained = here_ && !(p_.alpha_x == p_.alpha_y);
+  if (!any(grained)) return;
+  const Here leans = grained && n_.x * n_.x + n_.z * n_.z > Real(1e-8F);
+  const V across = normalize(select(leans, V{n_.z, Real(0), -n_.x}, x_));
+  x_ = across * p_.grain_cos + cross(n_, across) * p_.grain_sin;
+  y_ = cross(n_, x_);
+}
+
+template <class Real>
+void BsdfShares<Real>::set_facets(const Real& eta) {
+  using std::sqrt;
+  const Real alpha = sqrt(p_.alpha_x * p_.alpha_y), one(1);
+  rough_ = here_ && !(alpha < Real(smooth_alpha));
+  coat_rough_ = here_ && !(p_.coat_alpha < Real(smooth_alpha));
+  p_.alpha_x = select(rough_, p_.alpha_x, one);
+  p_.alpha_y = select(rough_, p_.alpha_y, one);
+  p_.coat_alpha = select(coat_rough_, p_.coat_alpha, one);
+  root_ = sqrt(alpha);
+  // Between equal indices light goes straight on, however rough the boundary: no facet tells where.
+  const Here equal = rough_ && abs_of(eta - one) < Real(1e-3F);
+  eta_ = select(p_.thin, one, select(equal, Real(1.001F), eta));
+  index_ = select(p_.thin, max_of(eta, one / eta), eta_);
+  // The shares of a finish may add up to more than 1.
+  p_.base = {min_of(p_.base.x, one), min_of(p_.base.y, one), min_of(p_.base.z, one)};
+  const Real sum = max3(p_.base) * p_.matt + p_.metal + p_.mirror + p_.glass +
+                   select(p_.covers, Real(0), p_.coat);
+  const Real scale = one / max_of(sum, one);
+  for (Real* share : {&p_.matt, &p_.metal, &p_.mirror, &p_.glass}) *share = *share * scale;
+  p_.coat = select(p_.covers, p_.coat, p_.coat * scale);
+}
+
+template <class Real>
+void BsdfShares<Real>::set_cover() {
+  using std::sqrt;
+  const Real zero(0), one(1);
+  cover_ = coat_cover_ = one;
+  coat_ = sheen_ = zero;
+  if (any(here_ && p_.coat > zero)) {
+    const Real w = schlick_weight(wo_.z);
+    SchlickAlbedo<Real> at{one - w, w};
+    if (any(coat_rough_)) {
+      const SchlickAlbedo<Real> table = schlick_albedo(wo_.z, sqrt(p_.coat_alpha));
+      at = {select(coat_rough_, table.a, at.a), select(coat_rough_, table.b, at.b)};
+    }
+    coat_ = p_.coat * (p_.coat_f0 * at.a + p_.coat_f90 * at.b);
+    coat_cover_ = select(p_.covers, one - coat_, one);
+  }
+  cover_ = coat_cover_;
+  const Real sheen = max3(p_.sheen);
+  if (!any(here_ && sheen > zero)) return;
+  // At the rims the fibres of that model would send on more than they get.
+  const Real albedo = sheen_albedo(wo_.z, sqrt(p_.sheen_alpha));
+  p_.sheen = p_.sheen * (one / max_of(albedo, one));
+  const Real shown = sheen * min_of(albedo, one);
+  sheen_ = shown * coat_cover_;
+  cover_ = cover_ * (one - shown);
+}
+
+template <class Real>
+void BsdfShares<Real>::set_ground() {
+  const Real one(1);
+  at_o_ = albedo(wo_.z);
+  SchlickAlbedo<Real> mean{Real(20.0F / 21), Real(1.0F / 21)};
+  if (any(rough_)) {
+    const SchlickAlbedo<Real> table = mean_schlick_albedo(root_);
+    mean = {select(rough_, table.a, mean.a), select(rough_, table.b, mean.b)};
+  }
+  mean_ = mean.a + mean.b;
+  const Real lost = one - at_o_.a - at_o_.b;
+  again_layer_ = again(mean_fresnel(p_.f0, p_.f90));
+  const V all_again =
+      again(mean_fresnel(p_.base, one)) * p_.metal + grey(p_.mirror) + again_layer_ * p_.matt;
+  again_ = all_again * (lost / left_of(mean_));
+  const V own = p_.base * p_.matt, shown = own * (grey(one) - layer(at_o_));
+  ground_ = quotient(shown, left_of(layer(mean)));
+  matt_ = cover_ * (max3(shown) + max3(all_again) * max_of(lost, Real(0)));
+  const V facets = (p_.base * at_o_.a + grey(at_o_.b)) * p_.metal +
+                   grey(p_.mirror * (at_o_.a + at_o_.b)) +
+                   (p_.f0 * at_o_.a + grey(p_.f90 * at_o_.b)) * p_.matt;
+  facets_ = cover_ * max3(facets);
+  below_ = up_ = Real(0);
+  down_ = grey(Real(0));
+}
+
+// What rough glass loses between its facets goes to either side by shares for which its scattering
+// is reciprocal: that of what passes has the factor 1 - Fresnel's mean, whose quotient for the two
+// sides is eta squared. Source: Kulla, Conty (2017).
+template <class Real>
+void BsdfShares<Real>::set_glass() {
+  const Real zero(0), one(1);
+  const Here rough = passes_ && rough_;
+  Real kept = one;
+  if (any(rough)) {
+    const Here pane = p_.thin;
+    const Real own = select(pane, at_o_.a + at_o_.b, glass_albedo(wo_.z, root_, index_));
+    const Real lost = select(rough, max_of(one - own, zero), zero);
+    const Real before = left_of(select(pane, mean_, mean_glass_albedo(root_, index_)));
+    const Real behind = left_of(select(pane, mean_, mean_glass_albedo(root_, one / index_)));
+    const Real fresnel = mean_dielectric(index_);
+    const Real through = one - select(pane, of_pane(fresnel), fresnel);
+    const Real most = max_of(before, behind), passed = through * behind / most;
+    up_ = p_.glass * (one - passed) * lost / before;
+    down_ = p_.tint * (p_.glass * through / most * lost);
+    kept = one - lost;
+    matt_ = matt_ + cover_ * p_.glass * (one - passed) * lost;
+    below_ = select(rough, cover_ * p_.glass * max3(p_.tint) * passed * lost, zero);
+  }
+  const Fresnel at = fresnel(wo_.z);
+  const Real smooth = max3(at.reflected) + max3(at.passed);
+  facets_ =
+      select(passes_, select(rough, facets_ + cover_ * p_.glass * kept, cover_ * smooth), facets_);
+}
+
+// Of Schlick's two parts, what facets send on; a smooth surface's in closed form.
+template <class Real>
+SchlickAlbedo<Real> BsdfShares<Real>::albedo(const Real& mu) const {
+  const Real w = schlick_weight(mu);
+  if (!any(rough_)) return {Real(1) - w, w};
+  const SchlickAlbedo<Real> table = schlick_albedo(mu, root_);
+  return {select(rough_, table.a, Real(1) - w), select(rough_, table.b, w)};
+}
+// What the layer over the matt ground reflects.
+template <class Real>
+Vec3<Real> BsdfShares<Real>::layer(const SchlickAlbedo<Real>& at) const {
+  return p_.f0 * at.a + grey(p_.f90 * at.b) + again_layer_ * (Real(1) - at.a - at.b);
+}
+// Of what white facets lose, the share that is reflected in the end where they reflect `each` of
+// the light every time. Source: Kulla, Conty (2017).
+template <class Real>
+Vec3<Real> BsdfShares<Real>::again(const V& each) const {
+  return quotient(each * each * mean_, left_of(each * (Real(1) - mean_)));
+}
+template <class Real>
+Real BsdfShares<Real>::coat_fresnel(const Real& c) const {
+  return p_.coat * (p_.coat_f0 + (p_.coat_f90 - p_.coat_f0) * schlick_weight(c));
+}
+
+template <class Real>
+Real BsdfShares<Real>::Fresnel::reflected_share() const {
+  const Real r = max3(reflected);
+  return over(r, r + max3(passed));
+}
+template <class Real>
+typename BsdfShares<Real>::Fresnel BsdfShares<Real>::fresnel(const Real& c) const {
+  const Real w = schlick_weight(c), one(1), zero(0);
+  const V sum = (p_.base * (one - w) + grey(w)) * p_.metal + grey(p_.mirror) +
+                (p_.f0 * (one - w) + grey(p_.f90 * w)) * p_.matt;
+  if (!any(passes_)) return {sum, grey(zero), one};
+  const Dielectric<Real> at(c, index_);
+  const Real whole = select(p_.fresnel, at.reflected, select(at.total, one, zero));
+  const Real share = select(p_.thin, of_pane(whole), whole);
+  const Real glass = select(passes_, p_.glass, zero);
+  return {sum + grey(glass * share), p_.tint * (glass * (one - share)), at.cos_t};
+}
+
+template class BsdfShares<Wide>;
+template class BsdfShares<float>;
+template class BsdfShares<double>;
+
+}  // namespace tia
