@@ -35,29 +35,16 @@ Vec3f of_cost(const Vec3f& c) {
   return {shown(c.x), shown(c.y), shown(c.z)};
 }
 
-template <class F>
-void each_pixel(FilmTile& tile, F f) {
-  for (int y = 0; y < tile.height; ++y) {
-    const std::size_t row = static_cast<std::size_t>(y) * FilmTile::size;
-    for (std::size_t i = row; i < row + static_cast<std::size_t>(tile.width); ++i) {
-      const Vec3f shown = f(Vec3f{tile.r[i], tile.g[i], tile.b[i]});
-      tile.r[i] = shown.x;
-      tile.g[i] = shown.y;
-      tile.b[i] = shown.z;
-    }
-  }
-}
-
 }  // namespace
 
 void show(FeatureDisplay shown, FilmTile& tile) {
   switch (shown) {
     case FeatureDisplay::light:
     case FeatureDisplay::share: return;
-    case FeatureDisplay::normal: return each_pixel(tile, of_normal);
-    case FeatureDisplay::depth: return each_pixel(tile, of_depth);
-    case FeatureDisplay::number: return each_pixel(tile, of_number);
-    case FeatureDisplay::cost: return each_pixel(tile, of_cost);
+    case FeatureDisplay::normal: return for_each_pixel(tile, of_normal);
+    case FeatureDisplay::depth: return for_each_pixel(tile, of_depth);
+    case FeatureDisplay::number: return for_each_pixel(tile, of_number);
+    case FeatureDisplay::cost: return for_each_pixel(tile, of_cost);
   }
 }
 

@@ -2,13 +2,13 @@
 #pragma once
 
 #include "core/film/image.h"
-#include "core/film/tonemap.h"
+#include "core/film/tone.h"
 
 namespace tia {
 
 /// FeatureDisplay: what a film's numbers mean to the eye.
 enum class FeatureDisplay {
-  light,   ///< linear light, through the transfer curve
+  light,   ///< linear light, by the tone
   share,   ///< a share in [0,1], as it is
   normal,  ///< 0.5 + 0.5 n; 0, which is no normal, as 0
   depth,   ///< 1 / (1 + t), so that infinity is 0
@@ -17,12 +17,10 @@ enum class FeatureDisplay {
 };
 
 /// DisplayRule: how a picture's numbers become codes. All but light is stored linearly, for it
-/// must be read back whatever the curve.
+/// must be read back whatever the tone.
 struct DisplayRule {
   FeatureDisplay shown = FeatureDisplay::light;
-  Transfer transfer = Transfer::srgb;
-
-  Transfer curve() const { return shown == FeatureDisplay::light ? transfer : Transfer::linear; }
+  Tone tone = {};
 };
 
 /// Turns a tile's numbers into what linear codes store.

@@ -5,25 +5,25 @@
 namespace tia {
 namespace {
 
-// Codes of linear light or of what show has made.
-void develop_rows(const DisplayRule& rule, const FilmTile& tile, std::uint8_t* to,
-                  std::size_t row_bytes) {
+void encode_rows(const FilmTile& tile, Encoding encoding, std::uint8_t* to, std::size_t row_bytes) {
   for (int y = 0; y < tile.height; ++y, to += row_bytes) {
     std::array<std::uint8_t, row_codes> codes;
-    develop_row(tile, y, rule.curve(), codes);
+    develop_row(tile, y, encoding, codes);
     std::memcpy(to, codes.data(), 3 * static_cast<std::size_t>(tile.width));
   }
 }
 
-void develop(const DisplayRule& rule, const FilmTile& tile, std::uint8_t* to,
-             std::size_t row_bytes) {
-  if (rule.shown == FeatureDisplay::light) return develop_rows(rule, tile, to, row_bytes);
-  FilmTile shown = tile;
-  show(rule.shown, shown);
-  develop_rows(rule, shown, to, row_bytes);
-}
-
 }  // namespace
+
+void Development::operator()(const FilmTile& tile, std::uint8_t* to, std::size_t row_bytes) const {
+  const bool is_light = shown_ == FeatureDisplay::light;
+  const Encoding encoding = is_light ? tone_.encoding() : Encoding::linear;
+  if (is_light && tone_.is_plain()) return encode_rows(tile, encoding, to, row_bytes);
+  FilmTile shown = tile;
+  if (is_light) develop(tone_, shown);
+  else show(shown_, shown);
+  encode_rows(shown, encoding, to, row_bytes);
+}
 
 void LinearFilm::put(const FilmTile& tile) {
   for (int y = 0; y < tile.height; ++y) {
@@ -41,11 +41,11 @@ void DisplayFilm::put(const FilmTile& tile) {
   const std::size_t row_bytes = 3 * static_cast<std::size_t>(image_.width);
   std::uint8_t* const to = image_.rgb.data() + static_cast<std::size_t>(tile.y) * row_bytes +
                            3 * static_cast<std::size_t>(tile.x);
-  develop(rule_, tile, to, row_bytes);
+  develop_(tile, to, row_bytes);
 }
 
 void ScanlineFilm::put(const FilmTile& tile) {
-  develop(rule_, tile, scanlines_.at(tile.x, tile.y), scanlines_.row_bytes());
+  develop_(tile, scanlines_.at(tile.x, tile.y), scanlines_.row_bytes());
   // Acquire and release: the thread that completes the band sees all pixels that others have put.
   std::atomic<int>& come = come_[static_cast<std::size_t>(tile.y)];
   const int before = come.fetch_add(tile.width, std::memory_order_acq_rel);

@@ -24,20 +24,31 @@ class LinearFilm {
   Image image_;
 };
 
-/// DisplayFilm: shows the numbers by the rule, clamps to [0,1], applies the curve, keeps 8-bit
-/// codes.
+/// Development: how a film makes codes of tiles.
+class Development {
+ public:
+  explicit Development(const DisplayRule& rule) : shown_(rule.shown), tone_(rule.tone) {}
+  /// Writes the tile's codes, from the first of its corner on.
+  void operator()(const FilmTile& tile, std::uint8_t* to, std::size_t row_bytes) const;
+
+ private:
+  FeatureDisplay shown_;
+  ToneMap tone_;
+};
+
+/// DisplayFilm: shows the numbers by the rule, clamps to [0,1], encodes them, keeps 8-bit codes.
 class DisplayFilm {
  public:
   DisplayFilm(int width, int height, Transfer transfer)
-      : DisplayFilm(width, height, DisplayRule{FeatureDisplay::light, transfer}) {}
+      : DisplayFilm(width, height, DisplayRule{FeatureDisplay::light, {transfer}}) {}
   DisplayFilm(int width, int height, const DisplayRule& rule)
-      : image_(width, height), rule_(rule) {}
+      : image_(width, height), develop_(rule) {}
   void put(const FilmTile& tile);
   const Image8& image() const { return image_; }
 
  private:
   Image8 image_;
-  DisplayRule rule_;
+  Development develop_;
 };
 
 /// ScanlineFilm: DisplayFilm's codes as the scanlines of a PNG. Who brings the last tile of a band
@@ -46,14 +57,14 @@ class DisplayFilm {
 class ScanlineFilm {
  public:
   ScanlineFilm(int width, int height, const DisplayRule& rule)
-      : scanlines_(width, height), rule_(rule), come_(static_cast<std::size_t>(height)) {}
+      : scanlines_(width, height), develop_(rule), come_(static_cast<std::size_t>(height)) {}
   void put(const FilmTile& tile);
   /// Complete once every pixel has been put.
   const Scanlines& scanlines() const { return scanlines_; }
 
  private:
   Scanlines scanlines_;
-  DisplayRule rule_;
+  Development develop_;
   std::vector<std::atomic<int>> come_;  // pixels of each band, counted in its first row
 };
 

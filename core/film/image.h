@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/math/vec3.h"
+
 namespace tia {
 
 /// FilmTile: a finished rectangle of linear RGB on its way to a film, at most 32 x 32.
@@ -19,6 +21,20 @@ struct FilmTile {
   int x = 0, y = 0, width = 0, height = 0;
   alignas(32) std::array<float, std::size_t{size} * size> r, g, b;
 };
+
+/// Replaces each pixel of a tile by what f makes of it.
+template <class F>
+void for_each_pixel(FilmTile& tile, F f) {
+  for (int y = 0; y < tile.height; ++y) {
+    const std::size_t row = FilmTile::index(0, y);
+    for (std::size_t i = row; i < row + static_cast<std::size_t>(tile.width); ++i) {
+      const Vec3f made = f(Vec3f{tile.r[i], tile.g[i], tile.b[i]});
+      tile.r[i] = made.x;
+      tile.g[i] = made.y;
+      tile.b[i] = made.z;
+    }
+  }
+}
 
 /// Image: linear RGB. Shape: height x width x 3.
 struct Image {

@@ -96,10 +96,10 @@ std::uint8_t encode_srgb(float light) {
   return static_cast<std::uint8_t>(code + (light >= srgb.threshold[code + 1] ? 1 : 0));
 }
 
-void develop_row(const FilmTile& tile, int y, Transfer transfer,
+void develop_row(const FilmTile& tile, int y, Encoding encoding,
                  std::span<std::uint8_t, row_codes> codes) {
   const std::size_t row = static_cast<std::size_t>(y) * FilmTile::size;
-  if (transfer == Transfer::linear)
+  if (encoding == Encoding::linear)
     return develop_linear(&tile.r[row], &tile.g[row], &tile.b[row], codes.data());
   for (std::size_t x = 0; x < static_cast<std::size_t>(tile.width); ++x) {
     codes[3 * x] = encode_srgb(tile.r[row + x]);

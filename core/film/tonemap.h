@@ -11,11 +11,19 @@
 
 namespace tia {
 
-/// Transfer: the curve between linear light and stored codes.
-enum class Transfer { srgb, linear };
+/// Encoding: how linear light in [0,1] is stored as codes, and read back from them.
+enum class Encoding { srgb, linear };
+template <>
+struct Names<Encoding> {
+  static constexpr std::array<std::string_view, 2> names{"srgb", "linear"};
+};
+
+/// Transfer: the curve from linear light to stored codes: an encoding, or one that first shows
+/// light of any brightness as light in [0,1] (tone.h).
+enum class Transfer { srgb, linear, aces, agx };
 template <>
 struct Names<Transfer> {
-  static constexpr std::array<std::string_view, 2> names{"srgb", "linear"};
+  static constexpr std::array<std::string_view, 4> names{"srgb", "linear", "aces", "agx"};
 };
 
 /// Returns: round(255 * curve(clamp(light, 0, 1))); NaN gives 0.
@@ -30,7 +38,7 @@ double srgb_to_linear(double signal);
 /// One row of a tile as interleaved RGB codes. Shape: 3 * FilmTile::size codes and four bytes to
 /// spare, for pixels are written four at a time in 16 bytes.
 inline constexpr std::size_t row_codes = 3 * FilmTile::size + 4;
-void develop_row(const FilmTile& tile, int y, Transfer transfer,
+void develop_row(const FilmTile& tile, int y, Encoding encoding,
                  std::span<std::uint8_t, row_codes> codes);
 
 }  // namespace tia

@@ -104,11 +104,11 @@ namespace {
 
 using LightOf = std::array<double, 256>;
 
-LightOf light_of(Transfer transfer) {
+LightOf light_of(Encoding transfer) {
   LightOf light{};
   for (std::size_t code = 0; code < light.size(); ++code) {
     const double signal = static_cast<double>(code) / 255;
-    light[code] = transfer == Transfer::srgb ? srgb_to_linear(signal) : signal;
+    light[code] = transfer == Encoding::srgb ? srgb_to_linear(signal) : signal;
   }
   return light;
 }
@@ -148,8 +148,8 @@ Vec3d bilinear(const ImageForm& form, double x, double y) {
 }  // namespace
 
 ImageForm prepare(const ImageTexture& image) {
-  static const LightOf srgb = light_of(Transfer::srgb), linear = light_of(Transfer::linear);
-  return {image.data.pixels, image.transfer == Transfer::srgb ? &srgb : &linear, image.filter,
+  static const LightOf srgb = light_of(Encoding::srgb), linear = light_of(Encoding::linear);
+  return {image.data.pixels, image.transfer == Encoding::srgb ? &srgb : &linear, image.filter,
           image.repeat};
 }
 

@@ -42,7 +42,7 @@ struct Names<Filter> {
 struct ImageTexture {
   static constexpr std::string_view type = "image";
   PictureFile data;
-  Transfer transfer = Transfer::srgb;
+  Encoding transfer = Encoding::srgb;
   Filter filter = Filter::bilinear;
   std::array<double, 2> repeat{1, 1};
 

@@ -10,7 +10,7 @@
 #include <variant>
 #include <vector>
 
-#include "core/film/tonemap.h"
+#include "core/film/tone.h"
 #include "core/input/codec.h"
 #include "core/input/shared_list.h"
 #include "core/input/shared_value.h"
@@ -28,11 +28,14 @@ struct SceneOptions {
   static constexpr std::string_view schema_name = "options";
   static constexpr double last_seed = 9007199254740991;  // 2^53 - 1
   static constexpr int deepest = 64;
+  static constexpr double most_stops = 32, coldest_white = 1000, hottest_white = 25000;
   IntegratorName integrator = IntegratorName::whitted;
   Transfer transfer = Transfer::srgb;
-  std::optional<int> samples;       ///< none: the integrator's
-  std::optional<double> threshold;  ///< none: off
-  std::optional<int> max_depth;     ///< none: the integrator's
+  double exposure = 0;
+  std::optional<double> white_balance_kelvin;  ///< none: off
+  std::optional<int> samples;                  ///< none: the integrator's
+  std::optional<double> threshold;             ///< none: off
+  std::optional<int> max_depth;                ///< none: the integrator's
   bool transparent_shadows = false;
   std::optional<double> ao_radius;  ///< none: infinite
   std::int64_t seed = 0;
@@ -41,7 +44,20 @@ struct SceneOptions {
   static void fields(Visitor&& visit) {
     visit("integrator", &SceneOptions::integrator, Spec{.about = "how light is gathered"});
     visit("transfer", &SceneOptions::transfer,
-          Spec{.about = "curve from linear light to stored codes"});
+          Spec{.about = "curve from linear light to stored codes; aces and agx show light of any "
+                        "brightness"});
+    visit("exposure", &SceneOptions::exposure,
+          Spec{.about = "light is shown 2^exposure times as bright",
+               .unit = "stops",
+               .min = -most_stops,
+               .max = most_stops});
+    visit(
+        "white_balance_kelvin", &SceneOptions::white_balance_kelvin,
+        Spec{.about = "the white that is shown neutral: a black body's, from 5000 K on daylight's; "
+                      "else sRGB's own",
+             .unit = "K",
+             .min = coldest_white,
+             .max = hottest_white});
     visit("samples", &SceneOptions::samples,
           Spec{.about = "rays a pixel; 1 goes through its centre", .min = 1, .max = 65536});
     visit("threshold", &SceneOptions::threshold,
@@ -65,6 +81,12 @@ struct SceneOptions {
                .open_min = true});
     visit("seed", &SceneOptions::seed,
           Spec{.about = "the random stream", .min = 0, .max = last_seed});
+  }
+  Tone tone() const { return {transfer, exposure, white_balance_kelvin}; }
+  void show_by(const Tone& tone) {
+    transfer = tone.transfer;
+    exposure = tone.exposure;
+    white_balance_kelvin = tone.white_balance_kelvin;
   }
   bool operator==(const SceneOptions&) const = default;
 };

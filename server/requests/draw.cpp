@@ -40,7 +40,8 @@ Plan plan_of(const PictureRequest& asked, const RenderContext& context,
              const Requester& requester) {
   check_size(asked.width, asked.height, context.limits);
   const KnownScene scene = scene_of(asked, context, requester);
-  const SceneOptions in_effect = options_in_effect(scene->options, asked);
+  SceneOptions in_effect = options_in_effect(scene->options, asked);
+  if (asked.format != Format::png) in_effect.show_by({});
   RenderOptions options = options_of(in_effect, context.limits);
   options.threads =
       std::min(asked.threads.value_or(context.pool.threads()), context.pool.threads());
@@ -52,7 +53,7 @@ Plan plan_of(const PictureRequest& asked, const RenderContext& context,
             .window = window,
             .in_effect = in_effect,
             .options = options,
-            .display = {display_of(in_effect.integrator), in_effect.transfer},
+            .display = {display_of(in_effect.integrator), in_effect.tone()},
             .format = asked.format};
   const std::size_t objects = scene.objects.bytes <= most_told_bytes ? scene.objects.bytes : 0;
   std::tie(plan.recipe, plan.cost_key) = context.go_through(scene.others + objects, requester, [&] {

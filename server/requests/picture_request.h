@@ -52,6 +52,7 @@ struct PictureRequest : TraceRequest {
   static constexpr std::string_view schema_name = "picture_request";
   std::optional<std::array<int, 4>> crop;
   std::optional<Transfer> transfer;
+  std::optional<double> exposure, white_balance_kelvin;
   Format format = Format::png;
   std::optional<int> threads;
   std::optional<std::string> v;
@@ -66,7 +67,20 @@ struct PictureRequest : TraceRequest {
                .min = 0,
                .max = most_px});
     visit("transfer", &P::transfer,
-          Spec{.about = "curve from linear light to stored codes; else the scene's"});
+          Spec{.about = "curve from linear light to stored codes; aces and agx show light of any "
+                        "brightness; else the scene's"});
+    visit("exposure", &P::exposure,
+          Spec{.about = "light is shown 2^exposure times as bright; else as the scene says",
+               .unit = "stops",
+               .min = -SceneOptions::most_stops,
+               .max = SceneOptions::most_stops});
+    visit(
+        "white_balance_kelvin", &P::white_balance_kelvin,
+        Spec{.about = "the white that is shown neutral: a black body's, from 5000 K on daylight's; "
+                      "else as the scene says",
+             .unit = "K",
+             .min = SceneOptions::coldest_white,
+             .max = SceneOptions::hottest_white});
     visit("format", &P::format,
           Spec{.about = "png; for linear light pfm in float, or hdr in Radiance's RGBE; else what "
                         "Accept prefers"});

@@ -89,6 +89,13 @@ void replace(std::optional<T>& option, const std::optional<T>& asked) {
   if (asked) option = asked;
 }
 
+/// How features are shown: what are no colours in one way, colours encoded and no more.
+inline Tone encoding_alone(const SceneOptions& options) {
+  const bool is_linear = options.transfer == Transfer::linear;
+  const bool is_color = display_of(options.integrator) == FeatureDisplay::light;
+  return {is_color && is_linear ? Transfer::linear : Transfer::srgb};
+}
+
 /// The scene's options, with what the request says in place of those of the same name; without
 /// what has no effect then. How many rays a scene wants for its own integrator, and how deep they
 /// go, says nothing of another whose rays are chance: that one has its own numbers.
@@ -108,6 +115,7 @@ SceneOptions options_in_effect(SceneOptions options, const Request& asked) {
   if (options.max_depth == row_of(options.integrator).max_depth) options.max_depth = std::nullopt;
   if (options.threshold == 0) options.threshold = std::nullopt;
   if (options.integrator != IntegratorName::ambient_occlusion) options.ao_radius = std::nullopt;
+  if (!gathers_light(options.integrator)) options.show_by(encoding_alone(options));
   return options;
 }
 

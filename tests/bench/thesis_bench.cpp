@@ -36,7 +36,7 @@ Film traced(int width, int height) {
   const Scene scene = lit_scene();
   const World world = compile(scene);
   const View view = view_of(scene.camera, width, height);
-  Film film(width, height, DisplayRule{FeatureDisplay::light, Transfer::linear});
+  Film film(width, height, DisplayRule{FeatureDisplay::light, {Transfer::linear}});
   render(world, view, {0, 0, width, height}, {.threads = 2}, pool(), {},
          [&](const FilmTile& tile) { film.put(tile); });
   return film;

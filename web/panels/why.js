@@ -50,7 +50,8 @@ export default function mountWhy(studio, panel) {
     const { options } = model.source ?? {};
     const again = explained?.pixel === pixel;
     explained = { ...told, pixel };
-    const transfer = request.transfer ?? model.world?.options?.transfer ?? options?.transfer ?? 'srgb';
+    const said = (name) => request[name] ?? model.world?.options?.[name] ?? options?.[name];
+    const transfer = said('exposure') || said('white_balance_kelvin') ? '' : said('transfer') ?? 'srgb';
     const many = plain(model.request, options) !== model.request;
     const why = view.show(told, { pixel, transfer, many }, again);
     const [x, y] = pixel;

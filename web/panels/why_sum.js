@@ -1,6 +1,6 @@
 // The sum that makes a ray's light, written as one adds on paper: a column for each colour.
 
-import { codesOf } from '../picture/srgb.js';
+import { codesOf, storesPlainly } from '../picture/srgb.js';
 import { degrees, factorsOf, glossAngle, sumOf } from '../picture/explained.js';
 import { languageNow, t } from '../words/words.js';
 import { element } from './element.js';
@@ -37,7 +37,7 @@ export function sumTable({ kind, node, term: lamp }, { transfer, stepOf, go }) {
       lamp ? null : element('tfoot', {}, ...wholeRows(kind, paint))),
     lamp ? null : zeroWords(own, node),
     element('p', { class: 'note' }, [
-      kind === 'primary' && t('why.storedNote', { curve: t(`why.curve_${transfer}`) }),
+      kind === 'primary' && storesPlainly(transfer) && t('why.storedNote', { curve: t(`why.curve_${transfer}`) }),
       t('why.rounding', { digits })].filter(Boolean).join(' ')),
   ];
 }
@@ -104,9 +104,9 @@ function wholeRows(kind, { node, transfer, digits }) {
     rows.push(row(`\u00d7 ${t('why.onTheWay')}`, numberCells(transmittance, digits)),
       row(t('why.arrives'), numberCells(color.map((value, c) => value * transmittance[c]), digits), 'whole'));
   }
+  if (kind !== 'primary' || !storesPlainly(transfer)) return rows;
   const codes = codesOf(color, transfer).map((code) => element('td', {}, String(code)));
-  if (kind === 'primary') rows.push(row(t('why.stored'), codes, 'stored'));
-  return rows;
+  return [...rows, row(t('why.stored'), codes, 'stored')];
 }
 
 function zeroWords(rows, node) {

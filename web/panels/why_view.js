@@ -1,6 +1,6 @@
 // What the panel shows: an invitation, an explanation, or why there is none.
 
-import { codesOf } from '../picture/srgb.js';
+import { codesOf, storesPlainly } from '../picture/srgb.js';
 import { problemWords } from '../picture/problem.js';
 import { countWords, numberWords, t } from '../words/words.js';
 import { element } from './element.js';
@@ -58,7 +58,8 @@ function numbers(color, [x, y], transfer) {
   const named = ([r, g, b]) => ({ r, g, b });
   return element('div', {},
     element('strong', {}, t('why.pixel', { x, y })),
-    element('span', { class: 'codes' }, t('why.codes', named(codesOf(color, transfer)))),
+    storesPlainly(transfer)
+      && element('span', { class: 'codes' }, t('why.codes', named(codesOf(color, transfer)))),
     element('span', { class: 'note' }, t('why.light', named(color.map((value) => decimals(value))))));
 }
 

@@ -36,7 +36,8 @@ export async function fetchPfm(request, signal) {
 }
 
 /** What /explain tells of the pixel `x`, `y` of a request, or of its `ray`: of light, not of files. */
-export async function fetchExplanation({ transfer, crop, ...request }, signal) {
+export async function fetchExplanation(asked, signal) {
+  const { transfer, exposure, white_balance_kelvin, crop, ...request } = asked;
   const { path, init } = fetchable('explain', request);
   const response = await get(path, init, signal);
   return body(() => response.json());

@@ -21,6 +21,9 @@ export function linearOf(hex, old = []) {
   });
 }
 
+/** Whether codesOf knows what stores a colour; else it shows it as sRGB. */
+export const storesPlainly = (transfer) => transfer === 'srgb' || transfer === 'linear';
+
 /** The codes that store a colour: `transfer` is `srgb` or `linear`. */
 export function codesOf(color, transfer = 'srgb') {
   return color.map(transfer === 'linear' ? linearCode : srgbCode);

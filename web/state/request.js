@@ -3,7 +3,7 @@
 
 /** The parameters that the page knows, in the order in which a URL names them. */
 export const PARAMETERS = ['scene', 'key', 'light', 'camera', 'integrator', 'max_depth', 'ao_radius', 'seed',
-  'width', 'height', 'samples', 'threshold', 'crop', 'transfer'];
+  'width', 'height', 'samples', 'threshold', 'crop', 'transfer', 'exposure', 'white_balance_kelvin'];
 
 /** What the page opens with: the lamp is on, so that there is a shadow to ask about. */
 export const FIRST = { scene: 'thesis', key: 'a' };

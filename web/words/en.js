@@ -288,6 +288,8 @@ export default {
     field_max_depth: 'Bounces',
     field_seed: 'Seed',
     field_transfer: 'Brightness curve',
+    field_exposure: 'Exposure',
+    field_white_balance_kelvin: 'White balance',
     field_threshold: 'Smoothing',
     field_transparent_shadows: 'Light through glass',
     field_ao_radius: 'Occlusion radius',

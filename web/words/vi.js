@@ -288,6 +288,8 @@ export default {
     field_max_depth: 'Số lần nảy',
     field_seed: 'Hạt giống ngẫu nhiên',
     field_transfer: 'Đường cong độ sáng',
+    field_exposure: 'Phơi sáng',
+    field_white_balance_kelvin: 'Cân bằng trắng',
     field_threshold: 'Khử răng cưa',
     field_transparent_shadows: 'Ánh sáng xuyên vật trong',
     field_ao_radius: 'Tầm che khuất',

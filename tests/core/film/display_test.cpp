@@ -27,17 +27,19 @@ Codes codes_of(const DisplayRule& rule, float r, float g, float b) {
   film.put(tile);
   return {film.image().rgb.begin(), film.image().rgb.end()};
 }
-Codes codes_of(FeatureDisplay shown, float v) { return codes_of({shown, Transfer::srgb}, v, v, v); }
+Codes codes_of(FeatureDisplay shown, float v) {
+  return codes_of({shown, {Transfer::srgb}}, v, v, v);
+}
 Codes grey(int code) { return {code, code, code}; }
 
 TEST(Display, LightGoesThroughTheCurveAndDataDoesNot) {
   EXPECT_EQ(codes_of(FeatureDisplay::light, 0.5F), grey(188));  // IEC 61966-2-1: 0.7354 x 255
-  EXPECT_EQ(codes_of({FeatureDisplay::light, Transfer::linear}, 0.5F, 0.5F, 0.5F), grey(128));
+  EXPECT_EQ(codes_of({FeatureDisplay::light, {Transfer::linear}}, 0.5F, 0.5F, 0.5F), grey(128));
   EXPECT_EQ(codes_of(FeatureDisplay::share, 0.5F), grey(128));
 }
 
 TEST(Display, ANormalIsHalfOfItAroundOneHalfAndNoneIsBlack) {
-  const DisplayRule rule{FeatureDisplay::normal, Transfer::srgb};
+  const DisplayRule rule{FeatureDisplay::normal, {Transfer::srgb}};
   EXPECT_EQ(codes_of(rule, 0, 0, 1), (Codes{128, 128, 255}));
   EXPECT_EQ(codes_of(rule, -1, 0.2F, 0), (Codes{0, 153, 128}));  // 255 x 0.6 = 153
   EXPECT_EQ(codes_of(rule, 0, 0, 0), grey(0));

@@ -4,36 +4,14 @@
 
 #include <algorithm>
 
-#include "tests/core/support.h"
+#include "tests/core/film/tiles.h"
 
 namespace tia {
 namespace {
 
 using test::Random;
+using test::tiles_of;
 
-// A picture of random light cut into tiles of a side.
-std::vector<FilmTile> tiles_of(const Image& image, int side) {
-  std::vector<FilmTile> tiles;
-  for (int y0 = 0; y0 < image.height; y0 += side) {
-    for (int x0 = 0; x0 < image.width; x0 += side) {
-      FilmTile& tile = tiles.emplace_back();
-      tile.x = x0;
-      tile.y = y0;
-      tile.width = std::min(side, image.width - x0);
-      tile.height = std::min(side, image.height - y0);
-      for (int y = 0; y < tile.height; ++y) {
-        for (int x = 0; x < tile.width; ++x) {
-          const float* from = image.at(x0 + x, y0 + y);
-          const std::size_t i = FilmTile::index(x, y);
-          tile.r[i] = from[0];
-          tile.g[i] = from[1];
-          tile.b[i] = from[2];
-        }
-      }
-    }
-  }
-  return tiles;
-}
 Image random_light(int width, int height, std::uint64_t seed) {
   Random random(seed);
   Image image(width, height);
@@ -77,7 +55,7 @@ std::vector<std::uint8_t> filtered(const Image8& image) {
 }
 
 TEST(Film, ScanlineFilmHoldsTheDisplayFilmsRowsFiltered) {
-  const DisplayRule rule{FeatureDisplay::normal, Transfer::linear};
+  const DisplayRule rule{FeatureDisplay::normal, {Transfer::linear}};
   for (const auto& [width, height] : {std::pair{1, 1}, {1, 40}, {22, 3}, {101, 67}, {400, 33}}) {
     const Image light = random_light(width, height, 112);
     DisplayFilm codes(width, height, rule);
@@ -107,7 +85,7 @@ TEST(Film, ScanlinesAreTheSameHoweverManyThreadsPutTheirBlocks) {
   const std::vector<std::uint8_t> expected = filtered(codes.image());
   Pool pool(5);
   for (int turn = 0; turn < 20; ++turn) {
-    ScanlineFilm film(333, 217, {FeatureDisplay::light, Transfer::srgb});
+    ScanlineFilm film(333, 217, {FeatureDisplay::light, {Transfer::srgb}});
     pool.for_each(static_cast<int>(tiles.size()), 5, {},
                   [&](int i) { film.put(tiles[static_cast<std::size_t>(i)]); });
     EXPECT_TRUE(std::equal(expected.begin(), expected.end(), film.scanlines().data()));

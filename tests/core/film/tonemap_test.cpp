@@ -138,8 +138,8 @@ TEST(Tonemap, ClampsToBlackAndWhiteAndTakesNaNForBlack) {
 TEST(Tonemap, RowsAreDevelopedLikeSingleValues) {
   Random random(103);
   const std::array<float, 6> special{nan_float, infinite_float, -infinite_float, -1, 1e30F, -0.0F};
-  for (const Transfer transfer : {Transfer::linear, Transfer::srgb}) {
-    const auto encode = transfer == Transfer::linear ? encode_linear : encode_srgb;
+  for (const Encoding encoding : {Encoding::linear, Encoding::srgb}) {
+    const auto encode = encoding == Encoding::linear ? encode_linear : encode_srgb;
     for (int round = 0; round < 2000; ++round) {
       FilmTile tile;
       tile.width = 1 + random.below(FilmTile::size);
@@ -159,7 +159,7 @@ TEST(Tonemap, RowsAreDevelopedLikeSingleValues) {
         tile.b[row + x] = light();
       }
       std::array<std::uint8_t, row_codes> codes{};
-      develop_row(tile, y, transfer, codes);
+      develop_row(tile, y, encoding, codes);
       for (std::size_t x = 0; x < static_cast<std::size_t>(tile.width); ++x) {
         ASSERT_EQ(codes[3 * x], encode(tile.r[row + x])) << tile.r[row + x];
         ASSERT_EQ(codes[3 * x + 1], encode(tile.g[row + x])) << tile.g[row + x];

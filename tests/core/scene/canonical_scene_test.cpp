@@ -42,7 +42,9 @@ Scene dressed_scene(std::uint64_t seed) {
     else scene.keys[name()] = Value(Value::Object{{"background", 1}, {"title", Value()}});
   }
   if (random.chance(0.3)) scene.key_light = Light{SphereLight{std::nullopt, random.unit() + 1e-9}};
-  if (random.chance(0.5)) scene.options.transfer = Transfer::linear;
+  if (random.chance(0.5)) scene.options.transfer = static_cast<Transfer>(random.below(4));
+  if (random.chance(0.5)) scene.options.exposure = random.in(-32, 32);
+  if (random.chance(0.5)) scene.options.white_balance_kelvin = random.in(1000, 25'000);
   if (random.chance(0.5))
     scene.options.seed = static_cast<std::int64_t>(random.unit() * SceneOptions::last_seed);
   return scene;

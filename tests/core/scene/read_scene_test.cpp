@@ -86,8 +86,8 @@ TEST(ReadScene, UnknownMembersNameTheNearestKnownOne) {
       {{unknown_name, "/objects/0/material/colour", "\"colour\"", "color", "color"}});
   expect_scene_refused(R"({"options":{"thread":3}})",
                        {{unknown_name, "/options/thread", "\"thread\"",
-                         "integrator, transfer, samples, threshold, max_depth, "
-                         "transparent_shadows, ao_radius, seed"}});
+                         "integrator, transfer, exposure, white_balance_kelvin, samples, "
+                         "threshold, max_depth, transparent_shadows, ao_radius, seed"}});
   expect_scene_refused(
       R"({"lights":[{"type":"point","position":[0,0,0],"radius":3}]})",
       {{unknown_name, "/lights/0/radius", "\"radius\"", "position, color, intensity"}});
@@ -130,8 +130,9 @@ TEST(ReadScene, KindsThatDoNotExistNameTheNearestThatDoes) {
   expect_scene_refused(
       R"({"options":{"integrator":"tesis"}})",
       {{unknown_name, "/options/integrator", "\"tesis\"", "one of thesis", "thesis"}});
-  expect_scene_refused(R"({"options":{"transfer":"sRGBB"}})",
-                       {{unknown_name, "/options/transfer", "\"sRGBB\"", "one of srgb, linear"}});
+  expect_scene_refused(
+      R"({"options":{"transfer":"sRGBB"}})",
+      {{unknown_name, "/options/transfer", "\"sRGBB\"", "one of srgb, linear, aces, agx"}});
 }
 
 TEST(ReadScene, MissingMembersAreNamed) {

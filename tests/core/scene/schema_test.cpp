@@ -65,7 +65,7 @@ TEST(SceneSchema, HoldsTheFieldsRangesDefaultsAndWords) {
   EXPECT_EQ(*find(*seed.as<Value::Object>(), "type"), Value("integer"));
   EXPECT_EQ(*find(*seed.as<Value::Object>(), "maximum"), Value(9007199254740991.0));
   const Value& transfer = schema_at({"properties", "options", "properties", "transfer", "enum"});
-  EXPECT_EQ(transfer, Value(Value::Array{"srgb", "linear"}));
+  EXPECT_EQ(transfer, Value(Value::Array{"srgb", "linear", "aces", "agx"}));
 }
 
 TEST(SceneSchema, AcceptsWhatTheReaderAccepts) {
@@ -86,7 +86,8 @@ TEST(SceneSchema, AcceptsWhatTheReaderAccepts) {
       R"({"materials":{"any name":{"type":"finish","emission":3}}})",
       R"({"materials":{"m":{"texture":{"type":"wood","colors":[1,[1,0,0],0],"scale":2}}}})",
       R"({"keys":{"a":{"light":[1,2,3]},"b":{"title":"x"},"c":{"light":1,"title":"x"},"d":{}}})",
-      R"({"options":{"integrator":"thesis","transfer":"srgb","seed":9007199254740991}})"};
+      R"({"options":{"integrator":"thesis","transfer":"srgb","seed":9007199254740991}})",
+      R"({"options":{"transfer":"agx","exposure":-32,"white_balance_kelvin":1000}})"};
   for (const char* json : scenes) {
     EXPECT_NO_THROW(read_scene(json)) << json;
     EXPECT_TRUE(valid(json)) << json;

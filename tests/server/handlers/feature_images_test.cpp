@@ -81,10 +81,11 @@ TEST(FeatureImages, DataIsStoredLinearlyWhateverTheCurve) {
     const auto plain = feature_codes(integrator);
     EXPECT_TRUE(feature_codes(integrator, R"(,"transfer":"srgb")") == plain);
     EXPECT_TRUE(feature_codes(integrator, R"(,"transfer":"linear")") == plain);
+    EXPECT_TRUE(feature_codes(integrator, R"(,"transfer":"aces","exposure":1)") == plain);
   }
 }
 
-TEST(FeatureImages, AlbedoGoesThroughTheCurveAsLightDoes) {
+TEST(FeatureImages, AlbedoIsEncodedAndNotExposed) {
   expect_shown("albedo", R"(,"transfer":"linear")", [](const Pixels<float>& image, std::size_t i) {
     return static_cast<double>(image.rgb[i]);
   });
@@ -92,6 +93,9 @@ TEST(FeatureImages, AlbedoGoesThroughTheCurveAsLightDoes) {
     const double v = static_cast<double>(image.rgb[i]);
     return v <= 0.0031308 ? 12.92 * v : 1.055 * std::pow(v, 1 / 2.4) - 0.055;
   });
+  for (const char* tone :
+       {R"(,"exposure":1)", R"(,"white_balance_kelvin":3000)", R"(,"transfer":"agx")"})
+    EXPECT_TRUE(feature_codes("albedo", tone) == feature_codes("albedo")) << tone;
 }
 
 TEST(FeatureImages, EachObjectHasAColourOfItsOwnAndNothingIsBlack) {

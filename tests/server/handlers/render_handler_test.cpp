@@ -135,11 +135,37 @@ TEST(RenderHandler, TheThesisSceneStoresLinearValues) {
   EXPECT_FALSE(host().get(picture).body == host().get(picture + "&transfer=srgb").body);
 }
 
-TEST(RenderHandler, PfmIsBeforeAnyTransferCurve) {
-  const std::string picture = "/render?key=a&width=37&height=23&format=pfm";
-  const Response response = host().get(picture);
-  EXPECT_EQ(response.content_type, "image/x-portable-floatmap");
-  EXPECT_TRUE(host().get(picture + "&transfer=srgb").body == response.body);
+TEST(RenderHandler, LinearFilesAreBeforeAnyTone) {
+  for (const char* format : {"pfm", "hdr"}) {
+    const std::string picture = std::string("/render?key=a&width=37&height=23&format=") + format;
+    const Response response = host().get(picture);
+    EXPECT_EQ(response.content_type,
+              *format == 'p' ? "image/x-portable-floatmap" : "image/vnd.radiance");
+    for (const char* tone :
+         {"&transfer=srgb", "&transfer=agx", "&exposure=2", "&white_balance_kelvin=3000"}) {
+      const Response toned = host().get(picture + tone);
+      EXPECT_TRUE(toned.body == response.body) << tone;
+      EXPECT_EQ(header(toned, "ETag"), header(response, "ETag")) << tone;
+    }
+  }
+}
+
+// A stop is twice the light, whether the lamp or the film gives it.
+TEST(RenderHandler, ExposureIsAsManyTimesTheLight) {
+  const auto with = [](const std::string& light, const std::string& more) {
+    return decode_png(host()
+                          .post("/render", R"({"width":40,"height":30,"scene":{"ambient_light":0,
+        "objects":[{"type":"sphere","center":[0,0,-9],"radius":2}],
+        "lights":[{"type":"point","position":[3,4,-2],"intensity":)" +
+                                               light + "}]}" + more + "}")
+                          .body);
+  };
+  for (const char* transfer : {"srgb", "linear", "aces", "agx"}) {
+    const std::string curve = std::string(R"(,"transfer":")") + transfer + '"';
+    EXPECT_TRUE(with("0.125", curve + R"(,"exposure":2)") == with("0.5", curve)) << transfer;
+    EXPECT_TRUE(with("2", curve + R"(,"exposure":-1)") == with("1", curve)) << transfer;
+    EXPECT_FALSE(with("1", curve + R"(,"exposure":-1)") == with("1", curve)) << transfer;
+  }
 }
 
 // To 1/256 of each pixel's largest component, as tests/core/film/hdr_test.cpp derives.

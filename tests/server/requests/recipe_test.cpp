@@ -57,7 +57,8 @@ TEST(Recipe, EveryParameterIsInIt) {
        {"key=w", "light=1,20,3", "samples=3&seed=9", "threshold=0.05", "integrator=depth",
         "integrator=object&samples=4", "max_depth=0&scene=whitted",
         "integrator=ambient_occlusion&ao_radius=2&threshold=0.1&scene=shapes", "crop=3,4,11,17",
-        "transfer=srgb", "camera=%7B%22fov_degrees%22:30%7D&key=a", "threads=2&v=0.3.0",
+        "transfer=agx&exposure=1.5&white_balance_kelvin=3200",
+        "camera=%7B%22fov_degrees%22:30%7D&key=a", "threads=2&v=0.3.0",
         "scene=%7B%22background%22:0.5,%22title%22:%22t%C3%ACa%22%7D"}) {
     SCOPED_TRACE(query);
     const std::string drawn = picture(query);
@@ -77,12 +78,23 @@ struct FieldNames {
 
 // What a recipe did not tell, the cache would not tell apart.
 TEST(Recipe, ChangesWithEveryParameterThatChangesThePicture) {
-  const std::map<std::string, std::string> other{
-      {"scene", "whitted"},    {"key", "a"},      {"light", "1,20,3"},
-      {"width", "17"},         {"height", "13"},  {"camera", "%7B%22fov_degrees%22:30%7D"},
-      {"integrator", "depth"}, {"samples", "2"},  {"threshold", "0.1"},
-      {"max_depth", "1"},      {"seed", "5"},     {"crop", "1,2,3,4"},
-      {"transfer", "srgb"},    {"format", "pfm"}, {"ao_radius", "2"}};
+  const std::map<std::string, std::string> other{{"scene", "whitted"},
+                                                 {"key", "a"},
+                                                 {"light", "1,20,3"},
+                                                 {"width", "17"},
+                                                 {"height", "13"},
+                                                 {"camera", "%7B%22fov_degrees%22:30%7D"},
+                                                 {"integrator", "depth"},
+                                                 {"samples", "2"},
+                                                 {"threshold", "0.1"},
+                                                 {"max_depth", "1"},
+                                                 {"seed", "5"},
+                                                 {"crop", "1,2,3,4"},
+                                                 {"transfer", "srgb"},
+                                                 {"format", "pfm"},
+                                                 {"ao_radius", "2"},
+                                                 {"exposure", "1"},
+                                                 {"white_balance_kelvin", "3000"}};
   const std::set<std::string> of_no_byte{"threads", "v"};
   // What has an effect only beside another one.
   const std::map<std::string, std::map<std::string, std::string>> beside{
