@@ -157,8 +157,6 @@ DEPENDENT = [
     ("core/input/value_codecs.h", "inline constexpr Spec name_spec", "inline const Spec name_spec"),
     ("core/lights/sphere_light.h", "inline constexpr Spec light_samples",
      "inline const Spec light_samples"),
-    ("core/materials/image_texture.cpp", "constexpr std::size_t most_digits",
-     "const std::size_t most_digits"),
     ("server/operation/cost.h", "static constexpr double most_light_seconds",
      "static inline const double most_light_seconds"),
     ("server/stores/scene_store.cpp", "constexpr JsonLimits any", "const JsonLimits any"),

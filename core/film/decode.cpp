@@ -157,10 +157,21 @@ struct Free {
 
 }  // namespace
 
-std::variant<PictureSize, PictureFault> measure_picture(File file) {
-  if (file.size() > most_picture_bytes)
-    return PictureFault{true, std::to_string(file.size()) + " bytes",
-                        "a picture of at most " + std::to_string(most_picture_bytes) + " bytes"};
+std::optional<PictureFault> beyond(std::size_t file_bytes, const PictureLimits& limits) {
+  if (file_bytes <= limits.bytes) return std::nullopt;
+  return PictureFault{true, std::to_string(file_bytes) + " bytes",
+                      "a picture of at most " + std::to_string(limits.bytes) + " bytes"};
+}
+
+std::optional<PictureFault> beyond(const PictureSize& size, const PictureLimits& limits) {
+  if (size.pixels() <= limits.pixels) return std::nullopt;
+  return PictureFault{true,
+                      std::to_string(size.width) + " x " + std::to_string(size.height) + " pixels",
+                      "a picture of at most " + std::to_string(limits.pixels) + " pixels"};
+}
+
+std::variant<PictureSize, PictureFault> measure_picture(File file, const PictureLimits& limits) {
+  if (const auto fault = beyond(file.size(), limits)) return *fault;
   if (!is_png(file) && !is_jpeg(file))
     return PictureFault{false, "bytes that begin like neither", "a whole PNG or JPEG picture"};
   if (is_jpeg(file) && has_broken_tables(file)) return broken();
@@ -171,10 +182,7 @@ std::variant<PictureSize, PictureFault> measure_picture(File file) {
                             &channels) == 0 ||
       size.width < 1 || size.height < 1)
     return broken();
-  if (size.pixels() > most_picture_pixels)
-    return PictureFault{
-        true, std::to_string(size.width) + " x " + std::to_string(size.height) + " pixels",
-        "a picture of at most " + std::to_string(most_picture_pixels) + " pixels"};
+  if (const auto fault = beyond(size, limits)) return *fault;
   if (!is_jpeg(file)) return size;
   size.scans = std::max(1, scans_of(file));
   size.progressive = is_progressive(file);
@@ -186,8 +194,8 @@ std::variant<PictureSize, PictureFault> measure_picture(File file) {
   return size;
 }
 
-std::variant<Image8, PictureFault> decode_picture(File file) {
-  const auto measured = measure_picture(file);
+std::variant<Image8, PictureFault> decode_picture(File file, const PictureLimits& limits) {
+  const auto measured = measure_picture(file, limits);
   if (const auto* fault = std::get_if<PictureFault>(&measured)) return *fault;
   const auto size = std::get<PictureSize>(measured);
   const Bytes whole = is_png(file) ? mended(file) : Bytes(file.begin(), file.end());

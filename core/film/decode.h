@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <variant>
@@ -15,6 +16,10 @@ namespace tia {
 /// and may have some more in pictures that they carry.
 inline constexpr std::size_t most_picture_bytes = 1 << 20;
 inline constexpr std::int64_t most_picture_pixels = 1 << 22;
+struct PictureLimits {
+  std::size_t bytes = most_picture_bytes;
+  std::int64_t pixels = most_picture_pixels;
+};
 inline constexpr int most_picture_scans = 64, most_sequential_scans = 8;
 
 /// PictureSize: what a picture's headers say. Space/units: pixels.
@@ -39,14 +44,21 @@ struct PictureFault {
   std::string got, allowed;    ///< in words
 };
 
+/// Why a file of so many bytes, or a picture of that size, is beyond the limits; none where it is
+/// not.
+std::optional<PictureFault> beyond(std::size_t file_bytes, const PictureLimits& limits);
+std::optional<PictureFault> beyond(const PictureSize& size, const PictureLimits& limits);
+
 /// Reads no more than the header. Cost: no memory to speak of.
-std::variant<PictureSize, PictureFault> measure_picture(std::span<const std::uint8_t> file);
+std::variant<PictureSize, PictureFault> measure_picture(std::span<const std::uint8_t> file,
+                                                        const PictureLimits& limits = {});
 
 /// Returns: the picture's codes, without alpha; of 16 bits a channel the upper 8; grey as RGB. The
 /// same bytes give the same codes on every machine, broken ones too.
 /// Cost: memory in proportion to the header's pixels, whatever the file unpacks to.
 /// Source: W3C PNG (third edition), ITU-T T.81, as far as stb_image 2.27 knows them; checksums are
 /// not looked at.
-std::variant<Image8, PictureFault> decode_picture(std::span<const std::uint8_t> file);
+std::variant<Image8, PictureFault> decode_picture(std::span<const std::uint8_t> file,
+                                                  const PictureLimits& limits = {});
 
 }  // namespace tia

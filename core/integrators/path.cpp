@@ -2,6 +2,7 @@
 #include <optional>
 
 #include "core/integrators/integrator.h"
+#include "core/integrators/light_sampling.h"
 #include "core/integrators/scatterers.h"
 #include "core/materials/spectrum.h"
 #include "core/math/sobol.h"
@@ -23,7 +24,7 @@ class PathTracer {
 
  public:
   PathTracer(WorldView& world_view, const SamplerState<Real>& sampler_state)
-      : world_view_(world_view), sampler_state_(sampler_state) {}
+      : world_view_(world_view), sampler_state_(sampler_state), lights_(world_view.world) {}
 
   V trace(Ray<Real> ray, Mask<Real> active) {
     const int max_depth = std::min(world_view_.rules.max_depth, SceneOptions::deepest);
@@ -32,7 +33,7 @@ class PathTracer {
       const Hit<Real> hit = world_view_.closest(ray, active);
       const Surface isect = surfaces(world_view_, ray, hit, active);
       beta_ = beta_ * transmittance_of(absorption_, hit.t);
-      add_emitted(hit, isect, active);
+      add_emitted(ray, hit, isect, active);
       active = isect.here;
       if (depth == max_depth || !any(active)) break;
       auto materials = scatterers(world_view_.world, hit, isect);
@@ -115,112 +116,66 @@ class PathTracer {
     return light.x < Real(infinity) && light.y < Real(infinity) && light.z < Real(infinity);
   }
 
-  // What the ray finds: the background, or what the surface sends out by itself.
-  void add_emitted(const Hit<Real>& hit, const Surface& isect, Mask<Real> active) {
-    if (const Mask<Real> missed = active && !isect.here; any(missed))
+  // What the ray finds: what is infinitely far, or what the surface sends out by itself.
+  void add_emitted(const Ray<Real>& ray, const Hit<Real>& hit, const Surface& isect,
+                   Mask<Real> active) {
+    if (const Mask<Real> missed = active && !isect.here; any(missed)) {
       add(missed, lift<Real>(world_view_.world.background));
+      lights_.beyond(ray.direction, missed,
+                     [&](const V& radiance, const Real& pdf, Mask<Real> here) {
+                       add(here, radiance * drawn_weight(here, [&](auto) { return pdf; }));
+                     });
+    }
     const Mask<Real> luminous = isect.here && shines(isect.emission);
     if (!any(luminous)) return;
-    Real weight(1);
-    if (const Mask<Real> rivals = luminous && pdf_ > Real(0); any(rivals)) {
-      const Real other = light_pdf(hit, isect, rivals) / pdf_;
-      weight = select(rivals, Real(1) / (Real(1) + other * other), Real(1));
-    }
+    const Real weight = drawn_weight(
+        luminous, [&](Mask<Real> rivals) { return lights_.pdf(from_, hit, isect.at.p, rivals); });
     add(luminous, isect.emission * weight);
   }
-  // The density with which add_direct() asks for the point that the ray has hit, by solid angle.
-  Real light_pdf(const Hit<Real>& hit, const Surface& isect, Mask<Real> luminous) const {
-    Real pdf(0);
-    const V to_light = isect.at.p - from_;
-    const Real distance = length(to_light);
-    const V wi = to_light * (Real(1) / distance);
-    const auto& lights = world_view_.world.lights;
-    for_each_winner(hit, luminous, [&](int primitive, Mask<Real> here) {
-      for (const WorldLight& light : lights) {
-        if (light.primitive != primitive) continue;
-        const Mask<Real> own = here && hit.instance == Real(static_cast<float>(light.instance));
-        pdf = select(own, area_pdf(light, from_, wi, distance), pdf);
-      }
-    });
-    return pdf / Real(static_cast<float>(std::max<std::size_t>(lights.size(), 1)));
-  }
-  static Real area_pdf(const WorldLight& light, const V& p, const V& wi, const Real& distance) {
-    return std::visit(
-        [&]<class Form>(const Form& form) -> Real {
-          if constexpr (AreaForm<Form>) return pdf_li(form, p, wi, distance);
-          else return Real(0);
-        },
-        light.form);
+  // The weight of light that the surface's direction has found, where add_direct() could have asked
+  // for it with a density of other_pdf(mask).
+  template <class F>
+  Real drawn_weight(Mask<Real> here, F other_pdf) const {
+    const Mask<Real> rivals = here && pdf_ > Real(0);
+    if (!any(rivals)) return Real(1);
+    const Real other = other_pdf(rivals) / pdf_;
+    return select(rivals, Real(1) / (Real(1) + other * other), Real(1));
   }
 
-  // What one point of one light, drawn among them all alike, gives the surface to scatter.
+  // What one point of one light gives the surface to scatter.
   void add_direct(const Surface& isect, const Bsdf<Real>& bsdf, const MediumBoundary<Real>& behind,
                   const Numbers& numbers) {
-    const auto& lights = world_view_.world.lights;
-    Mask<Real> left = bsdf.scatters();
-    if (lights.empty() || !any(left)) return;
-    const auto count = static_cast<float>(lights.size());
-    std::array<LaneOf<Real>, static_cast<std::size_t>(lanes<Real>)> each;
-    for (std::size_t i = 0; i < each.size(); ++i)
-      each[i] = std::floor(static_cast<float>(lane(numbers.light, static_cast<int>(i))) * count);
-    const Real chosen = load<Real>(each.data());
-    while (const unsigned lanes_left = bits(left)) {
-      const auto number = each[static_cast<std::size_t>(std::countr_zero(lanes_left))];
-      const Mask<Real> here = left && chosen == Real(number);
-      add_light(lights[static_cast<std::size_t>(number)], isect, bsdf, behind, numbers, here);
-      left = left && !here;
-    }
+    const Mask<Real> here = bsdf.scatters();
+    if (!any(here)) return;
+    lights_.draw(isect.at.p, numbers.light, numbers.light_u, numbers.light_v, here,
+                 [&](const LightDraw<Real>& draw, Mask<Real> those) {
+                   add_light(draw, isect, bsdf, behind, those);
+                 });
   }
-  void add_light(const WorldLight& light, const Surface& isect, const Bsdf<Real>& bsdf,
-                 const MediumBoundary<Real>& behind, const Numbers& numbers, Mask<Real> here) {
+  void add_light(const LightDraw<Real>& draw, const Surface& isect, const Bsdf<Real>& bsdf,
+                 const MediumBoundary<Real>& behind, Mask<Real> here) {
     world_view_.work.test();
-    const Incident in = incident(light, isect.at.p, numbers.light_u, numbers.light_v);
-    const BsdfValue<Real> at = bsdf.value(in.wi);
-    const Mask<Real> below = dot(isect.at.ng, in.wi) < Real(0);
+    const BsdfValue<Real> at = bsdf.value(draw.wi);
+    const Mask<Real> below = dot(isect.at.ng, draw.wi) < Real(0);
     const V absorption = select(below, behind.absorption, absorption_);
-    const V scattered = at.f_cos * in.light * transmittance_of(absorption, in.distance);
+    const V scattered = at.f_cos * draw.light * transmittance_of(absorption, draw.distance);
     const Mask<Real> lit = here && shines(scattered) && is_finite(scattered);
     if (!any(lit)) return;
     world_view_.rays.shadow += count(lit);
-    // What is as near to the light as rays start off surfaces is at it: a ceiling that it is part
-    // of.
-    const Real reach = in.distance * Real(1 - 2 * tolerance::ray_offset);
-    const Mask<Real> dark =
-        occluded(world_view_.world, off(isect, in.wi, below), reach, light, lit, world_view_.work);
-    const auto lights = static_cast<float>(world_view_.world.lights.size());
-    Real weight(lights);
-    if (in.has_area) {
-      const Real other = at.pdf * Real(lights) / in.pdf;
-      weight = weight / (in.pdf * (Real(1) + other * other));
+    const Mask<Real> dark = hidden(draw, off(isect, draw.wi, below), lit);
+    Real weight = Real(1) / draw.pdf;
+    if (!draw.is_delta) {
+      const Real other = at.pdf / draw.pdf;
+      weight = Real(1) / (draw.pdf * (Real(1) + other * other));
     }
     add(lit && !dark, scattered * weight);
   }
-
-  // What comes to p from one point of a light, before it is divided by the density.
-  struct Incident {
-    V wi, light;
-    Real distance, pdf = Real(1);
-    bool has_area = false;
-  };
-  // Point, spot and directional lights have an intensity and an irradiance, those with an area a
-  // radiance. A luminous object's is found by the directions that surfaces draw.
-  static Incident incident(const WorldLight& light, const V& p, const Real& u, const Real& v) {
-    const V color = lift<Real>(light.color), none{Real(0), Real(0), Real(0)};
-    return std::visit(
-        [&]<class Form>(const Form& form) -> Incident {
-          if constexpr (AreaForm<Form>) {
-            const LightSample<Real> at = sample_li(form, p, u, v);
-            const Real pdf = pdf_li(form, p, at.wi, at.distance);
-            return {at.wi, select(pdf > Real(0), color, none), at.distance, pdf, true};
-          } else {
-            const LightSample<Real> at = sample_middle(form, p);
-            const Real spread = select(at.distance < Real(infinity),
-                                       Real(1) / (at.distance * at.distance), Real(1));
-            const Real share = at.strength * spread;
-            return {at.wi, light.primitive < 0 ? color * share : none, at.distance};
-          }
-        },
-        light.form);
+  Mask<Real> hidden(const LightDraw<Real>& draw, const Ray<Real>& ray, Mask<Real> lit) {
+    // What is as near to the light as rays start off surfaces is at it: a ceiling that it is part
+    // of.
+    const Real reach = draw.distance * Real(1 - 2 * tolerance::ray_offset);
+    if (draw.from == nullptr) return occluded(world_view_.world, ray, reach, lit, world_view_.work);
+    return occluded(world_view_.world, ray, reach, *draw.from, lit, world_view_.work);
   }
 
   // ---- the path goes on -------------------------------------------------------------------------
@@ -258,6 +213,7 @@ class PathTracer {
   const MediumTransition<Real>* last_ = nullptr;
   WorldView& world_view_;
   const SamplerState<Real>& sampler_state_;
+  const PathLights<Real> lights_;
 };
 
 }  // namespace

@@ -24,7 +24,7 @@ class Whitted {
     const Hit<Real> hit = first_hit(world_view_, ray, active, path.kind);
     const auto isect = surfaces(world_view_, ray, hit, active);
     recorder_.begin(ray, path.depth, hit, isect.at.p, isect.at.n);
-    V L = lift<Real>(world_view_.world.background);
+    V L = beyond(ray, active && !isect.here);
     if (any(isect.here)) L = select(isect.here, shade(ray, hit, isect, path), L);
     else recorder_.term(TermName::background, Real(1), L);
     if constexpr (AnyWorldView::plain) return L;
@@ -63,6 +63,15 @@ class Whitted {
   void add(V& L, TermName name, const Real& weight, const V& value) {
     L = L + value * weight;
     recorder_.term(name, weight, value);
+  }
+
+  // What rays find that hit nothing.
+  V beyond(const Ray<Real>& ray, Mask<Real> missed) const {
+    V L = lift<Real>(world_view_.world.background);
+    if constexpr (!AnyWorldView::plain)
+      for (const WorldSky& sky : world_view_.world.skies)
+        L = L + radiance(sky.form, ray.direction, missed) * lift<Real>(sky.color);
+    return L;
   }
 
   // ---- direct light -----------------------------------------------------------------------------

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "core/lights/light_sample.h"
+#include "core/lights/sky_map.h"
 #include "core/shapes/shape.h"
 
 namespace tia {
@@ -27,6 +28,23 @@ template <class Kind>
 concept ShiningLight = requires(const Kind& kind) {
   { prepare(kind) } -> LitForm;
 };
+
+/// A kind that sends light from infinitely far by direction: what rays get that hit nothing, in the
+/// background's place. What several kinds send adds up.
+template <class Kind>
+concept PaintsSky = requires(const Kind& kind) {
+  { sky_of(kind) } -> std::same_as<SkyForm>;
+};
+/// A kind whose light has a colour by itself, a factor on the light's colour. What sky_of() makes
+/// is not changed by it.
+template <class Kind>
+concept HasTint = ShiningLight<Kind> && requires(const Kind& kind) {
+  { tint(kind) } -> std::same_as<Vec3d>;
+};
+/// A background has nothing else; any other kind lights surfaces, or paints the sky, or both.
+template <class Kind>
+concept SendsLight = BackgroundLight<Kind>
+!= (ShiningLight<Kind> || PaintsSky<Kind>);
 
 /// A kind that can be translated: `move_by(way)` adds `way` to every point that it is given by. The
 /// world does so where it moves its own origin. Domain of move_by: a light that awaits nothing.
@@ -80,15 +98,14 @@ template <class Kind>
 concept SeenLight = ShiningLight<Kind> && requires(const Kind& kind) {
   { surface(kind) } -> IsSeenSurface;
 };
-/// A light with an area must be one that rays can hit: a mirror that reflects it would be black
-/// otherwise.
+/// A light with an area must be one that rays can hit, or stand in the sky: a mirror that reflects
+/// it would be black otherwise.
 template <class Kind>
-concept AreaIsSeen = SeenLight<Kind> || !AreaLight<Kind>;
+concept AreaIsSeen = SeenLight<Kind> || PaintsSky<Kind> || !AreaLight<Kind>;
 
 /// What the list asks of a kind.
 template <class Kind>
-concept IsLight = IsKind<Kind> && TellsDistance<Kind> &&
-    (BackgroundLight<Kind> != ShiningLight<Kind>)&&MovesAlong<Kind>&& MovesWhollyOrNot<
-        Kind>&& HasAreaWhollyOrNot<Kind>&& AreaIsSeen<Kind>;
+concept IsLight = IsKind<Kind> && TellsDistance<Kind> && SendsLight<Kind> && MovesAlong<Kind> &&
+    MovesWhollyOrNot<Kind> && HasAreaWhollyOrNot<Kind> && AreaIsSeen<Kind>;
 
 }  // namespace tia

@@ -10,8 +10,10 @@
 #include "core/lights/point.h"
 #include "core/lights/quad_light.h"
 #include "core/lights/sky.h"
+#include "core/lights/sky_image.h"
 #include "core/lights/sphere_light.h"
 #include "core/lights/spot.h"
+#include "core/lights/sun.h"
 
 namespace tia {
 
@@ -26,8 +28,8 @@ using LightList = std::variant<ListedLight<Kinds>...>;
 /// RGB.
 struct Light {
   static constexpr std::string_view schema_name = "light";
-  using Kinds =
-      LightList<PointLight, DirectionalLight, SpotLight, SphereLight, QuadLight, SkyLight>;
+  using Kinds = LightList<PointLight, DirectionalLight, SpotLight, SphereLight, QuadLight, SkyLight,
+                          SunLight, SkyImageLight>;
   Kinds kind;
   Color color{1, 1, 1};
   double intensity = 1;

@@ -58,6 +58,20 @@ concept LitForm = (ShinesFromPoint<Form> != SamplesLi<Form>)&&(SamplesArea<Form>
 template <class Form>
 concept AreaForm = LitForm<Form> && SamplesArea<Form>;
 
+/// AreaForm infinitely far away: a disc in the sky. `strength_of(form, wi)` is the strength of what
+/// comes from a direction within it.
+template <class Form>
+concept EndlessForm = AreaForm<Form> && requires(const Form& form, const Vec3<Wide>& wi) {
+  { strength_of(form, wi) } -> std::same_as<Wide>;
+};
+
+/// The radiance of an area over its light's colour: 1, or what the form says.
+template <class Form>
+double brightness_of(const Form& form) {
+  if constexpr (requires { form.brightness(); }) return form.brightness();
+  else return 1;
+}
+
 /// The sample of a light without an area, or at the middle of one that has an area.
 template <class Real, LitForm Form>
 LightSample<Real> sample_middle(const Form& form, const Vec3<Real>& p) {

@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/film/decode.h"
-#include "core/input/base64.h"
+#include "core/film/picture_text.h"
 
 namespace tia {
 
@@ -12,71 +11,23 @@ namespace tia {
 
 namespace {
 
-using Bytes = std::vector<std::uint8_t>;
-
-constexpr std::size_t most_digits = (most_picture_bytes + 2) / 3 * 4;
 constexpr std::string_view text_words = "a PNG or JPEG file in base64 (RFC 4648)";
 
-// The regular expression of base64: groups of four digits, the last one padded, its unused bits 0.
-constexpr std::string_view file_pattern =
-    "^([A-Za-z0-9+/]{4})*([A-Za-z0-9+/][AQgw]==|[A-Za-z0-9+/]{2}[AEIMQUYcgkosw048]=)?$";
 // A PNG of one white pixel.
 constexpr std::string_view example =
     "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAAAAAA6fptVAAAACklEQVR42mP4DwABAQEAHLCMmQAAAABJRU5ErkJggg==";
 
-void add_limit(const Place& at, std::string got, std::string allowed, Faults& faults) {
-  faults.add({FaultKind::limit, at.pointer(), Value(std::move(got)), std::move(allowed)});
-}
-void add(const PictureFault& fault, const Place& at, Faults& faults) {
-  if (fault.beyond_limits) add_limit(at, fault.got, fault.allowed, faults);
-  else detail::wrong_type(Value(fault.got), at, fault.allowed, faults);
-}
-
-// The bytes of the file; nothing, and a fault, if the text is no base64.
-std::optional<Bytes> read_file(const Value& v, const Place& at, Faults& faults) {
-  const auto* text = v.as<std::string>();
-  Bytes bytes;
-  if (text == nullptr) {
-    detail::wrong_type(v, at, std::string(text_words), faults);
-  } else if (text->size() > most_digits) {
-    add_limit(at, std::to_string(text->size()) + " digits of base64",
-              "a picture of at most " + std::to_string(most_picture_bytes) + " bytes", faults);
-  } else if (const auto wrong = decode_base64(*text, bytes)) {
-    constexpr std::size_t shown = 16;
-    detail::wrong_type(Value(text->substr(*wrong, shown)), at,
-                       std::string(text_words) + "; it is not from its character " +
-                           std::to_string(*wrong) + " on",
-                       faults);
-  } else {
-    return bytes;
-  }
-  return std::nullopt;
-}
-
-// Whether the input may still have so many pixels. If not, adds a fault.
-bool take(Bulk bulk, std::int64_t pixels, std::string_view counted, const Place& at,
-          Faults& faults) {
-  if (faults.take(bulk, pixels)) return true;
-  add_limit(at, std::to_string(pixels) + " pixels more",
-            "pictures of at most " + std::to_string(most_of(bulk)) + " pixels together" +
-                std::string(counted),
-            faults);
-  return false;
-}
-
 // The picture in the file; null, and a fault, if it cannot be decoded.
-std::shared_ptr<const Image8> read_pixels(const Bytes& file, const Place& at, Faults& faults) {
+std::shared_ptr<const Image8> read_pixels(const FileBytes& file, const Place& at, Faults& faults) {
   const auto size = measure_picture(file);
-  if (const auto* fault = std::get_if<PictureFault>(&size)) return add(*fault, at, faults), nullptr;
+  if (const auto* fault = std::get_if<PictureFault>(&size))
+    return add_fault(*fault, at, faults), nullptr;
   const auto& measured = std::get<PictureSize>(size);
   end_if_asked(faults.stop());
-  if (!take(Bulk::pixels, measured.pixels(), "", at, faults) ||
-      !take(Bulk::scanned_pixels, measured.scanned_pixels(), ", a JPEG's with each of its scans",
-            at, faults))
-    return nullptr;
+  if (!take_pixels(measured, at, faults)) return nullptr;
   auto image = decode_picture(file);
   if (const auto* fault = std::get_if<PictureFault>(&image))
-    return add(*fault, at, faults), nullptr;
+    return add_fault(*fault, at, faults), nullptr;
   return std::make_shared<const Image8>(std::get<Image8>(std::move(image)));
 }
 
@@ -84,17 +35,12 @@ std::shared_ptr<const Image8> read_pixels(const Bytes& file, const Place& at, Fa
 
 void Codec<PictureFile>::read(const Value& v, const Place& at, const Spec&, Faults& faults,
                               PictureFile& out) {
-  const auto file = read_file(v, at, faults);
+  const auto file = read_file(v, text_words, most_picture_bytes, at, faults);
   if (!file) return;
   if (auto pixels = read_pixels(*file, at, faults)) out = {*v.as<std::string>(), std::move(pixels)};
 }
 
-Value Codec<PictureFile>::schema(const Spec&) {
-  return Value::Object{{"type", "string"},
-                       {"contentEncoding", "base64"},
-                       {"pattern", file_pattern},
-                       {"examples", Value::Array{example}}};
-}
+Value Codec<PictureFile>::schema(const Spec&) { return file_schema(example); }
 
 std::string Codec<PictureFile>::allowed(const Spec&) { return std::string(text_words); }
 

@@ -76,6 +76,9 @@ std::size_t heap(const PictureFile& file) {
   return heap_of(file.base64) +
          (file.pixels ? 2 * block + sizeof(Image8) + heap_of(file.pixels->rgb) : 0);
 }
+std::size_t heap(const SkyFile& file) {
+  return heap_of(file.base64) + (file.map ? 2 * block + file.map->bytes() : 0);
+}
 template <Described T>
 std::size_t heap(const T& value) {
   FieldsHeap<T> fields{value};

@@ -42,7 +42,7 @@ void list_few_balls(World& world) {
     all.insert(all.end(), each->balls.begin(), each->balls.end());
   }
   world.few_balls = all.size() <= few_balls && world.lights.size() <= few_lights &&
-                    std::ranges::all_of(world.lights, is_plain_point);
+                    world.skies.empty() && std::ranges::all_of(world.lights, is_plain_point);
   if (world.few_balls) world.balls = std::move(all);
 }
 
@@ -83,9 +83,15 @@ class Lighting {
     std::visit(
         [&]<class Kind>(const Kind& kind) {
           if constexpr (BackgroundLight<Kind>) skies_ = skies_.value_or(Vec3d{}) + color;
-          else add_shining(kind, light, color, name);
+          if constexpr (PaintsSky<Kind>) add_sky(sky_of(kind), color, name);
+          if constexpr (HasTint<Kind>) add_shining(kind, light, color * tint(kind), name);
+          else if constexpr (ShiningLight<Kind>) add_shining(kind, light, color, name);
         },
         light.kind);
+  }
+  void add_sky(SkyForm form, const Vec3d& color, const std::string& name) {
+    skies_ = skies_.value_or(Vec3d{});
+    if (emits(color)) world_.skies.push_back({std::move(form), color, name});
   }
   template <ShiningLight Kind>
   void add_shining(Kind kind, const Light& light, const Vec3d& color, const std::string& name) {
@@ -122,7 +128,8 @@ class Lighting {
   Geometry& lights_ = world_.of_lights;
   GeometryBuilder builder_{lights_, workers_};
   std::map<int, std::shared_ptr<const Strata>> strata_;
-  std::optional<Vec3d> skies_;  // the sum of the sky lights; none: the scene's background is seen
+  std::optional<Vec3d> skies_;  // the sum of the sky lights; none: the scene's background
+                                // is seen
 };
 
 }  // namespace

@@ -9,6 +9,13 @@
 
 namespace tia {
 
+/// WorldSky: light by direction, times a colour.
+struct WorldSky {
+  SkyForm form;
+  Constant color;
+  std::string name;  ///< the JSON Pointer of its light
+};
+
 /// World. The geometry of the objects does not depend on lights and camera, so worlds that differ
 /// in these share it. The surfaces of lights are a small geometry beside it, with an index of its
 /// own. Space/units: world space is the scene's less `origin`, which is subtracted in double before
@@ -21,7 +28,8 @@ struct World {
   /// If few_balls: all balls, one for each primitive, in order. Else none.
   std::vector<Ball> balls;
   Constant background;
-  int objects = 0;  ///< how many; the luminous lights are the last
+  std::vector<WorldSky> skies;  ///< are seen where rays leave, beside the background
+  int objects = 0;              ///< how many; the luminous lights are the last
   bool transparent_shadows =
       false;                   ///< whether shadow rays pass through transmitting objects, unbent
   bool few_balls = false;      ///< whether FewBallsView can draw it

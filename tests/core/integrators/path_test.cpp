@@ -1,55 +1,11 @@
-// The path tracer, by closed forms. A mean of several seeds is held to four of its standard errors,
-// and the standard error to a quarter of a percent; where sanitizers watch, paths are few.
-#include <gtest/gtest.h>
-
-#include "tests/core/tree.h"
+// The path tracer, by closed forms.
+#include "tests/core/integrators/paths.h"
 
 namespace tia {
 namespace {
 
 using namespace test;
 
-struct Mean {
-  double value, error;
-};
-
-// What comes from `to` to the eye: one pixel, so narrow that all of its paths begin at one point.
-Mean light_from(Scene scene, const Vec3d& eye, const Vec3d& to, int samples, int max_depth,
-                int seeds = 16) {
-  scene.camera = Camera{};
-  scene.camera.location = eye;
-  scene.camera.direction = to - eye;
-  scene.camera.up = onb_around(normalize(to - eye)).u;
-  scene.camera.fov_degrees = 1e-3;
-  const World world = compile(scene);
-  RenderOptions options;
-  options.integrator = IntegratorName::path;
-  options.max_depth = max_depth;
-  options.samples = rounds(samples, 16);
-  double sum = 0, squares = 0;
-  for (int seed = 0; seed < seeds; ++seed) {
-    options.seed = seed;
-    const Image image = picture(world, view_of(scene.camera, 1, 1), {0, 0, 1, 1}, options).image;
-    const double one = static_cast<double>(image.rgb[0]);
-    sum += one, squares += one * one;
-  }
-  const double mean = sum / seeds;
-  const double variance = std::max(0.0, squares / seeds - mean * mean) / (seeds - 1);
-  return {mean, std::sqrt(variance)};
-}
-void expect_mean(const Mean& mean, double expected, double rounding = 2e-5) {
-  EXPECT_NEAR(mean.value, expected, 4 * mean.error + rounding * expected);
-  if (!sanitized()) {
-    EXPECT_LT(mean.error, 0.0025 * expected);
-  }
-}
-
-Finish matt(double albedo) {
-  Finish finish;
-  finish.color = {1, 1, 1};
-  finish.diffuse = albedo;
-  return finish;
-}
 // In a closed ball every path goes on: the light is that of the first, second, ... wall, each the
 // albedo darker.
 TEST(Path, FurnaceCutAfterSomeEventsIsThePartialSum) {

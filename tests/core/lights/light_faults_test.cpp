@@ -4,8 +4,11 @@
 
 #include <gtest/gtest.h>
 
+#include "core/film/hdr.h"
+#include "core/film/png.h"
 #include "core/scene/read_scene.h"
 #include "tests/core/faults.h"
+#include "tests/core/film/files.h"
 #include "tests/core/schema/corpus.h"
 
 namespace tia {
@@ -33,21 +36,28 @@ std::string quad_json(const std::string& more) {
 }
 
 TEST(LightFaults, EveryKindIsReadAndWrittenBack) {
-  for (const char* json :
-       {R"({"position":[0,1,2],"type":"point"})",
-        R"({"color":[1,0.5,0],"fade_distance":5,"fade_power":3,"intensity":2,"position":[0,1,2],)"
-        R"("type":"point"})",
-        R"({"direction":[0,-2,1],"type":"directional"})",
-        R"({"falloff_degrees":180,"point_at":[1,2,3],"position":[0,1,2],"radius_degrees":0,)"
-        R"("tightness":1000,"type":"spot"})",
-        R"({"position":[0,1,2],"radius":3,"samples":4096,"type":"sphere"})",
-        R"({"corner":[0,1,2],"samples":16,"type":"quad","u":[1,0,0],"v":[1,1,0]})",
-        R"({"color":[0.1,0.2,0.3],"type":"sky"})"})
+  for (
+      const char* json :
+      {R"({"position":[0,1,2],"type":"point"})",
+       R"({"color":[1,0.5,0],"fade_distance":5,"fade_power":3,"intensity":2,"position":[0,1,2],)"
+       R"("type":"point"})",
+       R"({"direction":[0,-2,1],"type":"directional"})",
+       R"({"falloff_degrees":180,"point_at":[1,2,3],"position":[0,1,2],"radius_degrees":0,)"
+       R"("tightness":1000,"type":"spot"})",
+       R"({"position":[0,1,2],"radius":3,"samples":4096,"type":"sphere"})",
+       R"({"corner":[0,1,2],"samples":16,"type":"quad","u":[1,0,0],"v":[1,1,0]})",
+       R"({"color":[0.1,0.2,0.3],"type":"sky"})",
+       R"({"azimuth_degrees":-90,"elevation_degrees":3,"ground":0,"samples":4,"turbidity":6,)"
+       R"("type":"sun"})",
+       R"({"date":"2026-06-21","latitude_degrees":48,"longitude_degrees":11,"time":"09:05:07",)"
+       R"("type":"sun","utc_offset_hours":2})",
+       R"({"data":"iVBORw0KGgoAAAANSUhEUgAAAAIAAAABCAAAAADRSSBWAAAAC0lEQVR42mP4/x8AAwAB/2+Bq7YAAAAA)"
+       R"(SUVORK5CYII=","rotate_degrees":30,"type":"sky_image"})"})
     EXPECT_EQ(to_json(write_value(read_light(json))), json);
 }
 
 TEST(LightFaults, UnknownKindsAndWordsNameTheNearest) {
-  const char* const kinds = "one of point, directional, spot, sphere, quad";
+  const char* const kinds = "one of point, directional, spot, sphere, quad, sky, sun, sky_image";
   expect_light_refused("{}", {{missing, "/type", "", kinds}});
   expect_light_refused(R"({"type":5})", {{wrong_type, "/type", "5", kinds}});
   expect_light_refused(R"({"type":"directionl"})",
@@ -125,6 +135,62 @@ TEST(LightFaults, SpotPointsElsewhereAndFallsOffBeyondItsRadius) {
   EXPECT_NO_THROW(read_light(spot_json(R"("radius_degrees":45)"))) << "equal angles: a hard edge";
 }
 
+std::string sun_at(const std::string& fields) { return R"({"type":"sun",)" + fields + "}"; }
+
+TEST(LightFaults, SunStandsByAnglesOrByDateAndPlace) {
+  const std::string place = R"("latitude_degrees":48,"longitude_degrees":11)";
+  const char* const together = "date, time, latitude_degrees and longitude_degrees together";
+  expect_light_refused(sun_at(R"("date":"2026-06-21")"),
+                       {{missing, "/time", "", together},
+                        {missing, "/latitude_degrees", "", together},
+                        {missing, "/longitude_degrees", "", together}});
+  const std::string whole = R"("date":"2026-06-21","time":"12:00",)" + place;
+  EXPECT_NO_THROW(read_light(sun_at(whole)));
+  expect_light_refused(sun_at(whole + R"(,"elevation_degrees":3,"azimuth_degrees":4)"),
+                       {{conflict, "/elevation_degrees", "3", "either elevation_degrees and"},
+                        {conflict, "/azimuth_degrees", "4", "either elevation_degrees and"}});
+  expect_light_refused(sun_at(R"("date":"2026-02-29","time":"12:00",)" + place),
+                       {{out_of_range, "/date", "\"2026-02-29\"", "a day that its month has"}});
+  for (const char* date : {"2026-6-21", "1899-12-31", "2026-13-01", "2026-01-32", "", "tomorrow"})
+    expect_light_refused(
+        sun_at(std::string(R"("time":"12:00","date":")") + date + "\"," + place),
+        {{wrong_type, "/date", "\"" + std::string(date) + "\"", "a date from \"1900-01-01\""}});
+  for (const char* time : {"12", "24:00", "12:60", "12:00:60", "12.00", "1 :00"})
+    expect_light_refused(
+        sun_at(std::string(R"("date":"2026-06-21","time":")") + time + "\"," + place),
+        {{wrong_type, "/time", "\"" + std::string(time) + "\"", "a time from \"00:00\""}});
+  expect_light_refused(sun_at(R"("elevation_degrees":91)"),
+                       {{out_of_range, "/elevation_degrees", "91", "from -90 to 90"}});
+  expect_light_refused(sun_at(R"("turbidity":0.5)"),
+                       {{out_of_range, "/turbidity", "0.5", "from 1 to 10"}});
+}
+
+std::string image_json(const std::string& file) {
+  return R"({"type":"sky_image","data":")" + test::base64(file) + "\"}";
+}
+
+TEST(LightFaults, SkyImagesAreTwiceAsWideAsHigh) {
+  expect_light_refused(R"({"type":"sky_image"})", {{missing, "/data", "", "all around"}});
+  expect_light_refused(R"({"type":"sky_image","data":"####"})",
+                       {{wrong_type, "/data", "\"####\"", "not from its character 0 on"}});
+  expect_light_refused(image_json("GIF89a"),
+                       {{wrong_type, "/data", "\"bytes that begin like neither\"", "picture"}});
+  expect_light_refused(image_json(encode_png(Image8(3, 2))),
+                       {{wrong_type, "/data", "\"3 x 2 pixels\"", "twice as wide as high"}});
+  Image bright(4, 2);
+  bright.rgb[5] = 2e9F;
+  expect_light_refused(
+      image_json(encode_hdr(bright)),
+      {{wrong_type, "/data", "\"the texel 1, 0, brighter than 1e9\"", "texels up to 1e9"}});
+  const std::string hdr = encode_hdr(Image(16, 8));
+  expect_light_refused(image_json(hdr.substr(0, hdr.size() - 1)),
+                       {{wrong_type, "/data", "\"bytes that cannot be decoded\"", "HDR"}});
+  expect_light_refused(image_json("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 2050 +X 4100\n"),
+                       {{limit, "/data", "\"4100 x 2050 pixels\"", "at most 8388608 pixels"}});
+  expect_light_refused(image_json(std::string((8 << 20) + 1, 'x')),
+                       {{limit, "/data", "\"8388609 bytes\"", "at most 8388608 bytes"}});
+}
+
 TEST(LightFaults, LuminousBallHasARadius) {
   expect_light_refused(R"({"type":"sphere","position":[0,5,0]})",
                        {{missing, "/radius", "", "the radius"}});
@@ -179,9 +245,17 @@ TEST(LightFaults, LightsOfASceneNeedTheirPlaceAndTheKeyLightDoesNot) {
 }
 
 TEST(LightFaults, TheSchemaAgreesWithTheReader) {
-  const std::vector<std::string> beyond = {"a direction of some length", "from radius_degrees",
-                                           "a point other than position", "spans an area",
-                                           "at some distance"};
+  const std::vector<std::string> beyond = {"a direction of some length",
+                                           "from radius_degrees",
+                                           "a point other than position",
+                                           "spans an area",
+                                           "at some distance",
+                                           "longitude_degrees together",
+                                           "either elevation_degrees",
+                                           "a day that its month has",
+                                           "a whole PNG or JPEG picture",
+                                           "a whole Radiance HDR picture",
+                                           "a picture by latitude"};
   test::expect_agreement<Light>(whole_schema<Light>(), 4000, beyond);
 }
 
