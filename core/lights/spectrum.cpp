@@ -1,7 +1,7 @@
 #include "core/lights/spectrum.h"
 
+#include "core/math/cie.h"
 #include "core/math/deterministic.h"
-#include "core/math/powers.h"
 
 namespace tia {
 namespace {
@@ -21,20 +21,16 @@ double sun_light(double nm) {
   return 1e-30 / (m * m * m * m * m * (exp_of(hc_over_k / (m * 5772)) - 1));
 }
 
-double lobe(double nm, double middle, double left, double right) {
-  const double t = (nm - middle) / (nm < middle ? left : right);
-  return exp_of(-0.5 * t * t);
-}
 Spectrum make_spectrum() {
   Spectrum all{};
   double luminance = 0;
   for (std::size_t i = 0; i < wavelengths; ++i) {
     const double nm = first_nm + step_nm * static_cast<double>(i);
-    const Response response = response_to(nm);
+    const Vec3d response = cie_xyz(nm);
     all.air[i] = air_scattering(nm);
     all.ozone[i] = ozone_section[i] * 1e-25 * ozone_number;
-    all.light[i] = response.rgb * sun_light(nm);
-    luminance += response.luminance * sun_light(nm);
+    all.light[i] = linear_srgb(response) * sun_light(nm);
+    luminance += response.y * sun_light(nm);
   }
   for (Vec3d& each : all.light) each = each * (1 / luminance);
   return all;
@@ -48,16 +44,6 @@ double air_scattering(double nm) {
   constexpr double number = 2.546899e25, king = 1.048;
   const double n2 = n * n - 1, m2 = metres * metres;
   return 8 * pi * pi * pi * n2 * n2 * king / (3 * number * m2 * m2);
-}
-
-Response response_to(double nm) {
-  const double x = 1.056 * lobe(nm, 599.8, 37.9, 31.0) + 0.362 * lobe(nm, 442.0, 16.0, 26.7) -
-                   0.065 * lobe(nm, 501.1, 20.4, 26.2);
-  const double y = 0.821 * lobe(nm, 568.8, 46.9, 40.5) + 0.286 * lobe(nm, 530.9, 16.3, 31.1);
-  const double z = 1.217 * lobe(nm, 437.0, 11.8, 36.0) + 0.681 * lobe(nm, 459.0, 26.0, 13.8);
-  return {{3.2406 * x - 1.5372 * y - 0.4986 * z, -0.9689 * x + 1.8758 * y + 0.0415 * z,
-           0.0557 * x - 0.2040 * y + 1.0570 * z},
-          y};
 }
 
 const Spectrum& spectrum() {

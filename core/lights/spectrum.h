@@ -16,15 +16,6 @@ inline constexpr double first_nm = 380, step_nm = 20;
 /// Ocean. Tech. 16 (1999), eq. 2 and 4 (Peck and Reeder's index), with one King factor.
 double air_scattering(double nm);
 
-/// Response: linear sRGB of the CIE 1931 observer's response to light of one wavelength.
-/// Source: Wyman, Sloan, Shirley, "Simple analytic approximations to the CIE XYZ color matching
-/// functions", JCGT 2(2) (2013); IEC 61966-2-1.
-struct Response {
-  Vec3d rgb;
-  double luminance;
-};
-Response response_to(double nm);
-
 /// Spectrum: what each wavelength meets, and what it counts.
 struct Spectrum {
   std::array<double, wavelengths> air, ozone;  ///< taken away where each is thickest, 1/m

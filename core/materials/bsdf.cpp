@@ -43,17 +43,25 @@ BsdfValue<Real> Bsdf<Real>::value(const V& wi) const {
 template <class Real>
 void Bsdf<Real>::add_reflected(const V& wi, Here here, BsdfValue<Real>& sum) const {
   const Real zero(0), one(1), mu = wi.z, even = mu * Real(inverse_pi);
-  const SchlickAlbedo<Real> at = albedo(mu);
-  const Real lost = one - at.a - at.b;
-  V f = ground_ * (grey(one) - layer(at)) + again_ * lost;
-  if (const Here glass = passes_ && rough_; any(glass)) {
-    const Real own = select(p_.thin, lost, one - glass_albedo(mu, root_, index_));
-    f = f + grey(select(glass, up_ * own, zero));
+  V f = ground_;
+  if (has_facets_) {
+    const SchlickAlbedo<Real> at = albedo(mu);
+    const Real lost = one - at.a - at.b;
+    f = f * (grey(one) - layer(at)) + again_ * lost;
+    if (const Here glass = passes_ && rough_; any(glass)) {
+      const Real own = select(p_.thin, lost, one - glass_albedo(mu, root_, index_));
+      f = f + grey(select(glass, up_ * own, zero));
+    }
   }
   f = f * (even * cover_);
   Real pdf = matt_ * even;
-  const V h = normalize(wo_ + wi);
-  const Real c = dot(wo_, h);
+  const Here coat = coat_rough_ && coat_ > zero;
+  V h{};
+  Real c{};
+  if (any(rough_ || coat)) {
+    h = normalize(wo_ + wi);
+    c = dot(wo_, h);
+  }
   if (any(rough_)) {
     const Fresnel at_h = fresnel(c);
     const Real density = ggx().density(h) / (Real(4) * wo_.z);
@@ -62,7 +70,7 @@ void Bsdf<Real>::add_reflected(const V& wi, Here here, BsdfValue<Real>& sum) con
     const Real drawn = facets_ * density * ggx().visible(wo_) * at_h.reflected_share();
     pdf = pdf + select(rough_, drawn, zero);
   }
-  if (const Here coat = coat_rough_ && coat_ > zero; any(coat)) {
+  if (any(coat)) {
     const Real density = coat_ggx().density(h) / (Real(4) * wo_.z);
     f = f + grey(select(coat, coat_fresnel(c) * density * coat_ggx().visible(wo_, wi), zero));
     pdf = pdf + select(coat, coat_ * density * coat_ggx().visible(wo_), zero);

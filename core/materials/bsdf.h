@@ -55,10 +55,9 @@ class Bsdf : BsdfShares<Real> {
 
  private:
   using Shares::again_;
-  using Shares::again_layer_;
   using Shares::albedo;
   using Shares::all_;
-  using Shares::at_o_;
+  using Shares::has_facets_;
   using Shares::below_;
   using Shares::coat_;
   using Shares::coat_cover_;
@@ -75,8 +74,6 @@ class Bsdf : BsdfShares<Real> {
   using Shares::layer;
   using Shares::local;
   using Shares::matt_;
-  using Shares::mean_;
-  using Shares::n_;
   using Shares::ng_;
   using Shares::p_;
   using Shares::passes_;
@@ -86,8 +83,6 @@ class Bsdf : BsdfShares<Real> {
   using Shares::up_;
   using Shares::wo_;
   using Shares::world;
-  using Shares::x_;
-  using Shares::y_;
 
   Ggx<Real> ggx() const { return {p_.alpha_x, p_.alpha_y}; }
   Ggx<Real> coat_ggx() const { return {p_.coat_alpha, p_.coat_alpha}; }

@@ -131,7 +131,13 @@ void BsdfShares<Real>::set_cover() {
 
 template <class Real>
 void BsdfShares<Real>::set_ground() {
-  const Real one(1);
+  const Real one(1), zero(0);
+  below_ = up_ = facets_ = zero;
+  down_ = again_ = again_layer_ = grey(zero);
+  ground_ = p_.base * p_.matt;
+  matt_ = cover_ * max3(ground_);
+  has_facets_ = any(here_ && p_.metal + p_.mirror + p_.glass + p_.f90 > zero);
+  if (!has_facets_) return;
   at_o_ = albedo(wo_.z);
   SchlickAlbedo<Real> mean{Real(20.0F / 21), Real(1.0F / 21)};
   if (any(rough_)) {
@@ -144,15 +150,13 @@ void BsdfShares<Real>::set_ground() {
   const V all_again =
       again(mean_fresnel(p_.base, one)) * p_.metal + grey(p_.mirror) + again_layer_ * p_.matt;
   again_ = all_again * (lost / left_of(mean_));
-  const V own = p_.base * p_.matt, shown = own * (grey(one) - layer(at_o_));
+  const V shown = ground_ * (grey(one) - layer(at_o_));
   ground_ = quotient(shown, left_of(layer(mean)));
-  matt_ = cover_ * (max3(shown) + max3(all_again) * max_of(lost, Real(0)));
+  matt_ = cover_ * (max3(shown) + max3(all_again) * max_of(lost, zero));
   const V facets = (p_.base * at_o_.a + grey(at_o_.b)) * p_.metal +
                    grey(p_.mirror * (at_o_.a + at_o_.b)) +
                    (p_.f0 * at_o_.a + grey(p_.f90 * at_o_.b)) * p_.matt;
   facets_ = cover_ * max3(facets);
-  below_ = up_ = Real(0);
-  down_ = grey(Real(0));
 }
 
 // What rough glass loses between its facets goes to either side by shares for which its scattering

@@ -51,6 +51,7 @@ class BsdfShares {
   Real eta_;     // of what passes
   Real index_;   // in Fresnel's equations, which a pane has too
   Real root_{};  // the root of the facets' alpha
+  bool has_facets_ = false;  // whether any lane has some
   SchlickAlbedo<Real> at_o_{};
   Real mean_ = Real(1);  // the share that white facets reflect, by the cosine
   // What is scattered evenly, but for the factor of wi: by the ground, by the facets that reflect

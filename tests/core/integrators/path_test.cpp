@@ -100,6 +100,37 @@ TEST(Path, HighlightIsGgxsPeak) {
   }
 }
 
+// Where nothing is chance: matt surfaces under parallel light, once. Whitted's has no 1 / pi.
+TEST(Path, AgreesWithWhittedUnderParallelLight) {
+  Random random(836);
+  Scene scene;
+  scene.objects = {object(Plane{{0, -2, 0}, {0, 1, 0}}, matt(0.5))};
+  for (int i = 0; i < 12; ++i)
+    scene.objects.push_back(
+        object(Sphere{random.point(2), random.in(0.2, 0.6)}, matt(random.in(0.2, 1))));
+  DirectionalLight sun;
+  sun.direction = {0.4, -1, -0.3};
+  scene.lights = {Light{}};
+  scene.lights[0].kind = sun;
+  scene.lights[0].intensity = 2;
+  scene.camera.location = {0, 0, 8};
+  scene.camera.direction = {0, 0, -1};
+  const World world = compile(scene);
+  RenderOptions options;
+  const auto drawn = [&](IntegratorName integrator) {
+    options.integrator = integrator;
+    options.max_depth = 1;
+    return picture(world, view_of(scene.camera, 96, 72), {0, 0, 96, 72}, options).image;
+  };
+  const Image path = drawn(IntegratorName::path), whitted = drawn(IntegratorName::whitted);
+  double lit = 0;
+  for (std::size_t i = 0; i < path.rgb.size(); ++i) {
+    lit += static_cast<double>(whitted.rgb[i]);
+    ASSERT_NEAR(path.rgb[i] * pi, whitted.rgb[i], 1e-5) << i;
+  }
+  EXPECT_GT(lit, 1000);
+}
+
 // E = I cos / d^2, and what leaves is albedo / pi of it.
 TEST(Path, PointLightFollowsTheInverseSquare) {
   Random random(822);

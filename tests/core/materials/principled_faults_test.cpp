@@ -39,7 +39,8 @@ TEST(PrincipledFaults, NumbersAndColoursHaveTheirRanges) {
     refused(word, "1.5", out_of_range, "from 0 to 1");
   refused("ior", "0.5", out_of_range, "from 1 to 10");
   refused("attenuation_distance", "0", out_of_range, "above 0");
-  refused("base_color", "\"silber\"", unknown_name, "one of gold, copper, silver");
+  expect_principled_refused(R"({"type":"principled","base_color":"silber"})",
+                            {{unknown_name, "/base_color", "\"silber\"", "one of gold", "silver"}});
   refused("base_color", "{}", wrong_type, "one number for all 3, or one of gold");
 }
 

@@ -155,6 +155,8 @@ const std::vector<std::string> beyond_scene_schema = {
     "above min in every component", "a point other than base", "above 0 where base_radius is 0",
     "more than a constant", "total degree", "below major_radius", "not on the line through a and b",
     "min and max, or", "or center and radius",
+    // the sun
+    "either elevation_degrees", "longitude_degrees together", "a day that its month has",
     // voxels: what lies in the grid, whose numbers are materials
     "cells of the grid are left", "below the size", "named with before", "at least one filled cell",
     "a grid of at most", "cells together", "has no materials", "of one of the materials",
