@@ -57,7 +57,6 @@ class Bsdf : BsdfShares<Real> {
   using Shares::again_;
   using Shares::albedo;
   using Shares::all_;
-  using Shares::has_facets_;
   using Shares::below_;
   using Shares::coat_;
   using Shares::coat_cover_;
@@ -69,6 +68,7 @@ class Bsdf : BsdfShares<Real> {
   using Shares::facets_;
   using Shares::fresnel;
   using Shares::ground_;
+  using Shares::has_facets_;
   using Shares::here_;
   using Shares::index_;
   using Shares::layer;

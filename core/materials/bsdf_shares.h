@@ -48,9 +48,9 @@ class BsdfShares {
   BsdfParameters<Real> p_;
   Here here_, rough_{}, coat_rough_{}, passes_{};
   V n_{}, ng_, x_{}, y_{}, wo_{};
-  Real eta_;     // of what passes
-  Real index_;   // in Fresnel's equations, which a pane has too
-  Real root_{};  // the root of the facets' alpha
+  Real eta_;                 // of what passes
+  Real index_;               // in Fresnel's equations, which a pane has too
+  Real root_{};              // the root of the facets' alpha
   bool has_facets_ = false;  // whether any lane has some
   SchlickAlbedo<Real> at_o_{};
   Real mean_ = Real(1);  // the share that white facets reflect, by the cosine
