@@ -4,11 +4,14 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <stop_token>
 
 #include "core/accel/world/world.h"
 #include "core/film/image.h"
 #include "core/parallel/pool.h"
+#include "core/render/budget.h"
+#include "core/render/reached.h"
 #include "core/render/trace_tile.h"
 #include "core/scene/limits.h"
 
@@ -30,21 +33,29 @@ struct RenderOptions {
   int tile = FilmTile::size;  ///< pixels a side, at most FilmTile::size
   Scalar scalar = Scalar::wide;
   int samples = 1;       ///< rays a pixel, 1 .. 65536; 1 goes through the centre of pixel and lens
-  double threshold = 0;  ///< what the standard error of a pixel may be, 0 .. 1; 0: any (Sampler)
+  double threshold = 0;  ///< what the standard error of a pixel may be, 0 .. 1; 0: any
+  double noise = 0;      ///< the same of what is shown by `tone`, 0 .. 1 (Convergence)
+  Tone tone = {};        ///< how the picture is going to be shown
   std::int64_t seed = 0;
   std::int64_t max_rays = Limits{}.max_rays;  ///< of all kinds, of the whole window
   std::int64_t max_work = Limits{}.max_work;  ///< of the whole window
+  std::optional<Budget> budget = {};          ///< ends it after a whole round. Domain: of chance
   Spent spent = {};
   Flow* flow = nullptr;  ///< the request that it is drawn for; null: one of its own
+};
+
+struct Rendered {
+  RayCounts rays;                       ///< of whole rounds
+  std::optional<Reached> reached = {};  ///< where noise or a budget is given
 };
 
 /// Traces the window and hands each finished tile, in window coordinates, to `develop`, from
 /// several threads at once, each pixel in exactly one tile.
 /// Errors: Stopped when `stop` is requested; InputError of one `limit` fault, at /samples when more
 /// than max_rays are traced, at /scene when more than max_work is done. They come between tiles, or
-/// within one that takes long. What options.spent throws.
-RayCounts render(const World& world, const View& view, const Window& window,
-                 const RenderOptions& options, Pool& pool, const std::stop_token& stop,
-                 const std::function<void(const FilmTile&)>& develop);
+/// within one that takes long. BudgetSpent. What options.spent throws.
+Rendered render(const World& world, const View& view, const Window& window,
+                const RenderOptions& options, Pool& pool, const std::stop_token& stop,
+                const std::function<void(const FilmTile&)>& develop);
 
 }  // namespace tia

@@ -1,12 +1,19 @@
 #include "core/render/sampler.h"
 
+#include <algorithm>
+
 namespace tia {
 
-Sampler::Sampler(int samples, double threshold, std::int64_t seed)
-    : threshold_(threshold), key_(seed) {
-  const int first = least_samples(samples, threshold);
-  rounds_.emplace_back(first);
-  for (int round = 2; round < rounds(); ++round) rounds_.emplace_back(first << (round - 1));
+Sampler::Sampler(const Sampling& sampling) : key_(sampling.seed), is_chance_(sampling.is_chance) {
+  const bool adaptive = sampling.threshold > 0;
+  const int all =
+      adaptive ? 16 * least_samples(sampling.samples, sampling.threshold) : sampling.samples;
+  const int first = adaptive ? all / 16 : sampling.in_rounds ? std::min(first_round, all) : all;
+  for (int end = first; ends_.empty() || ends_.back() < all; end *= 2)
+    ends_.push_back(std::min(end, all));
+  if (is_chance_) return;
+  strata_.emplace_back(first);
+  for (int round = 2; round < rounds(); ++round) strata_.emplace_back(count(round));
 }
 
 Aim<float> Sampler::aim(int x, int y, int sample) const {

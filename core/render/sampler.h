@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/math/rng.h"
+#include "core/math/sobol.h"
 #include "core/math/strata.h"
 #include "core/math/unit_lanes.h"
 #include "core/math/warp.h"
@@ -12,41 +13,55 @@
 
 namespace tia {
 
-/// Sampler: the rays of each pixel. Without a threshold one round of `samples`, one in each of as
-/// many strata of the pixel. With one, at least 4 in the first round, and as long as the pixel's
-/// mean is not settled further rounds, each of as many as all before it together, up to 16 times
-/// the first.
+/// Sampling: which rays the pixels are to have.
+struct Sampling {
+  int samples = 1;       ///< 1 .. 65536; 1 goes through the centres
+  double threshold = 0;  ///< 0 .. 1; 0: none
+  std::int64_t seed = 0;
+  bool is_chance = false;  ///< whether what a ray finds is chance
+  bool in_rounds = false;  ///< whether pixels may stop, or the picture, before all samples
+};
+
+/// Sampler: the rays of each pixel, in rounds. Without a threshold there are `samples`: in rounds
+/// of 16, then of as many as there are already, if they are wanted so, else in one. With a
+/// threshold there are at least 4 in the first round, and further rounds, each of as many as all
+/// before it together, up to 16 times the first.
+///
+/// Where what a ray finds is chance, its place in the pixel is one of Sobol's points, so that any
+/// first rays of a pixel are those of the picture that has no others. Else each round has one ray
+/// in each of as many strata of the pixel, which leaves the least error where edges are all there
+/// is.
 class Sampler {
  public:
-  /// Domain: samples 1 .. 65536, threshold 0 .. 1.
-  Sampler(int samples, double threshold, std::int64_t seed);
+  static constexpr int first_round = 16;
+
+  explicit Sampler(const Sampling& sampling);
+  Sampler(int samples, double threshold, std::int64_t seed)
+      : Sampler(Sampling{samples, threshold, seed}) {}
 
   /// One ray a pixel, through its centre and the lens': nothing is random.
-  bool centered() const { return !adaptive() && rounds_.front().count() == 1; }
-  bool adaptive() const { return threshold_ > 0; }
-  int rounds() const { return adaptive() ? 5 : 1; }
+  bool centered() const { return ends_.back() == 1; }
+  bool is_chance() const { return is_chance_; }
+  int rounds() const { return static_cast<int>(ends_.size()); }
+  /// The number of samples before a round, and of it. Domain: before() also of the one after all.
+  int before(int round) const {
+    return round == 0 ? 0 : ends_[static_cast<std::size_t>(round) - 1];
+  }
+  int count(int round) const { return before(round + 1) - before(round); }
+  /// Domain: not of chance.
   const Strata& strata(int round) const {
-    return rounds_[static_cast<std::size_t>(round == 0 ? 0 : round - 1)];
+    return strata_[static_cast<std::size_t>(round == 0 ? 0 : round - 1)];
   }
-  /// The number of samples before a round.
-  int before(int round) const { return round == 0 ? 0 : strata(round).count(); }
   RandomKey key() const { return key_; }
-
-  /// Whether the mean of n values is known well enough: its standard error, sqrt(variance / n) by
-  /// the n values' own variance, is at most the threshold. Domain: n > 1; the sums are those of
-  /// the values' deviations from any constant and of their squares.
-  bool settled(double sum, double sum_of_squares, int n) const {
-    const double variance = (sum_of_squares - sum * sum / n) / (n - 1);
-    return variance <= threshold_ * threshold_ * n;
-  }
 
   /// Where sample 0, 1, 2 ... of a pixel goes, all rounds counted through.
   Aim<float> aim(int x, int y, int sample) const;
 
  private:
-  double threshold_;
   RandomKey key_;
-  std::vector<Strata> rounds_;  // of the first two rounds together, the third, the fourth ...
+  bool is_chance_;
+  std::vector<int> ends_;       // how many samples there are after each round
+  std::vector<Strata> strata_;  // of the first two rounds together, the third, the fourth ...
 };
 
 /// The fewest rays that a pixel takes. Domain: as Sampler's.
@@ -55,8 +70,9 @@ inline int least_samples(int samples, double threshold) {
 }
 
 /// Aims: one round's rays of several pixels, one in each lane. Strata of the pixel are taken in
-/// order, those of the lens shuffled, differently in each pixel, so that the two are independent.
-/// Source: Cook, Porter, Carpenter, "Distributed ray tracing", 1984.
+/// order, those of the lens shuffled, differently in each pixel, so that the two are independent;
+/// of Sobol's points the first two dimensions are the pixel's, the others the lens'. Source: Cook,
+/// Porter, Carpenter, "Distributed ray tracing", 1984.
 template <class Real>
 class Aims {
  public:
@@ -64,22 +80,23 @@ class Aims {
   using Pixels = std::array<std::uint32_t, n>;
 
   Aims(const Sampler& sampler, int round, const Pixels& x, const Pixels& y, bool has_lens)
-      : strata_(sampler.strata(round)),
+      : strata_(sampler.is_chance() ? nullptr : &sampler.strata(round)),
         key_(sampler.key()),
         x_(x),
         y_(y),
         before_(static_cast<std::uint32_t>(sampler.before(round))),
         has_lens_(has_lens),
         centered_(sampler.centered()) {
-    if (has_lens) shuffles_ = drawn(before_, shuffling).a;
+    if (has_lens && strata_ != nullptr) shuffles_ = drawn(before_, shuffling).a;
   }
 
   /// The rays of the round's i-th sample. Domain: 0 <= i < the round's count. Cost: least in order.
   Aim<Real> operator()(int i) {
     if (centered_) return {Real(0), Real(0), Real(0), Real(0)};
     const auto index = static_cast<std::uint32_t>(i);
+    if (strata_ == nullptr) return by_points(before_ + index);
     const bool odd = draw_pair(before_ + index);
-    const Strata::Cell& cell = strata_[index];
+    const Strata::Cell& cell = (*strata_)[index];
     Aim<Real> aim{};
     aim.dx = Real(cell.x - 0.5F) + units(odd ? pair_.c : pair_.a) * Real(cell.width);
     aim.dy = Real(cell.y - 0.5F) + units(odd ? pair_.d : pair_.b) * Real(cell.height);
@@ -90,6 +107,16 @@ class Aims {
  private:
   enum Dimension : std::uint32_t { in_pixel, on_lens, shuffling };
 
+  Aim<Real> by_points(std::uint32_t sample) const {
+    constexpr std::uint32_t block = 0x10000000;  // of dimensions: no integrator's
+    const RandomWords<n> words = sobol_words(x_, y_, sample, block, key_);
+    Aim<Real> aim{units(words.a) - Real(0.5F), units(words.b) - Real(0.5F), Real(0), Real(0)};
+    if (!has_lens_) return aim;
+    const DiscPoint<Real> point = square_to_disc(units(words.c), units(words.d));
+    aim.lens_x = point.x;
+    aim.lens_y = point.y;
+    return aim;
+  }
   RandomWords<n> drawn(std::uint32_t sample, Dimension dimension) const {
     RandomWords<n> words;
     words.a = x_;
@@ -109,9 +136,9 @@ class Aims {
   void aim_on_lens(std::uint32_t index, Aim<Real>& aim) const {
     const RandomWords<n> words = drawn(before_ + index, on_lens);
     std::array<LaneOf<Real>, n> u, v;
-    const auto count = static_cast<std::uint32_t>(strata_.count());
+    const auto count = static_cast<std::uint32_t>(strata_->count());
     for (std::size_t i = 0; i < n; ++i) {
-      const Strata::Cell& cell = strata_[shuffled(index, count, shuffles_[i])];
+      const Strata::Cell& cell = (*strata_)[shuffled(index, count, shuffles_[i])];
       u[i] = cell.x + unit_float(words.a[i]) * cell.width;
       v[i] = cell.y + unit_float(words.b[i]) * cell.height;
     }
@@ -120,7 +147,7 @@ class Aims {
     aim.lens_y = point.y;
   }
 
-  const Strata& strata_;
+  const Strata* strata_;  // null: of chance
   RandomKey key_;
   const Pixels &x_, &y_;
   Pixels shuffles_{};

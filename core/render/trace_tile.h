@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/film/image.h"
+#include "core/render/estimate.h"
 #include "core/render/meter.h"
 #include "core/render/sampler.h"
 
@@ -18,11 +19,26 @@ struct Shot {
   IntegratorName integrator;
   Rules rules;
   const Sampler& sampler;
+  const Convergence& convergence;
   RayMeter& meter;
 };
 
-/// Fills the tile's pixels, whose corner is pixel (x0, y0) of the picture, and counts their rays.
+/// TilePixels: a tile of a picture whose pixels take samples by rounds. Shape: row by row.
+struct TilePixels {
+  int x0 = 0, y0 = 0;  ///< the corner's place in the picture
+  int width = 0, height = 0;
+  std::vector<Estimate> estimates;
+  std::vector<int> unsettled;  ///< the numbers of those that need more samples
+
+  TilePixels(int x, int y, int w, int h);
+};
+
+/// Traces rounds first .. last - 1 of the tile's unsettled pixels, and counts their rays.
 /// Errors: the meter's.
-void trace_tile(const Shot& shot, Scalar scalar, int x0, int y0, FilmTile& tile);
+void trace_rounds(const Shot& shot, Scalar scalar, int first, int last, TilePixels& tile);
+
+/// Fills a tile whose pixels have one ray each, through their centres, and counts them.
+/// Domain: a centred sampler and no orthographic view. Errors: the meter's.
+void trace_centers(const Shot& shot, Scalar scalar, int x0, int y0, FilmTile& tile);
 
 }  // namespace tia

@@ -17,11 +17,23 @@ Value Codec<IntegratorName>::schema(const Spec& spec) {
   return schema;
 }
 
-std::string explained_names() {
+namespace {
+
+template <class Is>
+std::string names_of(Is is) {
   std::string names;
   for (const IntegratorRow& row : integrators)
-    if (row.is_whitted) names.append(names.empty() ? "" : " or ").append(row.text);
+    if (is(row)) names.append(names.empty() ? "" : " or ").append(row.text);
   return names;
+}
+
+}  // namespace
+
+std::string explained_names() {
+  return names_of([](const IntegratorRow& row) { return row.is_whitted; });
+}
+std::string chance_names() {
+  return names_of([](const IntegratorRow& row) { return row.is_chance(); });
 }
 
 }  // namespace tia

@@ -55,6 +55,8 @@ struct IntegratorRow {
   Rules most = {};
 
   constexpr bool gathers_light() const { return gathers == Gathers::light; }
+  /// Whether what a ray finds is chance, also where it meets the same.
+  constexpr bool is_chance() const { return samples != 1; }
 };
 
 inline constexpr std::array integrators = std::to_array<IntegratorRow>({
@@ -154,5 +156,7 @@ constexpr Rules rules_of(IntegratorName name, int max_depth, double ao_radius) {
 
 /// The names of those that /explain tells of: "thesis or whitted".
 std::string explained_names();
+/// The names of those whose rays are chance.
+std::string chance_names();
 
 }  // namespace tia

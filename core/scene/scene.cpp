@@ -138,6 +138,16 @@ class TreeCheck {
 
 }  // namespace
 
+void SceneOptions::check(const Place& at, Faults& faults) const {
+  if (noise.value_or(0) == 0) return;
+  const auto refuse = [&](const std::string& allowed) {
+    faults.add({FaultKind::conflict, at.at("noise").pointer(), write_value(*noise), allowed});
+  };
+  if (!row_of(integrator).is_chance())
+    refuse("an integrator whose rays are chance (" + chance_names() + "), or no noise");
+  else if (threshold.value_or(0) > 0) refuse("noise or threshold");
+}
+
 void Codec<KeyBinding>::read(const Value& v, const Place& at, const Spec&, Faults& faults,
                              KeyBinding& out) {
   const auto* binding = v.as<Value::Object>();

@@ -28,6 +28,7 @@ struct SceneOptions {
   static constexpr std::string_view schema_name = "options";
   static constexpr double last_seed = 9007199254740991;  // 2^53 - 1
   static constexpr int deepest = 64;
+  static constexpr int most_of_noise = 4096;
   static constexpr double most_stops = 32, coldest_white = 1000, hottest_white = 25000;
   IntegratorName integrator = IntegratorName::whitted;
   Transfer transfer = Transfer::srgb;
@@ -35,6 +36,7 @@ struct SceneOptions {
   std::optional<double> white_balance_kelvin;  ///< none: off
   std::optional<int> samples;                  ///< none: the integrator's
   std::optional<double> threshold;             ///< none: off
+  std::optional<double> noise;                 ///< none: off
   std::optional<int> max_depth;                ///< none: the integrator's
   bool transparent_shadows = false;
   std::optional<double> ao_radius;  ///< none: infinite
@@ -65,6 +67,13 @@ struct SceneOptions {
                         "may keep; 0 is off",
                .min = 0,
                .max = 1});
+    visit(
+        "noise", &SceneOptions::noise,
+        Spec{.about = "where rays are chance: a pixel has samples until the standard error of what "
+                      "is shown, in 0 to 1, is below this, and at most as many as samples says, "
+                      "else 4096; 0 is off",
+             .min = 0,
+             .max = 1});
     visit("max_depth", &SceneOptions::max_depth,
           Spec{.about =
                    "how often light is mirrored, refracted or, by path, scattered on its way; 0 is "
@@ -88,6 +97,12 @@ struct SceneOptions {
     exposure = tone.exposure;
     white_balance_kelvin = tone.white_balance_kelvin;
   }
+  /// The samples where nothing is said of them.
+  int usual_samples() const {
+    return noise.value_or(0) > 0 ? most_of_noise : row_of(integrator).samples;
+  }
+  /// noise with threshold, or without chance.
+  void check(const Place& at, Faults& faults) const;
   bool operator==(const SceneOptions&) const = default;
 };
 

@@ -62,6 +62,8 @@ constexpr std::array table{
                "Such as a transfer coding other than chunked."},
     ProblemRow{"timeout", 503, "The answer took too long", Met::by_any,
                "More than TIA_DEADLINE_MS, the wait in the queue included.", "Retry-After"},
+    ProblemRow{"budget", 503, "The budget is too short", Met::by_input,
+               "budget_ms was over before each pixel had its first samples.", "Retry-After"},
     ProblemRow{"memory", 503, "The server is short of memory", Met::by_any,
                "Ask again, or for less.", "Retry-After"},
     ProblemRow{"draining", 503, "The server is going down", Met::by_any,

@@ -1,4 +1,5 @@
 // /render: parameters in, picture out.
+#include <algorithm>
 #include <cstdio>
 #include <functional>
 #include <memory>
@@ -16,6 +17,7 @@
 #include "server/requests/accept.h"
 #include "server/requests/draw.h"
 #include "server/requests/etag.h"
+#include "server/requests/reached.h"
 #include "server/requests/recipe.h"
 
 namespace tia::server {
@@ -78,7 +80,7 @@ Asked asked_in_body(const Request& request, Service& service) {
 
 /// What is said of a picture, whether it is sent or not.
 Headers validators(const std::string& etag, const Asked& asked) {
-  const bool for_good = asked.picture.v.has_value();
+  const bool for_good = asked.picture.v.has_value() && !asked.picture.has_budget();
   Headers headers{{"ETag", etag},
                   {"Cache-Control", for_good ? "public, max-age=31536000, immutable" : "no-cache"}};
   if (asked.accepted) add_vary(headers, "Accept");
@@ -97,6 +99,7 @@ Response picture_response(const PictureStore::Found& found, double parse_ms, dou
                                 {"Tia-Rays", ray_counts(picture.rays)},
                                 {"Cache-Status", cache_status(found)}},
                     .shared = {found.picture, &picture.bytes}};
+  if (picture.reached) tell_reached(*picture.reached, response.headers);
   for (const auto& [name, value] : response.headers) response.log.emplace_back(name, value);
   // What a client need not know, but whoever runs the server may.
   if (picture.degenerate > 0)
@@ -116,12 +119,36 @@ Response with(Response response, const Headers& headers) {
   return response;
 }
 
+// What a picture with a budget is called is known once it is there.
+Response rendered_within(const Asked& asked, Plan& plan, double parse_ms, Stopwatch watch,
+                         const Request& request, Service& service) {
+  const std::string type(media_type_of(plan.format));
+  if (request.is_head())
+    return {.content_type = type,
+            .body = "",
+            .headers = {{"Cache-Control", "no-cache"}},
+            .unsized = true};
+  const PictureRequest& picture = asked.picture;
+  const std::string wish =
+      etag_of(plan.recipe + " " + std::to_string(picture.budget_ms.value_or(0)) + " " +
+              std::to_string(picture.max_rays.value_or(0)));
+  const auto found = picture_of(plan, wish, requester_of(request), service);
+  Headers headers = validators(found.picture->etag, asked);
+  if (std::string to = address_of_reached(request, found.picture->reached->samples); !to.empty())
+    headers.emplace_back("Content-Location", std::move(to));
+  if (request.method != "POST" && has_already(request, found.picture->etag))
+    return with(not_modified(), headers);
+  return with(picture_response(found, parse_ms, watch.lap_ms()), headers);
+}
+
 // HEAD and If-None-Match need no ray: what the picture is called is known.
 Response rendered(const Asked& asked, Stopwatch watch, const Request& request, Service& service) {
   const Requester requester = requester_of(request);
   Plan plan = plan_of(asked.picture, service.rendering, requester);
   const std::string etag = etag_of(plan.recipe);
   const double parse_ms = watch.lap_ms();
+  if (asked.picture.has_budget())
+    return rendered_within(asked, plan, parse_ms, watch, request, service);
   const Headers headers = validators(etag, asked);
   const std::string type(media_type_of(plan.format));
   if (request.method != "POST") {
@@ -155,13 +182,21 @@ Picture with_memory_for(const Attempt& attempt, const std::stop_token& stop) {
   }
 }
 
+// What threads are foreseen to take.
+Cost cost_of(const Plan& plan, Service& service) {
+  Cost cost = service.costs.of(plan.cost_key, plan.rays());
+  if (plan.asked->budget_ms)
+    cost.seconds = std::min(cost.seconds, *plan.asked->budget_ms * 1e-3 * plan.options.threads);
+  return cost;
+}
+
 Picture drawn(Plan& plan, const Requester& requester, SharedFlow& shared,
               const std::stop_token& stop, Service& service) {
   const double rays = plan.rays();
   Stopwatch watch;
   // It begins once admission has given a ticket, and gives it back at its end.
-  auto ticket = service.admission.enter(service.costs.of(plan.cost_key, rays), requester.client,
-                                        stop, &shared.place);
+  auto ticket =
+      service.admission.enter(cost_of(plan, service), requester.client, stop, &shared.place);
   Flow flow{Requester{ticket.client(), stop}.number()};
   const double queue_ms = watch.lap_ms();
   plan.options.flow = &flow;
@@ -174,7 +209,8 @@ Picture drawn(Plan& plan, const Requester& requester, SharedFlow& shared,
   MemoryClaim* const claim = MemoryClaim::current();
   const auto attempt = [&] {
     Picture picture = draw(plan, service.rendering, stop);
-    service.costs.learn(plan.cost_key, rays, picture.trace_seconds, true);
+    if (!plan.asked->has_budget())
+      service.costs.learn(plan.cost_key, rays, picture.trace_seconds, true);
     picture.timing.queue = queue_ms;
     picture.timing.wait = claim != nullptr ? claim->waited_ms() : 0;
     service.metrics.count(picture.rays, picture.timing);
@@ -239,7 +275,8 @@ Response post_render(const Request& request, const std::string&, Service& servic
 Answer picture() {
   Answer answer{.about = "the picture"};
   for (const FormatRow& row : formats) answer.contents.push_back({row.media_type});
-  answer.headers = {"Server-Timing", "Tia-Rays", "Cache-Control", "ETag", "Cache-Status"};
+  answer.headers = {"Server-Timing", "Tia-Rays",         "Cache-Control", "ETag",
+                    "Cache-Status",  "Content-Location", "Tia-Samples",   "Tia-Noise"};
   return answer;
 }
 
@@ -247,7 +284,7 @@ Answer picture_not_modified() {
   return {304,
           "If-None-Match names the picture's tag: no ray was traced",
           {},
-          {"ETag", "Cache-Control", "Cache-Status"}};
+          {"ETag", "Cache-Control", "Cache-Status", "Content-Location"}};
 }
 
 std::vector<Content> picture_body() {

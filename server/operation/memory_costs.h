@@ -29,6 +29,8 @@ inline constexpr MemoryCost build{"build", "byte of what the objects say", 12,
 inline constexpr MemoryCost png{"png", "pixel", 13,
                                 "its codes, filtered and packed, and the file with its recipe"};
 inline constexpr MemoryCost linear{"linear", "pixel", 26, "its light in floats, and the file"};
+inline constexpr MemoryCost rounds{"rounds", "pixel of a picture with a budget", 136,
+                                   "the sums over its samples, and what it was a round ago"};
 inline constexpr MemoryCost request{"request", "request", 1 << 20, "all else"};
 
 }  // namespace memory_cost

@@ -1,6 +1,7 @@
 #include "server/requests/draw.h"
 
 #include <algorithm>
+#include <chrono>
 #include <stdexcept>
 #include <tuple>
 #include <utility>
@@ -11,6 +12,7 @@
 #include "core/film/png.h"
 #include "core/film/png_text.h"
 #include "core/input/json.h"
+#include "server/http/error.h"
 #include "server/operation/memory_costs.h"
 #include "server/operation/timing.h"
 #include "server/requests/recipe.h"
@@ -25,13 +27,38 @@ std::string cost_key_of(const Plan& plan) {
   std::string key = hex(plan.scene.objects.digest);
   const auto add = [&](const auto&... parts) { ((key += ' ' + std::to_string(parts)), ...); };
   add(static_cast<int>(plan.options.integrator), plan.options.max_depth, plan.options.ao_radius,
-      plan.options.threshold, plan.scene->options.transparent_shadows);
+      plan.options.threshold, plan.options.noise, plan.scene->options.transparent_shadows);
   for (const Light& light : plan.scene->lights) {
     const Value written = write_value(light);
     for (const auto& [name, value] : *written.as<Value::Object>())
       if (value.as<Value::Array>() == nullptr) key += ' ' + to_json(value);
   }
   return sha256_hex(key);
+}
+
+// Errors: InputError (conflict) where what stops rounds is asked for and there are none.
+void check_rounds(const PictureRequest& asked, const SceneOptions& in_effect) {
+  const auto check = [&](const char* name, const auto& given) {
+    if (!given) return;
+    const auto refuse = [&](const std::string& allowed) {
+      throw InputError(
+          {FaultKind::conflict, std::string("/") + name, write_value(*given), allowed});
+    };
+    if (!row_of(in_effect.integrator).is_chance())
+      refuse("an integrator whose rays are chance (" + chance_names() + "); this picture's is " +
+             std::string(name_of(in_effect.integrator)));
+    if (in_effect.threshold) refuse(std::string(name) + " or threshold");
+  };
+  check("noise", in_effect.noise);
+  check("budget_ms", asked.budget_ms);
+  check("max_rays", asked.max_rays);
+}
+
+// Those that a pixel has in any case.
+int fewest_samples(const PictureRequest& asked, const RenderOptions& options) {
+  if (asked.has_budget()) return std::min(options.samples, Sampler::first_round);
+  if (options.noise > 0) return std::min(options.samples, Convergence::least_samples);
+  return least_samples(options.samples, options.threshold);
 }
 
 }  // namespace
@@ -41,20 +68,22 @@ Plan plan_of(const PictureRequest& asked, const RenderContext& context,
   check_size(asked.width, asked.height, context.limits);
   const KnownScene scene = scene_of(asked, context, requester);
   SceneOptions in_effect = options_in_effect(scene->options, asked);
-  if (asked.format != Format::png) in_effect.show_by({});
+  check_rounds(asked, in_effect);
+  if (asked.format != Format::png && !in_effect.noise) in_effect.show_by({});
   RenderOptions options = options_of(in_effect, context.limits);
   options.threads =
       std::min(asked.threads.value_or(context.pool.threads()), context.pool.threads());
   const Window window = asked.window();
   check_rays(static_cast<std::int64_t>(window.width()) * window.height(),
-             least_samples(options.samples, options.threshold), context.limits);
+             fewest_samples(asked, options), context.limits);
   Plan plan{.scene = scene,
             .view = view_of(scene->camera, asked.width, asked.height),
             .window = window,
             .in_effect = in_effect,
             .options = options,
             .display = {display_of(in_effect.integrator), in_effect.tone()},
-            .format = asked.format};
+            .format = asked.format,
+            .asked = &asked};
   const std::size_t objects = scene.objects.bytes <= most_told_bytes ? scene.objects.bytes : 0;
   std::tie(plan.recipe, plan.cost_key) = context.go_through(scene.others + objects, requester, [&] {
     return std::pair(recipe_of(asked, plan), cost_key_of(plan));
@@ -68,7 +97,50 @@ std::int64_t memory_of(const Plan& plan) {
   const auto pixels = static_cast<std::size_t>(plan.window.width()) *
                       static_cast<std::size_t>(plan.window.height());
   return memory_for(memory_cost::request, 1) +
-         memory_for(plan.format == Format::png ? memory_cost::png : memory_cost::linear, pixels);
+         memory_for(plan.format == Format::png ? memory_cost::png : memory_cost::linear, pixels) +
+         (plan.asked->has_budget() ? memory_for(memory_cost::rounds, pixels) : 0);
+}
+
+// From now on. Errors: as render(); HttpError (budget) where there is no time for one round;
+// InputError where there are no rays for it.
+class BudgetOfRequest {
+ public:
+  explicit BudgetOfRequest(const PictureRequest& asked) : asked_(asked) {}
+
+  RenderOptions options_of(const Plan& plan) const {
+    RenderOptions options = plan.options;
+    if (!asked_.has_budget()) return options;
+    Budget& budget = options.budget.emplace();
+    if (asked_.max_rays) budget.max_rays = *asked_.max_rays;
+    if (asked_.budget_ms)
+      budget.has_time = [start = Clock::now(), ms = *asked_.budget_ms](double more) {
+        const std::chrono::duration<double, std::milli> taken = Clock::now() - start;
+        return taken.count() * (1 + more) < ms;
+      };
+    return options;
+  }
+  [[noreturn]] void refuse(const BudgetSpent& spent) const {
+    if (spent.of() == BudgetSpent::Of::rays)
+      throw InputError({FaultKind::limit, "/max_rays", write_value(*asked_.max_rays),
+                        "rays for a first round of 16 samples a pixel"});
+    throw HttpError("budget",
+                    "budget_ms of " + std::to_string(*asked_.budget_ms) +
+                        " was over before each pixel had the 16 samples of a first round; ask for "
+                        "more time or fewer pixels",
+                    {{"Retry-After", "1"}});
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  const PictureRequest& asked_;
+};
+
+// The recipe of what has been drawn where the budget's end has decided that.
+std::string recipe_of_reached(const Plan& plan, int samples) {
+  Plan reached = plan;
+  reached.in_effect.samples = samples;
+  if (samples == reached.in_effect.usual_samples()) reached.in_effect.samples = std::nullopt;
+  return recipe_of(*plan.asked, reached);
 }
 
 // Domain: a format that keeps light as it is.
@@ -96,9 +168,23 @@ Picture draw(const Plan& plan, const RenderContext& context, const std::stop_tok
 
   const int width = plan.window.width(), height = plan.window.height();
   const Nanoseconds before = flow.attained;
+  std::string recipe = plan.recipe;
   const auto trace_onto = [&](auto& film) {
-    picture.rays = render(world, plan.view, plan.window, plan.options, context.pool, stop,
-                          [&](const FilmTile& tile) { film.put(tile); });
+    const BudgetOfRequest budget(*plan.asked);
+    try {
+      const Rendered drawn =
+          render(world, plan.view, plan.window, budget.options_of(plan), context.pool, stop,
+                 [&](const FilmTile& tile) { film.put(tile); });
+      picture.rays = drawn.rays;
+      picture.reached = drawn.reached;
+    } catch (const BudgetSpent& spent) {
+      budget.refuse(spent);
+    }
+    if (plan.asked->has_budget())
+      workers.alone([&] {
+        recipe = recipe_of_reached(plan, picture.reached->samples);
+        picture.etag = etag_of(recipe);
+      });
     picture.timing.trace = watch.lap_ms();
     picture.trace_seconds = static_cast<double>(flow.attained - before) * 1e-9;
   };
@@ -117,7 +203,7 @@ Picture draw(const Plan& plan, const RenderContext& context, const std::stop_tok
   }
   if (plan.format == Format::png)
     workers.alone(
-        [&] { picture.bytes = with_text(std::move(picture.bytes), recipe_keyword, plan.recipe); });
+        [&] { picture.bytes = with_text(std::move(picture.bytes), recipe_keyword, recipe); });
   picture.media_type = media_type_of(plan.format);
   picture.timing.encode = watch.lap_ms();
   return picture;

@@ -53,6 +53,9 @@ struct PictureRequest : TraceRequest {
   std::optional<std::array<int, 4>> crop;
   std::optional<Transfer> transfer;
   std::optional<double> exposure, white_balance_kelvin;
+  std::optional<double> noise;
+  std::optional<int> budget_ms;
+  std::optional<std::int64_t> max_rays;
   Format format = Format::png;
   std::optional<int> threads;
   std::optional<std::string> v;
@@ -81,6 +84,23 @@ struct PictureRequest : TraceRequest {
              .unit = "K",
              .min = SceneOptions::coldest_white,
              .max = SceneOptions::hottest_white});
+    visit(
+        "noise", &P::noise,
+        Spec{.about = "where rays are chance: a pixel has samples until the standard error of what "
+                      "is shown, in 0 to 1, is below this, and at most as many as samples says, "
+                      "else 4096; 0 is off; else as the scene says",
+             .min = 0,
+             .max = 1});
+    visit(
+        "budget_ms", &P::budget_ms,
+        Spec{.about = "where rays are chance: how long the picture may be traced; it is what the "
+                      "rounds of 16, 32, 64 ... samples within that come to, and Content-Location "
+                      "names it",
+             .unit = "ms",
+             .min = 1,
+             .max = 3'600'000});
+    visit("max_rays", &P::max_rays,
+          Spec{.about = "the same in rays of all kinds", .min = 1, .max = 9007199254740991});
     visit("format", &P::format,
           Spec{.about = "png; for linear light pfm in float, or hdr in Radiance's RGBE; else what "
                         "Accept prefers"});
@@ -90,6 +110,8 @@ struct PictureRequest : TraceRequest {
           Spec{.about = "the version whose bytes are wanted, as /version tells it: caches may keep "
                         "the picture for good"});
   }
+  /// Whether it may end before all samples are there.
+  bool has_budget() const { return budget_ms || max_rays; }
   /// Also a crop that is empty or leaves the picture, a version that is not this one.
   void check(const Place& at, Faults& faults) const;
   Window window() const;

@@ -18,10 +18,11 @@ struct Plan {
   RenderOptions options;
   DisplayRule display;
   Format format = Format::png;
+  const PictureRequest* asked = nullptr;  ///< the request
   std::string recipe = {};    ///< what POST /render would draw the same picture from (recipe.h)
   std::string cost_key = {};  ///< what tells how much one of its rays takes (draw.h)
 
-  /// The fewest rays that the eye sends out.
+  /// The rays that the eye sends out: the fewest with a threshold, the most with noise.
   double rays() const {
     return static_cast<double>(window.width()) * window.height() *
            least_samples(options.samples, options.threshold);

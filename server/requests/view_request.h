@@ -101,9 +101,15 @@ inline Tone encoding_alone(const SceneOptions& options) {
 /// go, says nothing of another whose rays are chance: that one has its own numbers.
 template <class Request>
 SceneOptions options_in_effect(SceneOptions options, const Request& asked) {
-  if (asked.integrator && *asked.integrator != options.integrator &&
-      row_of(*asked.integrator).samples != 1)
-    options.samples = options.max_depth = std::nullopt, options.threshold = std::nullopt;
+  if (asked.integrator && *asked.integrator != options.integrator) {
+    options.noise = std::nullopt;
+    if (row_of(*asked.integrator).is_chance())
+      options.samples = options.max_depth = std::nullopt, options.threshold = std::nullopt;
+  }
+  // The two exclude each other, and the request's word is the later one.
+  if (asked.threshold.value_or(0) > 0) options.noise = std::nullopt;
+  if constexpr (requires { asked.noise; })
+    if (asked.noise.value_or(0) > 0) options.threshold = std::nullopt;
   SceneOptions::fields([&](std::string_view name, auto option, const Spec&) {
     Request::fields([&](std::string_view parameter, auto member, const Spec&) {
       if constexpr (requires { replace(options.*option, asked.*member); })
@@ -111,7 +117,8 @@ SceneOptions options_in_effect(SceneOptions options, const Request& asked) {
     });
   });
   if (!averages(options.integrator)) options.samples = options.threshold = std::nullopt;
-  if (options.samples == row_of(options.integrator).samples) options.samples = std::nullopt;
+  if (options.noise == 0) options.noise = std::nullopt;
+  if (options.samples == options.usual_samples()) options.samples = std::nullopt;
   if (options.max_depth == row_of(options.integrator).max_depth) options.max_depth = std::nullopt;
   if (options.threshold == 0) options.threshold = std::nullopt;
   if (options.integrator != IntegratorName::ambient_occlusion) options.ao_radius = std::nullopt;

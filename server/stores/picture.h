@@ -2,10 +2,11 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 
-#include "core/render/meter.h"
+#include "core/render/render.h"
 #include "server/operation/timing.h"
 
 namespace tia::server {
@@ -16,6 +17,8 @@ struct Picture {
   std::string_view media_type;
   RayCounts rays;
   Timing timing;
+  std::optional<Reached> reached = {};  ///< of rounds, where noise or a budget was asked for
+  std::string etag = {};  ///< its tag, where only its drawing could tell; else it was known before
   std::size_t degenerate = 0;  ///< triangles without area, which were left out
   double trace_seconds = 0;    ///< of all threads that traced it
 };

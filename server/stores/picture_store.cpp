@@ -128,7 +128,8 @@ bool PictureStore::land(const std::string& etag, Flight& flight, const SharedPic
   flight.has_landed.notify_all();
   if (!picture) return false;
   try {
-    if (!pictures_.contains(etag)) flight.kept = keep(etag, picture, surplus);
+    const std::string& name = picture->etag.empty() ? etag : picture->etag;
+    if (!pictures_.contains(name)) flight.kept = keep(name, picture, surplus);
   } catch (const std::bad_alloc&) {  // then it is sent all the same
   }
   return flight.kept;

@@ -49,7 +49,8 @@ class PictureStore {
     std::function<void(const std::string& client)> joined_by = [](const std::string&) {};
   };
 
-  /// The picture of that tag, which the wish draws where nobody has. It goes on as long as one of
+  /// The picture of that tag, which the wish draws where nobody has; one that has a tag of its own
+  /// is kept by that. It goes on as long as one of
   /// those who want it waits, whoever came first. Where a drawing is refused for want of room,
   /// which is its client's alone, who waited for it draws it. Errors: Stopped once `stop` is
   /// requested; what `draw` throws, to all who wait for it.

@@ -31,7 +31,8 @@ Scene balls(int n) {
 RayCounts draw(const Scene& scene, const World& world, const RenderOptions& options) {
   LinearFilm film(640, 480);
   return render(world, view_of(scene.camera, 640, 480), {0, 0, 640, 480}, options, pool(), {},
-                [&](const FilmTile& tile) { film.put(tile); });
+                [&](const FilmTile& tile) { film.put(tile); })
+      .rays;
 }
 
 void many_balls(State& state) {

@@ -129,6 +129,7 @@ inline Light sphere_light(const Vec3d& position, double radius, const Color& col
 struct Picture {
   Image image;
   RayCounts rays;
+  std::optional<Reached> reached = {};
 };
 
 /// The window of the picture that the view has of a world, linear.
@@ -136,9 +137,9 @@ inline Picture picture(const World& world, const View& view, const Window& windo
                        const RenderOptions& options = {}) {
   Pool pool(options.threads);
   LinearFilm film(window.width(), window.height());
-  const RayCounts rays =
+  const Rendered drawn =
       render(world, view, window, options, pool, {}, [&](const FilmTile& tile) { film.put(tile); });
-  return {film.image(), rays};
+  return {film.image(), drawn.rays, drawn.reached};
 }
 inline Picture picture(const Scene& scene, int width, int height, const Window& window,
                        const RenderOptions& options = {}) {

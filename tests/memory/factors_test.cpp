@@ -47,7 +47,7 @@ Use use_of(const std::function<T()>& make) {
   const long before = live_bytes();
   take_peak_bytes();
   try {
-    const T made = make();
+    [[maybe_unused]] const T made = make();
     use.rest = live_bytes() - before;
   } catch (const InputError&) {
   }
@@ -236,6 +236,26 @@ TEST(LinearMemory, IsWithinItsRowForEitherFormat) {
   EXPECT_LE(pfm.peak, most);
   EXPECT_LE(hdr.peak, most);
   EXPECT_LE(hdr.rest, 4.2 * size * size);
+}
+
+// With a budget rounds go over the whole picture, whose sums are there all the time.
+TEST(RoundsMemory, IsWithinItsRow) {
+  constexpr int size = 256;
+  Scene scene;
+  scene.background = {0.5, 0.5, 0.5};
+  const World world = compile(scene);
+  RenderOptions options;
+  options.integrator = IntegratorName::ambient_occlusion;
+  options.samples = 64;
+  options.budget.emplace();
+  Pool pool(1);
+  const Use use = use_of<Rendered>([&] {
+    return render(world, view_of(scene.camera, size, size), {0, 0, size, size}, options, pool, {},
+                  [](const FilmTile&) {});
+  });
+  std::printf("rounds: %.1f bytes a pixel\n", static_cast<double>(use.peak) / (size * size));
+  if (sanitized()) GTEST_SKIP() << "the sanitizer's pieces are larger";
+  EXPECT_LE(use.peak, memory_for(memory_cost::rounds, std::size_t{size} * size));
 }
 
 // ---- explanations ---------------------------------------------------------------------------

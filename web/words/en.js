@@ -289,6 +289,7 @@ export default {
     field_seed: 'Seed',
     field_transfer: 'Brightness curve',
     field_exposure: 'Exposure',
+    field_noise: 'Noise',
     field_white_balance_kelvin: 'White balance',
     field_threshold: 'Smoothing',
     field_transparent_shadows: 'Light through glass',

@@ -289,6 +289,7 @@ export default {
     field_seed: 'Hạt giống ngẫu nhiên',
     field_transfer: 'Đường cong độ sáng',
     field_exposure: 'Phơi sáng',
+    field_noise: 'Nhiễu',
     field_white_balance_kelvin: 'Cân bằng trắng',
     field_threshold: 'Khử răng cưa',
     field_transparent_shadows: 'Ánh sáng xuyên vật trong',

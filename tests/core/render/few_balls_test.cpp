@@ -19,7 +19,8 @@ Picture traced(World world, const Scene& scene, bool fast, const RenderOptions& 
   Pool pool(1);
   LinearFilm film(width, height);
   const RayCounts rays = render(world, view_of(scene.camera, width, height), {0, 0, width, height},
-                                options, pool, {}, [&](const FilmTile& tile) { film.put(tile); });
+                                options, pool, {}, [&](const FilmTile& tile) { film.put(tile); })
+                             .rays;
   return {film.image(), rays};
 }
 

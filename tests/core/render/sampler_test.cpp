@@ -154,16 +154,6 @@ TEST(Sampler, RoundsDoubleAllRaysSoFarUpToSixteenTimesTheFirst) {
   EXPECT_EQ(least_samples(1, 0), 1);
 }
 
-TEST(Sampler, SettlesWhereTheStandardErrorIsAtMostTheThreshold) {
-  // Values 0, 0, 0, 1: mean 1/4, variance (3/16 + 9/16) / 3 = 1/4, standard error sqrt(1/16).
-  EXPECT_TRUE(Sampler(4, 0.2501, 0).settled(1, 1, 4));
-  EXPECT_FALSE(Sampler(4, 0.2499, 0).settled(1, 1, 4));
-  // The same values less 1, as deviations from the last.
-  EXPECT_TRUE(Sampler(4, 0.2501, 0).settled(-3, 3, 4));
-  EXPECT_FALSE(Sampler(4, 0.2499, 0).settled(-3, 3, 4));
-  EXPECT_TRUE(Sampler(4, 1e-9, 0).settled(0, 0, 4)) << "equal values";
-}
-
 // ---- the error of antialiasing ------------------------------------------------------------------
 
 // A straight edge through a pixel: the half plane nx * x + ny * y < c.

@@ -57,7 +57,8 @@ TEST(Stop, PoolRendersTheNextPictureAsIfNothingHadHappened) {
   LinearFilm before(640, 480), after(640, 480);
   const auto expose = [&](LinearFilm& film) {
     return render(subject.world, subject.view, subject.all, threads(3), pool, {},
-                  [&](const FilmTile& tile) { film.put(tile); });
+                  [&](const FilmTile& tile) { film.put(tile); })
+        .rays;
   };
   const RayCounts rays = expose(before);
   for (int i = 0; i < 20; ++i) {

@@ -87,6 +87,7 @@ TEST(SceneSchema, AcceptsWhatTheReaderAccepts) {
       R"({"materials":{"m":{"texture":{"type":"wood","colors":[1,[1,0,0],0],"scale":2}}}})",
       R"({"keys":{"a":{"light":[1,2,3]},"b":{"title":"x"},"c":{"light":1,"title":"x"},"d":{}}})",
       R"({"options":{"integrator":"thesis","transfer":"srgb","seed":9007199254740991}})",
+      R"({"options":{"integrator":"path","noise":0.01,"samples":256}})",
       R"({"options":{"transfer":"agx","exposure":-32,"white_balance_kelvin":1000}})"};
   for (const char* json : scenes) {
     EXPECT_NO_THROW(read_scene(json)) << json;
@@ -144,6 +145,8 @@ TEST(SceneSchema, RefusesWhatTheReaderRefuses) {
 
 // What the reader checks beyond the schema, all of it across fields: by the words of the faults.
 const std::vector<std::string> beyond_scene_schema = {
+    // the options
+    "whose rays are chance", "noise or threshold",
     // the camera
     "look_at or direction", "right goes with", "basis goes without", "goes with basis", "for basis",
     "basis goes without distance", "goes with projection orthographic", "projection orthographic",

@@ -24,7 +24,8 @@ RayCounts traced(const Vec3d& light, int width, int height, Scalar scalar) {
   const World world = compile(scene);
   const RenderOptions options{.scalar = scalar};
   return render(world, view_of(scene.camera, width, height), {0, 0, width, height}, options,
-                host().pool(), {}, [](const FilmTile&) {});
+                host().pool(), {}, [](const FilmTile&) {})
+      .rays;
 }
 
 TEST(TiaRays, AnUnlitPictureHasOnePrimaryRayAPixelAndNoOther) {

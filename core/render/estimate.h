@@ -1,0 +1,67 @@
+// The sums over a pixel's samples, and when they tell its light well enough.
+#pragma once
+
+#include "core/film/tone.h"
+#include "core/math/vec3.h"
+
+namespace tia {
+
+/// Estimate: the sums over a pixel's samples so far, in double and in the samples' order, so that
+/// rounds change nothing. Deviations are those from the first sample, so that their squares do not
+/// vanish in the rounding of the sums.
+struct Estimate {
+  Vec3d light{}, deviations{}, squares{};
+  Vec3f first{};
+  int count = 0;
+  float error = 1;  ///< what Convergence makes of them
+
+  Vec3f mean() const {
+    return {static_cast<float>(light.x / count), static_cast<float>(light.y / count),
+            static_cast<float>(light.z / count)};
+  }
+};
+
+/// Convergence: how far a pixel may yet be from what it will be, and when that is near enough.
+///
+/// By `threshold` a pixel is settled when the standard error of its mean light, each sample clamped
+/// to [0,1], is at most that.
+///
+/// By `noise` it is settled when it has at least 32 samples and its error is below that, as a
+/// display shows it: after exposure, white balance and transfer, in [0,1]. The curve bends, so the
+/// error is not its slope's: each channel's mean is moved by its standard error, up and down, and
+/// the larger change of what is shown counts. Of curves that mix channels the changes by the three
+/// are added: no correlation of the channels makes more of them (the triangle inequality). The
+/// standard error is that of independent samples; Sobol's points are at least as good.
+/// Source: D. Kirk, J. Arvo, "Unbiased sampling techniques for image synthesis" (1991), for what
+/// stopping by the samples themselves costs: a mean that is off by less than its error.
+class Convergence {
+ public:
+  static constexpr int least_samples = 32;
+
+  /// Rule: what settles a pixel, and whether errors are to be told where nothing does.
+  struct Rule {
+    double threshold = 0, noise = 0;  ///< 0: none
+    bool tells_errors = false;
+    Tone tone = {};
+  };
+  explicit Convergence(const Rule& rule)
+      : rule_(rule), tone_(rule.tone), shows_(rule.noise > 0 || rule.tells_errors) {}
+
+  /// Whether it needs deviations, and from which light.
+  bool watches() const { return rule_.threshold > 0 || shows_; }
+  bool clamps() const { return rule_.threshold > 0; }
+  /// Whether errors are as a display shows them.
+  bool shows() const { return shows_; }
+
+  /// Tells the estimate its error. Returns: whether it needs no more samples.
+  bool settle(Estimate& estimate) const;
+
+ private:
+  double shown_error(const Estimate& estimate) const;
+
+  Rule rule_;
+  ToneMap tone_;
+  bool shows_;
+};
+
+}  // namespace tia

@@ -1,0 +1,94 @@
+// Pixels that take samples together, and their sums, one in each lane.
+#pragma once
+
+#include <array>
+
+#include "core/math/lanes.h"
+#include "core/render/estimate.h"
+#include "core/render/sampler.h"
+
+namespace tia {
+
+/// Pixels: several of a tile, one in each lane; the first one again in the lanes left over.
+template <class Real>
+struct Pixels {
+  static constexpr auto size = static_cast<std::size_t>(lanes<Real>);
+  std::size_t count = 0;
+  std::array<Estimate*, size> estimates{};
+  typename Aims<Real>::Pixels x{}, y{};
+
+  Mask<Real> active() const { return iota<Real>() < Real(static_cast<float>(count)); }
+  Vec3<Real> first_light() const {
+    return {lanes_of([&](std::size_t i) { return estimates[i]->first.x; }),
+            lanes_of([&](std::size_t i) { return estimates[i]->first.y; }),
+            lanes_of([&](std::size_t i) { return estimates[i]->first.z; })};
+  }
+  // Tells each pixel its first sample and how many more it has.
+  void tell(const Vec3<Real>& first, int more) const {
+    std::array<LaneOf<Real>, size> r, g, b;
+    store(first.x, r.data());
+    store(first.y, g.data());
+    store(first.z, b.data());
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto number = [i](const auto& lanes_of_it) {
+        return static_cast<float>(lanes_of_it[i]);
+      };
+      estimates[i]->first = {number(r), number(g), number(b)};
+      estimates[i]->count += more;
+    }
+  }
+  Vec3<Real> center(const View& view) const {
+    return view.column(lanes_of([&](std::size_t i) { return static_cast<float>(x[i]); })) +
+           view.row(lanes_of([&](std::size_t i) { return static_cast<float>(y[i]); }));
+  }
+  // One of each pixel's sums, in lanes, and back.
+  Vec3<Precise<Real>> gather(Vec3d Estimate::*sum) const {
+    const auto lanes_of_sum = [&](double Vec3d::*axis) {
+      std::array<double, size> each;
+      for (std::size_t i = 0; i < size; ++i) each[i] = estimates[i]->*sum.*axis;
+      return load<Precise<Real>>(each.data());
+    };
+    return {lanes_of_sum(&Vec3d::x), lanes_of_sum(&Vec3d::y), lanes_of_sum(&Vec3d::z)};
+  }
+  void scatter(const Vec3<Precise<Real>>& from, Vec3d Estimate::*sum) const {
+    std::array<double, size> vx, vy, vz;
+    store(from.x, vx.data());
+    store(from.y, vy.data());
+    store(from.z, vz.data());
+    for (std::size_t i = 0; i < count; ++i) estimates[i]->*sum = {vx[i], vy[i], vz[i]};
+  }
+
+ private:
+  template <class F>
+  static Real lanes_of(F value) {
+    std::array<LaneOf<Real>, size> each;
+    for (std::size_t i = 0; i < size; ++i) each[i] = value(i);
+    return load<Real>(each.data());
+  }
+};
+
+/// Sums: those of some pixels' samples, in lanes.
+template <class Real>
+struct Sums {
+  using P = Precise<Real>;
+  Vec3<P> light, deviations, squares;
+
+  explicit Sums(const Pixels<Real>& pixels)
+      : light(pixels.gather(&Estimate::light)),
+        deviations(pixels.gather(&Estimate::deviations)),
+        squares(pixels.gather(&Estimate::squares)) {}
+  void scatter_to(const Pixels<Real>& pixels) const {
+    pixels.scatter(light, &Estimate::light);
+    pixels.scatter(deviations, &Estimate::deviations);
+    pixels.scatter(squares, &Estimate::squares);
+  }
+
+  void add(const Vec3<Real>& sample) { light = light + widen(sample); }
+  void add_deviation(const Vec3<Real>& watched, const Vec3<Real>& first) {
+    const Vec3<P> deviation = widen(watched - first);
+    deviations = deviations + deviation;
+    squares = squares + deviation * deviation;
+  }
+};
+
+}  // namespace tia

@@ -1,0 +1,92 @@
+// What the pixels of a picture are after some rounds.
+#pragma once
+
+#include <algorithm>
+#include <limits>
+#include <mutex>
+#include <utility>
+#include <vector>
+
+#include "core/render/reached.h"
+#include "core/render/trace_tile.h"
+
+namespace tia {
+
+/// Shown: what a pixel is after some rounds.
+struct Shown {
+  Vec3f light{};
+  float error = 1;
+  int count = 0;
+};
+inline Shown shown_of(const Estimate& estimate) {
+  return {estimate.mean(), estimate.error, estimate.count};
+}
+
+/// Tally: sums up how far pixels have come. Any thread may add.
+class Tally {
+ public:
+  void add(const std::vector<Shown>& pixels) {
+    const std::lock_guard lock(mutex_);
+    for (const Shown& pixel : pixels) {
+      least_ = std::min(least_, pixel.count);
+      most_ = std::max(most_, pixel.count);
+      all_ += pixel.count;
+      error_ = std::max(error_, pixel.error);
+    }
+    pixels_ += static_cast<std::int64_t>(pixels.size());
+  }
+  Reached reached(int samples) const {
+    const double mean = static_cast<double>(all_) / static_cast<double>(pixels_);
+    return {least_, most_, mean, static_cast<double>(error_), samples};
+  }
+
+ private:
+  std::mutex mutex_;
+  int least_ = std::numeric_limits<int>::max(), most_ = 0;
+  std::int64_t all_ = 0, pixels_ = 0;
+  float error_ = 0;
+};
+
+/// Fills a tile with its pixels.
+inline void fill(FilmTile& tile, const std::vector<Shown>& pixels) {
+  for (std::size_t i = 0; i < pixels.size(); ++i) {
+    const auto number = static_cast<int>(i);
+    const std::size_t at = FilmTile::index(number % tile.width, number / tile.width);
+    tile.r[at] = pixels[i].light.x;
+    tile.g[at] = pixels[i].light.y;
+    tile.b[at] = pixels[i].light.z;
+  }
+}
+
+/// RoundsOfTile: a tile while rounds go over the whole picture.
+class RoundsOfTile {
+ public:
+  explicit RoundsOfTile(TilePixels&& pixels) : pixels_(std::move(pixels)) {}
+  bool settled() const { return pixels_.unsettled.empty(); }
+  std::int64_t unsettled() const { return static_cast<std::int64_t>(pixels_.unsettled.size()); }
+
+  // A round that does not come to its end must not be seen: what the ones before it have come to is
+  // kept.
+  void trace(const Shot& shot, Scalar scalar, int round) {
+    keep(round);
+    begun_ = round + 1;
+    trace_rounds(shot, scalar, round, round + 1, pixels_);
+  }
+  const std::vector<Shown>& after(int rounds) {
+    keep(rounds);
+    return shown_;
+  }
+
+ private:
+  void keep(int rounds) {
+    if (begun_ > rounds) return;
+    shown_.resize(pixels_.estimates.size());
+    std::ranges::transform(pixels_.estimates, shown_.begin(), shown_of);
+  }
+
+  TilePixels pixels_;
+  std::vector<Shown> shown_;
+  int begun_ = 0;  // how many rounds
+};
+
+}  // namespace tia
