@@ -3,6 +3,7 @@
 
 #include <ctime>
 
+#include "core/film/film.h"
 #include "core/film/png.h"
 #include "core/render/render.h"
 #include "core/scene/keys.h"

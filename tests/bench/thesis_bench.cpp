@@ -10,6 +10,7 @@
 #include <thread>
 #include <vector>
 
+#include "core/film/film.h"
 #include "server/handlers/backend.h"
 #include "server/http/http_server.h"
 #include "tests/bench/baseline.h"
