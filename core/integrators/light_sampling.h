@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <cmath>
 
 #include "core/integrators/world_view.h"
 
@@ -17,121 +16,156 @@ struct LightDraw {
   Vec3<Real> wi, light;
   Real distance, pdf;
   bool is_delta = false;
-  const WorldLight* from = nullptr;  ///< null: the sky
+  Blocker own{};  ///< the surface that does not hide it
 };
 
-/// PathLights: all that a path asks for light: the world's lights, each as likely as any other, and
-/// its skies.
+/// LightSampling: draws from the world's PathLights and its skies.
 /// Source: Pharr, Jakob, Humphreys, "Physically Based Rendering", 4th ed., 12.6 and 13.2.
 template <class Real>
-class PathLights {
+class LightSampling {
   using V = Vec3<Real>;
+  using Lane = LaneOf<Real>;
+  using Lanes = std::array<Lane, static_cast<std::size_t>(lanes<Real>)>;
 
  public:
-  explicit PathLights(const World& world)
-      : world_(world),
-        count_(static_cast<float>(world.lights.size() + world.skies.size())),
-        share_(Real(1) / Real(std::max(count_, 1.0F))) {}
+  explicit LightSampling(const World& world) : world_(world), lights_(world.path_lights) {}
 
   /// Calls f(draw, mask) for what the lanes of `here` ask for, once for each light that some of
-  /// them have chosen by `choice`.
+  /// them have chosen by `choice`. Domain: unit n.
   template <class F>
-  void draw(const V& p, const Real& choice, const Real& u, const Real& v, Mask<Real> here,
-            F f) const {
-    if (count_ == 0) return;
-    std::array<LaneOf<Real>, static_cast<std::size_t>(lanes<Real>)> each;
-    for (std::size_t i = 0; i < each.size(); ++i)
-      each[i] = std::floor(static_cast<float>(lane(choice, static_cast<int>(i))) * count_);
-    const Real chosen = load<Real>(each.data());
+  void draw(const V& p, const V& n, const Real& choice, const Real& u, const Real& v,
+            Mask<Real> here, F f) const {
+    if (lights_.empty()) return;
+    Lanes light, chance;
+    light.fill(-1), chance.fill(0);
+    each_lane(here, [&](int i, std::size_t at) {
+      const PathChoice chosen = lights_.choose(lane(p, i), lane(n, i), tia::lane(choice, i));
+      light[at] = static_cast<Lane>(chosen.light), chance[at] = static_cast<Lane>(chosen.chance);
+    });
+    const Real chosen = load<Real>(light.data()), share = load<Real>(chance.data());
+    here = here && chosen >= Real(0);
     while (const unsigned lanes_left = bits(here)) {
-      const auto number = each[static_cast<std::size_t>(std::countr_zero(lanes_left))];
+      const Lane number = light[static_cast<std::size_t>(std::countr_zero(lanes_left))];
       const Mask<Real> those = here && chosen == Real(number);
-      f(sample(static_cast<std::size_t>(number), p, u, v, those), those);
+      f(sample(static_cast<int>(number), share, p, u, v, those), those);
       here = here && !those;
     }
   }
 
-  /// The density with which draw() asks from `p` for the point that a ray has hit.
-  Real pdf(const V& p, const Hit<Real>& hit, const V& at, Mask<Real> here) const {
-    Real pdf(0);
-    const V to_light = at - p;
-    const Real distance = length(to_light);
-    const V wi = to_light * (Real(1) / distance);
-    for_each_winner(hit, here, [&](int primitive, Mask<Real> those) {
-      for (const WorldLight& light : world_.lights) {
-        if (light.primitive != primitive) continue;
-        const Mask<Real> own = those && hit.instance == Real(static_cast<float>(light.instance));
-        pdf = select(own, area_pdf(light, p, wi, distance), pdf);
-      }
+  /// The density with which draw() asks from p, where the normal is n, for the point that a ray has
+  /// hit.
+  Real pdf(const V& p, const V& n, const Hit<Real>& hit, const V& at, Mask<Real> here) const {
+    Lanes pdf{};
+    each_lane(here, [&](int i, std::size_t k) {
+      const int light = lights_.at(static_cast<int>(tia::lane(hit.primitive, i)),
+                                   static_cast<int>(tia::lane(hit.instance, i)),
+                                   static_cast<int>(tia::lane(hit.element, i)));
+      if (light < 0) return;
+      const Vec3d from = lane(p, i), way = lane(at, i) - from;
+      const double distance = length(way);
+      const double chance = lights_.chance(light, from, lane(n, i));
+      pdf[k] = static_cast<Lane>(chance *
+                                 area_pdf(lights_[light], from, way * (1 / distance), distance));
     });
-    return pdf * share_;
+    return load<Real>(pdf.data());
   }
 
-  /// Calls f(radiance, pdf, mask) for each thing that rays may find infinitely far away: each sky
-  /// and each disc in it, with the density with which draw() asks for the direction.
+  /// Calls f(radiance, pdf, mask) for each thing that rays from p may find infinitely far away:
+  /// each sky and each disc in it, with the density with which draw() asks for the direction.
   template <class F>
   void beyond(const V& wi, Mask<Real> here, F f) const {
-    for (const WorldSky& sky : world_.skies)
-      f(radiance(sky.form, wi, here) * lift<Real>(sky.color), pdf_sky(sky.form, wi, here) * share_,
-        here);
     if (world_.skies.empty()) return;  // discs stand in skies
-    for (const WorldLight& light : world_.lights)
-      std::visit(
-          [&]<class Form>(const Form& form) {
-            if constexpr (EndlessForm<Form>) {
-              const Real pdf = pdf_li(form, {}, wi, Real(infinity));
-              const Mask<Real> those = here && pdf > Real(0);
-              const Real scale = strength_of(form, wi) * lift<Real>(brightness_of(form));
-              if (any(those)) f(lift<Real>(light.color) * scale, pdf * share_, those);
-            }
-          },
-          light.form);
+    const Real share(static_cast<float>(lights_.chance(lights_.size(), {}, {})));
+    for (const WorldSky& sky : world_.skies)
+      f(radiance(sky.form, wi, here) * lift<Real>(sky.color), pdf_sky(sky.form, wi, here) * share,
+        here);
+    for (int i = lights_.first_endless(); i < lights_.size(); ++i)
+      if (const auto* sun = std::get_if<SunForm>(&lights_[i].form)) {
+        const Real pdf = pdf_li(*sun, {}, wi, Real(infinity));
+        const Mask<Real> those = here && pdf > Real(0);
+        if (!any(those)) continue;
+        const Real scale = strength_of(*sun, wi) * lift<Real>(brightness_of(*sun));
+        f(lift<Real>(lights_[i].color) * scale, pdf * share, those);
+      }
   }
 
  private:
-  static Real area_pdf(const WorldLight& light, const V& p, const V& wi, const Real& distance) {
+  template <class F>
+  static void each_lane(Mask<Real> here, F f) {
+    for (unsigned left = bits(here); left != 0; left &= left - 1) {
+      const int i = std::countr_zero(left);
+      f(i, static_cast<std::size_t>(i));
+    }
+  }
+  static Vec3d lane(const V& v, int i) {
+    return {tia::lane(v.x, i), tia::lane(v.y, i), tia::lane(v.z, i)};
+  }
+
+  static double area_pdf(const PathLight& light, const Vec3d& p, const Vec3d& wi, double distance) {
     return std::visit(
-        [&]<class Form>(const Form& form) -> Real {
-          if constexpr (AreaForm<Form>) return pdf_li(form, p, wi, distance);
-          else return Real(0);
+        [&]<class Form>(const Form& form) -> double {
+          if constexpr (DrawsByArea<Form>) return pdf_area(form, p, wi, distance);
+          else if constexpr (AreaForm<Form>)  // in the scalar in which draw() computes it
+            return pdf_li(form, static_cast<Vec3<Lane>>(p), static_cast<Vec3<Lane>>(wi),
+                          static_cast<Lane>(distance));
+          else return 0;
         },
         light.form);
   }
 
-  LightDraw<Real> sample(std::size_t number, const V& p, const Real& u, const Real& v,
+  LightDraw<Real> sample(int number, const Real& share, const V& p, const Real& u, const Real& v,
                          Mask<Real> here) const {
-    if (number < world_.lights.size()) return sample(world_.lights[number], p, u, v);
-    const WorldSky& sky = world_.skies[number - world_.lights.size()];
+    if (number < lights_.size()) return sample(lights_[number], share, p, u, v, here);
+    const WorldSky& sky = world_.skies[static_cast<std::size_t>(number - lights_.size())];
     const SkySample<Real> at = sample_sky(sky.form, u, v, here);
     const V light = radiance(sky.form, at.wi, here && at.pdf > Real(0)) * lift<Real>(sky.color);
-    return {at.wi, light, Real(infinity), at.pdf * share_};
+    return {at.wi, light, Real(infinity), at.pdf * share};
   }
-  // Point, spot and directional lights have an intensity and an irradiance, those with an area a
-  // radiance. A luminous object's is found by the directions that surfaces draw.
-  LightDraw<Real> sample(const WorldLight& light, const V& p, const Real& u, const Real& v) const {
-    const V color = lift<Real>(light.color), none{Real(0), Real(0), Real(0)};
-    return std::visit(
+  LightDraw<Real> sample(const PathLight& light, const Real& share, const V& p, const Real& u,
+                         const Real& v, Mask<Real> here) const {
+    const V color = lift<Real>(light.color);
+    LightDraw<Real> draw = std::visit(
         [&]<class Form>(const Form& form) -> LightDraw<Real> {
-          if constexpr (AreaForm<Form>) {
+          if constexpr (DrawsByArea<Form>) {
+            return sample_lanes(form, color, share, p, u, v, here);
+          } else if constexpr (AreaForm<Form>) {
             const LightSample<Real> at = sample_li(form, p, u, v);
             const Real pdf = pdf_li(form, p, at.wi, at.distance);
-            const V radiance = color * (at.strength * lift<Real>(brightness_of(form)));
-            return {at.wi, select(pdf > Real(0), radiance, none), at.distance, pdf * share_, false,
-                    &light};
+            const Real scale = at.strength * lift<Real>(brightness_of(form));
+            return {at.wi, lit(color * scale, pdf), at.distance, pdf * share};
           } else {
             const LightSample<Real> at = sample_middle(form, p);
             const Real spread = select(at.distance < Real(infinity),
                                        Real(1) / (at.distance * at.distance), Real(1));
-            const V irradiance = light.primitive < 0 ? color * (at.strength * spread) : none;
-            return {at.wi, irradiance, at.distance, share_, true, &light};
+            return {at.wi, color * (at.strength * spread), at.distance, share, true};
           }
         },
         light.form);
+    if (light.is_bare) draw.own = {light.primitive, light.instance};
+    return draw;
+  }
+  template <DrawsByArea Form>
+  static LightDraw<Real> sample_lanes(const Form& form, const V& color, const Real& share,
+                                      const V& p, const Real& u, const Real& v, Mask<Real> here) {
+    Lanes x{}, y{}, z{}, distance{}, pdf{};
+    each_lane(here, [&](int i, std::size_t at) {
+      const AreaSample one = sample_area(form, lane(p, i), tia::lane(u, i), tia::lane(v, i));
+      x[at] = static_cast<Lane>(one.wi.x), y[at] = static_cast<Lane>(one.wi.y);
+      z[at] = static_cast<Lane>(one.wi.z), distance[at] = static_cast<Lane>(one.distance);
+      pdf[at] = static_cast<Lane>(one.pdf);
+    });
+    const Real density = load<Real>(pdf.data());
+    return {{load<Real>(x.data()), load<Real>(y.data()), load<Real>(z.data())},
+            lit(color, density),
+            load<Real>(distance.data()),
+            density * share};
+  }
+  static V lit(const V& light, const Real& pdf) {
+    return select(pdf > Real(0), light, {Real(0), Real(0), Real(0)});
   }
 
   const World& world_;
-  float count_;  // of lights and skies
-  Real share_;   // the chance of each
+  const PathLights& lights_;
 };
 
 }  // namespace tia

@@ -49,6 +49,7 @@ class PathTracer {
       if (any(enters)) pass(hit, isect, materials, behind, enters, depth);
       pdf_ = next.pdf;
       from_ = isect.at.p;
+      from_n_ = isect.at.ng;
       transmitted_ = next.transmitted;
       ray = off(isect, next.wi, next.transmitted);
     }
@@ -128,8 +129,9 @@ class PathTracer {
     }
     const Mask<Real> luminous = isect.here && shines(isect.emission);
     if (!any(luminous)) return;
-    const Real weight = drawn_weight(
-        luminous, [&](Mask<Real> rivals) { return lights_.pdf(from_, hit, isect.at.p, rivals); });
+    const Real weight = drawn_weight(luminous, [&](Mask<Real> rivals) {
+      return lights_.pdf(from_, from_n_, hit, isect.at.p, rivals);
+    });
     add(luminous, isect.emission * weight);
   }
   // The weight of light that the surface's direction has found, where add_direct() could have asked
@@ -147,7 +149,7 @@ class PathTracer {
                   const Numbers& numbers) {
     const Mask<Real> here = bsdf.scatters();
     if (!any(here)) return;
-    lights_.draw(isect.at.p, numbers.light, numbers.light_u, numbers.light_v, here,
+    lights_.draw(isect.at.p, isect.at.ng, numbers.light, numbers.light_u, numbers.light_v, here,
                  [&](const LightDraw<Real>& draw, Mask<Real> those) {
                    add_light(draw, isect, bsdf, behind, those);
                  });
@@ -174,8 +176,7 @@ class PathTracer {
     // What is as near to the light as rays start off surfaces is at it: a ceiling that it is part
     // of.
     const Real reach = draw.distance * Real(1 - 2 * tolerance::ray_offset);
-    if (draw.from == nullptr) return occluded(world_view_.world, ray, reach, lit, world_view_.work);
-    return occluded(world_view_.world, ray, reach, *draw.from, lit, world_view_.work);
+    return occluded(world_view_.world, ray, reach, draw.own, lit, world_view_.work);
   }
 
   // ---- the path goes on -------------------------------------------------------------------------
@@ -205,7 +206,7 @@ class PathTracer {
   V light_{Real(0), Real(0), Real(0)}, beta_{Real(1), Real(1), Real(1)};
   V absorption_{Real(0), Real(0), Real(0)};  // of the medium, per scene unit
   Real wave_ = Real(0);                      // in nanometres; 0: white
-  V from_{Real(0), Real(0), Real(0)};        // the last vertex
+  V from_{Real(0), Real(0), Real(0)}, from_n_{Real(0), Real(0), Real(0)};  // the last vertex
   Real pdf_ = Real(0);  // of the direction from there; 0: of the camera, of mirrors and of glass
   Mask<Real> transmitted_{};  // whether that direction went through the surface
   Real denser_ = Real(1);  // the square of the index of refraction, over that where the path began
@@ -213,7 +214,7 @@ class PathTracer {
   const MediumTransition<Real>* last_ = nullptr;
   WorldView& world_view_;
   const SamplerState<Real>& sampler_state_;
-  const PathLights<Real> lights_;
+  const LightSampling<Real> lights_;
 };
 
 }  // namespace

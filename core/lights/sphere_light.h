@@ -78,7 +78,8 @@ LightSample<Real> sample_li(const SphereForm& light, const Vec3<Real>& p, const 
   const Real near = middle.distance * (along - sqrt(max_of(reach, Real(0))));
   return {wi, select(outside, near, middle.distance), Real(1)};
 }
-/// The density of those directions by solid angle, from p outside of the ball; 0 inside.
+/// The density of those directions by solid angle, from p outside of the ball; 0 inside, and where
+/// rounding leaves open whether p is on its inner side.
 template <class Real>
 Real pdf_li(const SphereForm& light, const Vec3<Real>& p, const Vec3<Real>&, const Real&) {
   using std::sqrt;
@@ -86,7 +87,7 @@ Real pdf_li(const SphereForm& light, const Vec3<Real>& p, const Vec3<Real>&, con
   const Vec3<Real> to_middle = lift<Real>(light.middle) - p;
   const Real square = radius * radius / dot(to_middle, to_middle);
   const Real height = square / (Real(1) + sqrt(max_of(Real(1) - square, Real(0))));
-  return select(square < Real(1), Real(0.159154943F) / height, Real(0));  // 1 / 2 pi
+  return select(square < Real(1 - 1e-5F), Real(0.159154943F) / height, Real(0));  // 1 / 2 pi
 }
 static_assert(AreaForm<SphereForm>);
 

@@ -21,6 +21,7 @@ class Compiler {
     builder_.settle();
     for (WorldLight& light : geometry_.lights)
       light = at_center(light, light.middle.exact - geometry_.origin);
+    for (PathLight& light : geometry_.areas) move_by(light, -geometry_.origin);
     builder_.finish();
     return std::move(geometry_);
   }
@@ -51,6 +52,8 @@ class Compiler {
           else add_kind(kind, own);
         },
         object.shape);
+    if (std::holds_alternative<Mesh>(object.shape) || is_surface(object.shape))
+      add_areas(object.shape, own.place, static_cast<int>(geometry_.primitives.size()) - 1);
     add_numbered(object);
   }
   // Domain: the object's primitive has just been added.
@@ -74,8 +77,7 @@ class Compiler {
         add_lights(own.place.point(light_center(form)), emission, primitive);
     }
   }
-  // Adds one light for each instance of the surface.
-  void add_lights(const Vec3d& center, const Constant& color, int primitive) {
+  std::int64_t instances_of(int primitive) const {
     std::int64_t instances = 1;
     for (int space = geometry_.primitive(primitive).space; geometry_.space(space).grid >= 0;) {
       const InstanceGrid& above =
@@ -83,6 +85,27 @@ class Compiler {
       instances *= above.repeat.copies();
       space = above.outside;
     }
+    return instances;
+  }
+  static bool is_surface(const Shape& shape) {
+    return std::visit([]<class Kind>(const Kind&) { return IsSurface<Kind>; }, shape);
+  }
+  // What a luminous shape can be asked for by its area, for each instance.
+  void add_areas(const Shape& shape, const Affine& place, int primitive) {
+    const Constant emission = geometry_.shading_of(primitive).emission;
+    if (!emits(emission.exact)) return;
+    const std::int64_t instances = instances_of(primitive);
+    if (instances > static_cast<std::int64_t>(most_areas)) return;
+    for (std::int64_t instance = 0; instance < instances; ++instance) {
+      const int space = geometry_.primitive(primitive).space;
+      PathLight light{PointForm{}, emission, primitive, static_cast<int>(instance)};
+      tia::add_areas(shape, geometry_.to_space(space, instance).inverse() * place, light,
+                     geometry_.areas);
+    }
+  }
+  // Adds one light for each instance of the surface.
+  void add_lights(const Vec3d& center, const Constant& color, int primitive) {
+    const std::int64_t instances = instances_of(primitive);
     for (std::int64_t instance = 0; instance < instances; ++instance) {
       const Vec3d place = geometry_.to_space(geometry_.primitive(primitive).space, instance)
                               .inverse()

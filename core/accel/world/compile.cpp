@@ -66,6 +66,7 @@ class Lighting {
     builder_.finish();
     world_.objects = lights_.objects;
     world_.degenerate = world_.of_objects->degenerate + lights_.degenerate;
+    world_.path_lights = PathLights(world_.lights, world_.of_objects->areas, world_.skies.size());
     list_few_balls(world_);
     return std::move(world_);
   }

@@ -13,6 +13,7 @@
 
 #include "core/accel/mesh/mesh_index.h"
 #include "core/accel/world/instance_grid.h"
+#include "core/accel/world/path_lights.h"
 #include "core/accel/world/primitive.h"
 #include "core/accel/world/solid.h"
 #include "core/boxes/bvh.h"
@@ -102,6 +103,7 @@ struct Geometry {
   std::vector<ShadingParameters> shadings;
   std::vector<TextureForm> textures;
   std::vector<WorldLight> lights;  ///< of its luminous balls
+  std::vector<PathLight> areas;    ///< of its luminous objects
   Vec3d origin{};                  ///< the world's, in the scene's coordinates
   int first_primitive = 0;         ///< the number of its first primitive, which is the world's
   int objects = 0;                 ///< how many, those of the primitives before it included

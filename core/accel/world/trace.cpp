@@ -74,18 +74,22 @@ Hit<Real> closest_hit(const World& world, const Ray<Real>& ray, Mask<Real> activ
 
 template <class Real>
 Mask<Real> occluded(const World& world, const Ray<Real>& ray, const Real& t_max,
-                    const WorldLight& light, Mask<Real> active, WorkCounter& work) {
-  AnyHit<Real> query{t_max, light.primitive, light.instance};
+                    const Blocker& left_out, Mask<Real> active, WorkCounter& work) {
+  AnyHit<Real> query{t_max, left_out.primitive, static_cast<int>(left_out.instance)};
   search(world, ray, active, query, work);
   return query.blocked();
 }
 
 template <class Real>
+Mask<Real> occluded(const World& world, const Ray<Real>& ray, const Real& t_max,
+                    const WorldLight& light, Mask<Real> active, WorkCounter& work) {
+  return occluded(world, ray, t_max, Blocker{light.primitive, light.instance}, active, work);
+}
+
+template <class Real>
 Mask<Real> occluded(const World& world, const Ray<Real>& ray, const Real& t_max, Mask<Real> active,
                     WorkCounter& work) {
-  AnyHit<Real> query{t_max, -1, 0};
-  search(world, ray, active, query, work);
-  return query.blocked();
+  return occluded(world, ray, t_max, Blocker{}, active, work);
 }
 
 namespace {
@@ -148,6 +152,8 @@ Blocker first_blocker(const World& world, const Ray<float>& ray, float t_max,
 
 #define TIA_TRACE(Real)                                                                        \
   template Hit<Real> closest_hit(const World&, const Ray<Real>&, Mask<Real>, WorkCounter&);    \
+  template Mask<Real> occluded(const World&, const Ray<Real>&, const Real&, const Blocker&,    \
+                               Mask<Real>, WorkCounter&);                                      \
   template Mask<Real> occluded(const World&, const Ray<Real>&, const Real&, const WorldLight&, \
                                Mask<Real>, WorkCounter&);                                      \
   template Mask<Real> occluded(const World&, const Ray<Real>&, const Real&, Mask<Real>,        \

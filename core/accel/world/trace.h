@@ -30,12 +30,21 @@ Hit<Real> closest_ball(const World& world, const std::vector<int>& balls, const 
   return nearest;
 }
 
+/// Blocker: a primitive between a point and a light, and which instance of it. -1: none.
+struct Blocker {
+  int primitive = -1;
+  std::int64_t instance = 0;
+};
 /// Whether anything but the light's own surface is hit between the ray's origin and t_max. Lanes
 /// that are not active are meaningless. Errors: what the work's report throws.
 template <class Real>
 Mask<Real> occluded(const World& world, const Ray<Real>& ray, const Real& t_max,
                     const WorldLight& light, Mask<Real> active, WorkCounter& work);
 
+/// The same for a primitive and its instance instead of a light; -1: anything at all counts.
+template <class Real>
+Mask<Real> occluded(const World& world, const Ray<Real>& ray, const Real& t_max,
+                    const Blocker& left_out, Mask<Real> active, WorkCounter& work);
 /// The same where there is no light: whether anything at all is hit.
 template <class Real>
 Mask<Real> occluded(const World& world, const Ray<Real>& ray, const Real& t_max, Mask<Real> active,
@@ -55,11 +64,6 @@ template <class Real>
 Real transmitted(const World& world, const Ray<Real>& ray, const Real& t_max,
                  const WorldLight& light, Mask<Real> active, WorkCounter& work);
 
-/// Blocker: a primitive between a point and a light, and which instance of it. -1: none.
-struct Blocker {
-  int primitive = -1;
-  std::int64_t instance = 0;
-};
 /// The first surface from the ray's origin to t_max that takes light. Where shadows are
 /// transparent, a surface of transmission 1 takes none. Errors: as occluded's.
 Blocker first_blocker(const World& world, const Ray<float>& ray, float t_max,

@@ -25,6 +25,7 @@ struct World {
   Vec3d origin{};      ///< in the scene's coordinates: of_objects->origin
   Geometry of_lights;  ///< the surfaces of luminous lights; their primitives follow the objects'
   std::vector<WorldLight> lights;
+  PathLights path_lights;  ///< for the path tracer in their place
   /// If few_balls: all balls, one for each primitive, in order. Else none.
   std::vector<Ball> balls;
   Constant background;

@@ -1,0 +1,136 @@
+// Luminous objects as lights of the path tracer, by closed forms.
+#include "tests/core/integrators/paths.h"
+
+namespace tia {
+namespace {
+
+using namespace test;
+
+Finish glowing(double light) {
+  Finish finish = dark();
+  finish.emission = {light, light, light};
+  return finish;
+}
+// Lambert's formula (path_test.cpp) for polygons above the horizon.
+double lambert(const std::vector<Vec3d>& corners, const Vec3d& n) {
+  double sum = 0;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Vec3d a = normalize(corners[i]), b = normalize(corners[(i + 1) % corners.size()]);
+    const Vec3d across = cross(a, b);
+    sum += std::atan2(length(across), dot(a, b)) * dot(normalize(across), n);
+  }
+  return std::fabs(sum) / 2;
+}
+Mean matt_floor(const std::vector<Object>& lights, const Onb& frame, int samples) {
+  Scene scene;
+  scene.objects = lights;
+  scene.objects.push_back(object(Plane{{0, 0, 0}, frame.n}, matt(0.7)));
+  return light_from(scene, frame.n * 0.2 - frame.u * 0.3, {0, 0, 0}, samples, 1);
+}
+
+TEST(Luminous, TriangleIsLambertsFormula) {
+  Random random(960);
+  for (int i = 0; i < rounds(4, 1); ++i) {
+    const Onb frame = onb_around(random.direction());
+    const Vec3d a = frame.n * random.in(1, 2) + frame.u * random.in(-1, 1);
+    const Vec3d b = a + frame.u * random.in(0.2, 1) + frame.n * random.in(0, 0.5);
+    const Vec3d c = a + frame.v * random.in(-1, 1) + frame.n * random.in(0, 1);
+    const double expected = 0.7 / pi * 2 * lambert({a, b, c}, frame.n);
+    expect_mean(matt_floor({object(Triangle{a, b, c}, glowing(2))}, frame, 1024), expected);
+    // As a mesh of two, with its halves parted along an edge.
+    const Vec3d m = (b + c) * 0.5;
+    Mesh mesh;
+    for (const Vec3d& p : {a, b, m, c})
+      mesh.positions.values.insert(mesh.positions.values.end(), {p.x, p.y, p.z});
+    mesh.indices.values = {0, 1, 2, 0, 2, 3};
+    expect_mean(matt_floor({object(mesh, glowing(2))}, frame, 1024), expected, 1e-4);
+  }
+}
+
+// Source: Howell, "A catalog of radiation heat transfer configuration factors", B-13: on the axis
+// E = pi L r^2 / (r^2 + h^2).
+TEST(Luminous, DiscOnItsAxisIsItsFormFactor) {
+  Random random(961);
+  for (int i = 0; i < rounds(4, 1); ++i) {
+    const Onb frame = onb_around(random.direction());
+    const double h = random.in(0.5, 2), r = random.in(0.2, 1.5);
+    const Object disc = object(Disc{frame.n * h, frame.n, r}, glowing(3));
+    expect_mean(matt_floor({disc}, frame, 2048), 0.7 * 3 * r * r / (r * r + h * h));
+  }
+}
+
+// Of a box above the floor the lower face is seen, and aside of it others, each Lambert's.
+TEST(Luminous, BoxIsTheSumOfTheFacesThatAreSeen) {
+  Random random(962);
+  const Onb up{{0, 0, 1}, {1, 0, 0}, {0, 1, 0}};
+  for (int i = 0; i < rounds(4, 1); ++i) {
+    const Vec3d low{random.in(0.2, 1), random.in(0.5, 2), random.in(-0.5, 0.2)};
+    const Vec3d high = low + Vec3d{random.in(0.2, 1), random.in(0.2, 1), random.in(0.6, 1)};
+    const double bottom = lambert(
+        {low, {high.x, low.y, low.z}, {high.x, low.y, high.z}, {low.x, low.y, high.z}}, {0, 1, 0});
+    const double side = lambert(
+        {low, {low.x, high.y, low.z}, {low.x, high.y, high.z}, {low.x, low.y, high.z}}, {0, 1, 0});
+    const double front =
+        low.z < 0
+            ? 0
+            : lambert(
+                  {low, {high.x, low.y, low.z}, {high.x, high.y, low.z}, {low.x, high.y, low.z}},
+                  {0, 1, 0});
+    expect_mean(matt_floor({object(Box{low, high}, glowing(1))}, up, 1024),
+                0.7 / pi * (bottom + side + front));
+  }
+}
+
+// What has a sampler against the same light found by the surface's directions alone, behind a pane
+// of clear glass that hides it from questions.
+TEST(Luminous, AskedForOrFoundIsTheSame) {
+  Random random(963);
+  for (int i = 0; i < rounds(3, 1); ++i) {
+    const Onb frame = onb_around(random.direction());
+    const Vec3d p = frame.n * 2.0 + frame.u * random.in(-1, 1);
+    const std::vector<Object> lights{
+        object(Cylinder{p, p + random.direction() * 0.8, 0.4}, glowing(1)),
+        object(Sphere{p + frame.v * 1.5, 0.5}, glowing(2)),
+        object(Box{{-0.1, -0.2, -0.3}, {0.2, 0.3, 0.1}}, glowing(5)),
+        object(Disc{p - frame.v * 1.5, random.direction(), 0.6}, glowing(3)),
+        object(Triangle{p + frame.u, p + frame.u * 2.0, p + frame.u + frame.n}, glowing(4)),
+        object(Capsule{p - frame.u * 2.0, p - frame.u * 2.5, 0.3}, glowing(1))};
+    std::vector<Object> moved = lights;
+    moved[2].transform.steps.push_back(Translate{p - frame.v * 3.0});
+    const Mean asked = matt_floor(moved, frame, 4096);
+    moved.push_back(object(Sphere{{0, 0, 0}, 0.25}, clear_glass(1)));
+    Scene scene;
+    scene.objects = moved;
+    scene.objects.push_back(object(Plane{{0, 0, 0}, frame.n}, matt(0.7)));
+    const Mean found = light_from(scene, frame.n * 0.1, {0, 0, 0}, 16384, 3);
+    EXPECT_NEAR(asked.value, found.value, 4 * std::hypot(asked.error, found.error));
+    if (!sanitized()) {
+      EXPECT_LT(asked.error, 0.01 * asked.value);
+      EXPECT_LT(found.error, 0.02 * found.value);
+    }
+  }
+}
+
+// Copies of one lamp are lights each.
+TEST(Luminous, CopiesShineLikeLamps) {
+  Group group;
+  group.children = {object(Sphere{{0, 3, 0}, 0.1}, glowing(10))};
+  group.repeat = Repeat{{3, 1, 3}, {1, 1, 1}};
+  Object lamps;
+  lamps.shape = group;
+  std::vector<Object> single;
+  for (int x = 0; x < 3; ++x)
+    for (int z = 0; z < 3; ++z)
+      single.push_back(object(Sphere{{double(x), 3, double(z)}, 0.1}, glowing(10)));
+  const Onb up{{0, 0, 1}, {1, 0, 0}, {0, 1, 0}};
+  double expected = 0;  // pi L (r / d)^2 cos
+  for (const Object& lamp : single) {
+    const Vec3d to = std::get<Sphere>(lamp.shape).center;
+    expected += 0.7 * 10 * 0.01 / dot(to, to) * to.y / length(to);
+  }
+  expect_mean(matt_floor({lamps}, up, 1024), expected);
+  expect_mean(matt_floor(single, up, 1024), expected);
+}
+
+}  // namespace
+}  // namespace tia
