@@ -17,27 +17,10 @@
 #include "core/accel/world/primitive.h"
 #include "core/accel/world/solid.h"
 #include "core/boxes/bvh.h"
-#include "core/lights/light.h"
 #include "core/materials/shading_parameters.h"
-#include "core/math/strata.h"
 #include "core/scene/scene.h"
 
 namespace tia {
-
-/// WorldLight: a light that lights surfaces.
-struct WorldLight {
-  LightForm form;
-  Constant middle;           ///< of a form that shines from a point (ShinesFromPoint)
-  Constant color;            ///< color * intensity
-  double fade_distance = 0;  ///< 0: it does not fade
-  double fade_power = 0;
-  /// Of its area, one a sample; null: one sample, its middle. Lights with as many samples share
-  /// them.
-  std::shared_ptr<const Strata> strata{};
-  int primitive = -1;  ///< its own surface, which does not block its light; -1: none
-  int instance = 0;    ///< which instance of that surface
-  std::string name{};  ///< the JSON Pointer of one of the scene's lights; "": a luminous object
-};
 
 /// Ball: a sphere in the form in which whole packets are tried on it. It is in the space of its
 /// primitive; the instances of a small grid are balls in the space that contains the grid.

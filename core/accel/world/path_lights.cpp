@@ -5,7 +5,7 @@
 #include <cmath>
 #include <tuple>
 
-#include "core/accel/world/geometry.h"
+#include "core/math/onb.h"
 
 namespace tia {
 namespace {

@@ -5,13 +5,13 @@
 #include <variant>
 #include <vector>
 
+#include "core/accel/world/world_light.h"
 #include "core/lights/areas.h"
-#include "core/lights/light.h"
 #include "core/lights/light_tree.h"
+#include "core/math/transform.h"
+#include "core/shapes/shape.h"
 
 namespace tia {
-
-struct WorldLight;
 
 using PathForm = std::variant<PointForm, DirectionalForm, SpotForm, SphereForm, SunForm,
                               TriangleArea, QuadArea, DiscArea, BoxArea, CylinderArea>;
