@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <map>
+#include <set>
 #include <sstream>
+#include <string>
+#include <vector>
 
 #include "server/stores/digest.h"
 #include "tests/server/picture_support.h"
@@ -68,32 +70,41 @@ INSTANTIATE_TEST_SUITE_P(Pages, GoldenPicture,
 
 // ---- the gallery --------------------------------------------------------------------------------
 
-// gallery.sha256, in sha256sum's format: the PFM of each scene at 160x120, as the scene asks.
-std::map<std::string, std::string> stated_hashes() {
-  std::map<std::string, std::string> hashes;
+// gallery.sha256, in sha256sum's format: the PFM of each scene at 160x120, as the scene asks, and
+// NAME.4.pfm with 4 samples: where rays are chance, few say as much as many.
+struct Stated {
+  std::string name, options, hash;
+};
+std::vector<Stated> stated_hashes() {
+  std::vector<Stated> all;
   std::istringstream lines(golden("gallery.sha256"));
-  for (std::string hash, file; lines >> hash >> file;)
-    hashes[file.substr(0, file.find('.'))] = hash;
-  return hashes;
+  for (std::string hash, file; lines >> hash >> file;) {
+    const std::size_t dot = file.find('.'), last = file.rfind('.');
+    const std::string samples = dot < last ? file.substr(dot + 1, last - dot - 1) : "";
+    all.push_back({file.substr(0, dot), samples.empty() ? "" : "&samples=" + samples, hash});
+  }
+  return all;
 }
 
 TEST(GoldenGallery, EverySceneHasAStatedHash) {
   const Gallery gallery;
-  const auto hashes = stated_hashes();
-  EXPECT_EQ(hashes.size(), gallery.scenes().size());
-  for (const auto& [name, scene] : gallery.scenes()) EXPECT_TRUE(hashes.contains(name)) << name;
+  std::set<std::string> stated;
+  for (const Stated& one : stated_hashes()) stated.insert(one.name);
+  EXPECT_EQ(stated.size(), gallery.scenes().size());
+  for (const auto& [name, scene] : gallery.scenes()) EXPECT_TRUE(stated.contains(name)) << name;
 }
 
-class GoldenScene : public testing::TestWithParam<std::pair<const std::string, std::string>> {};
+class GoldenScene : public testing::TestWithParam<Stated> {};
 
 // Of the page's picture a window of the middle is compared: all of it would take long. So would the
 // other where sanitizers watch: the scenes of it are drawn at their hashes by all other builds.
 TEST_P(GoldenScene, IsDrawnAtItsStatedHashAndAsThePageShowsIt) {
-  const auto& [name, hash] = GetParam();
+  const auto& [name, options, hash] = GetParam();
   Host host;
   const std::string scene = "scene=" + name;
   if (!sanitized()) {
-    EXPECT_EQ(sha256_hex(host.get("/render?width=160&height=120&format=pfm&" + scene).body), hash);
+    const std::string query = "width=160&height=120&format=pfm&" + scene + options;
+    EXPECT_EQ(sha256_hex(host.get("/render?" + query).body), hash);
   }
   if (name == "thesis" || name == "shapes") return;  // compared above
   const Part part = Part::now();
@@ -105,7 +116,7 @@ TEST_P(GoldenScene, IsDrawnAtItsStatedHashAndAsThePageShowsIt) {
 
 INSTANTIATE_TEST_SUITE_P(Gallery, GoldenScene, testing::ValuesIn(stated_hashes()),
                          [](const auto& one) {
-                           std::string name = one.param.first;
+                           std::string name = one.param.name;
                            std::replace(name.begin(), name.end(), '-', '_');
                            return name;
                          });

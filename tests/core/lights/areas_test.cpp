@@ -123,7 +123,7 @@ TEST(Areas, DrawnDirectionsMeetWhatIsThereAsDenseAsTheySay) {
           }
           const double error = std::sqrt((drawn_square - drawn * drawn) / count +
                                          (even_square - even * even) / count);
-          EXPECT_NEAR(drawn, even, 4.5 * error + 1e-9) << i % area_kinds;
+          EXPECT_NEAR(drawn, even, 4 * error + 1e-9) << i % area_kinds;
         },
         any);
   }
