@@ -87,7 +87,8 @@ class PathTracer {
   // ---- wavelengths ------------------------------------------------------------------------------
 
   static Mask<Real> disperses(const Scatterers<Real>& materials, Mask<Real> here) {
-    return here && materials.bsdf.glass > Real(0) && materials.bsdf.dispersion > Real(0);
+    return here && !materials.bsdf.thin && materials.bsdf.glass > Real(0) &&
+           materials.bsdf.dispersion > Real(0);
   }
   // A path that meets glass which parts colours is of a single wavelength from there on.
   void disperse(Scatterers<Real>& materials, Mask<Real> here) {
@@ -164,7 +165,7 @@ class PathTracer {
     const Mask<Real> lit = here && shines(scattered) && is_finite(scattered);
     if (!any(lit)) return;
     world_view_.rays.shadow += count(lit);
-    const Mask<Real> dark = hidden(draw, off(isect, draw.wi, below), lit);
+    const Mask<Real> dark = hidden(draw, isect, below, lit);
     Real weight = Real(1) / draw.pdf;
     if (!draw.is_delta) {
       const Real other = at.pdf / draw.pdf;
@@ -172,11 +173,20 @@ class PathTracer {
     }
     add(lit && !dark, scattered * weight);
   }
-  Mask<Real> hidden(const LightDraw<Real>& draw, const Ray<Real>& ray, Mask<Real> lit) {
-    // What is as near to the light as rays start off surfaces is at it: a ceiling that it is part
-    // of.
-    const Real reach = draw.distance * Real(1 - 2 * tolerance::ray_offset);
-    return occluded(world_view_.world, ray, reach, draw.own, lit, world_view_.work);
+  // The ray starts off the surface and is aimed at the point of the light anew, for else it would
+  // meet a near light beside that point, and before it. What is as near to the light as rays start
+  // off surfaces is at it: the light itself, or a ceiling that it is part of.
+  Mask<Real> hidden(const LightDraw<Real>& draw, const Surface& isect, Mask<Real> below,
+                    Mask<Real> lit) {
+    const Mask<Real> finite = draw.distance < Real(infinity);
+    Ray<Real> ray = off(isect, draw.wi, below);
+    const Real span = select(finite, draw.distance, Real(1));
+    const V to = isect.at.p + draw.wi * span - ray.origin;
+    const Real distance = length(to);
+    ray.direction = select(finite, to * (Real(1) / distance), draw.wi);
+    const Real reach = distance * Real(1 - 2 * tolerance::ray_offset) - isect.offset;
+    return occluded(world_view_.world, ray, select(finite, reach, Real(infinity)), draw.own, lit,
+                    world_view_.work);
   }
 
   // ---- the path goes on -------------------------------------------------------------------------

@@ -85,7 +85,7 @@ std::shared_ptr<const SunlitSky> sunlit_sky(const Weather& weather) {
     std::shared_ptr<const SunlitSky> sky;
   };
   static std::mutex mutex;
-  static std::array<Kept, 4> last;
+  static std::array<Kept, 5> last;
   static std::size_t oldest = 0;
   {
     const std::lock_guard lock(mutex);

@@ -175,6 +175,21 @@ Value Codec<KeyBinding>::schema(const Spec&, Definitions& named) {
   return Value::Object{{"oneOf", Value::Array{light, patch}}};
 }
 
+namespace {
+
+// Each makes a sky of its own, which takes some 30 ms; as many, and a key light's, are kept.
+constexpr std::size_t most_suns = 4;
+void check_suns(const std::vector<Light>& lights, const Place& at, Faults& faults) {
+  std::size_t suns = 0;
+  for (std::size_t i = 0; i < lights.size() && !faults.full(); ++i) {
+    if (!std::holds_alternative<SunLight>(lights[i].kind) || ++suns <= most_suns) continue;
+    faults.add({FaultKind::limit, at.at(i).pointer(), std::nullopt,
+                "at most " + std::to_string(most_suns) + " suns"});
+  }
+}
+
+}  // namespace
+
 void Scene::check_links(const Place& at, Faults& faults) const {
   const Place all_objects = at.at("objects");
   if (!faults.at(at.at("materials").pointer())) check_material_names(objects, all_objects, faults);
@@ -186,6 +201,7 @@ void Scene::check_links(const Place& at, Faults& faults) const {
     faults.add({FaultKind::missing, light.at(lights[i].awaited()).pointer(), std::nullopt,
                 "where the light is, or which way it travels"});
   }
+  check_suns(lights, all_lights, faults);
 }
 
 void Scene::check_material_names(const std::vector<Object>& list, const Place& at,

@@ -100,6 +100,21 @@ TEST(Path, HighlightIsGgxsPeak) {
   }
 }
 
+// However far the eye is: rays start the farther off a surface, but not beside the light. A disc
+// overhead gives E = pi L r^2 / (r^2 + h^2).
+TEST(Path, LuminousBodiesDoNotHideThemselvesFromFarEyes) {
+  Finish glow = matt(0);
+  glow.emission = {1, 1, 1};
+  Disc disc;
+  disc.center = {0, 0, 1}, disc.normal = {0, 0, -1}, disc.radius = 1;
+  for (const double far : {0.5, 4.0, 30.0}) {
+    Scene scene;
+    scene.objects = {object(Plane{{0, 0, 0}, {0, 0, 1}}, matt(0.5)), object(disc, glow)};
+    const Vec3d eye = normalize(Vec3d{1, 0, 0.3}) * far;
+    expect_mean(light_from(scene, eye, {0, 0, 0}, 512, 1), 0.25, 1e-3);
+  }
+}
+
 // Where nothing is chance: matt surfaces under parallel light, once. Whitted's has no 1 / pi.
 TEST(Path, AgreesWithWhittedUnderParallelLight) {
   Random random(836);

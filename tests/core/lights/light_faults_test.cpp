@@ -259,5 +259,13 @@ TEST(LightFaults, TheSchemaAgreesWithTheReader) {
   test::expect_agreement<Light>(whole_schema<Light>(), 4000, beyond);
 }
 
+TEST(LightFaults, FiveSunsAreOneTooMany) {
+  std::string suns;
+  for (int i = 0; i < 5; ++i) suns += std::string(i > 0 ? "," : "") + R"({"type":"sun"})";
+  test::expect_scene_refused(
+      R"({"camera":{"location":[0,0,5],"look_at":[0,0,0]},"lights":[)" + suns + "]}",
+      {{FaultKind::limit, "/lights/4", "", "at most 4 suns"}});
+}
+
 }  // namespace
 }  // namespace tia

@@ -160,6 +160,7 @@ const std::vector<std::string> beyond_scene_schema = {
     "min and max, or", "or center and radius",
     // the sun
     "either elevation_degrees", "longitude_degrees together", "a day that its month has",
+    "at most 4 suns",
     // pictures of the sky
     "a whole PNG or JPEG picture", "a whole Radiance HDR picture", "a picture by latitude",
     // voxels: what lies in the grid, whose numbers are materials

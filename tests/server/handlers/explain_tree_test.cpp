@@ -58,7 +58,9 @@ TEST(ExplainTree, AddsUpToThePixelInEverySceneOfTheGallery) {
   Random random(440);
   for (const auto& [name, scene] : host().gallery().scenes()) {
     SCOPED_TRACE(name);
-    const std::string view = view_query(name, width, height) + "&samples=1&threshold=0";
+    // Scenes for path have no tree of rays of their own.
+    const std::string view =
+        view_query(name, width, height) + "&integrator=whitted&samples=1&threshold=0";
     const Pixels<float> image = drawn(view);
     for (int i = 0; i < pixels && !HasFailure(); ++i) {
       const int x = random.below(width), y = random.below(height);
