@@ -25,7 +25,28 @@ concept Linked = requires(const T& t, const Place& at, Faults& faults) {
   t.check_links(at, faults);
 };
 
+template <class T>
+class Boxed;
+
 namespace detail {
+
+// A list may hold a kind that is larger than most in a Boxed: what it is stays the kind.
+template <class Held>
+struct KindIn {
+  using Kind = Held;
+};
+template <class T>
+struct KindIn<Boxed<T>> {
+  using Kind = T;
+};
+template <class Held>
+using KindOf = typename KindIn<Held>::Kind;
+template <class Held>
+auto& unboxed(Held& held) {
+  if constexpr (std::is_same_v<KindOf<std::remove_const_t<Held>>, std::remove_const_t<Held>>)
+    return held;
+  else return *held;
+}
 
 template <class T>
 inline constexpr bool is_optional = false;
@@ -35,10 +56,10 @@ inline constexpr bool is_optional<std::optional<T>> = true;
 /// The `type` names of a variant's alternatives, in the list's order.
 template <class... Kinds>
 std::vector<std::string_view> type_names(const std::variant<Kinds...>*) {
-  return {Kinds::type...};
+  return {KindOf<Kinds>::type...};
 }
 
-/// Calls f(std::in_place_type<Kind>) for the i-th kind of the list.
+/// Calls f(std::in_place_type<Kind>) for the i-th kind of the list, as it is held.
 template <class... Kinds, class F>
 void with_kind(const std::variant<Kinds...>*, std::size_t i, F f) {
   std::size_t at = 0;
@@ -85,9 +106,10 @@ class FieldReader {
     Variant& variant = out_.*member;
     const auto chosen = from_.kind(type_names(&variant), spec);
     if (!chosen) return;
-    with_kind(&variant, *chosen, [&]<class Kind>(std::in_place_type_t<Kind>) {
+    with_kind(&variant, *chosen, [&]<class Held>(std::in_place_type_t<Held>) {
+      using Kind = KindOf<Held>;
       [[maybe_unused]] const std::size_t before = from_.faults.count();
-      Kind& kind = variant.template emplace<Kind>();
+      Kind& kind = unboxed(variant.template emplace<Held>());
       Kind::fields(FieldReader<Kind>(from_, kind));
       if constexpr (Checked<Kind>)
         if (from_.faults.count() == before)
@@ -121,7 +143,9 @@ class FieldWriter {
     if (spec.required || variant.index() != 0)
       object_.emplace_back("type", type_names(&variant)[variant.index()]);
     std::visit(
-        [&]<class Kind>(const Kind& kind) { Kind::fields(FieldWriter<Kind>(kind, object_)); },
+        [&]<class Held>(const Held& held) {
+          KindOf<Held>::fields(FieldWriter<KindOf<Held>>(unboxed(held), object_));
+        },
         variant);
   }
 
@@ -162,7 +186,8 @@ class FieldSchema {
   void one_of(Variant Base::*, const Spec& spec) {
     const Variant* const list = nullptr;
     for (std::size_t i = 0; i < std::variant_size_v<Variant>; ++i) {
-      with_kind(list, i, [&]<class Kind>(std::in_place_type_t<Kind>) {
+      with_kind(list, i, [&]<class Held>(std::in_place_type_t<Held>) {
+        using Kind = KindOf<Held>;
         ObjectSchema kind;
         Kind::fields(FieldSchema<Kind>(kind, named_));
         schema_.add_kind(Kind::type, std::move(kind), spec.required || i != 0);

@@ -6,8 +6,9 @@
 namespace tia {
 namespace {
 
-// Source: Serdyuchenko et al., "High spectral resolution ozone absorption cross-sections", Atmos.
-// Meas. Tech. 7 (2014), at 380, 400 .. 780 nm. Space/units: 1e-25 m^2.
+// Ozone's cross-section at 380, 400 .. 780 nm, such that with the number below it takes away what
+// it does in Blender Cycles' sky model (intern/sky/source/sky_nishita.cpp, OZONE_COEFF).
+// Space/units: 1e-25 m^2.
 constexpr std::array<double, wavelengths> ozone_section{
     0.006, 0.011, 0.037, 0.136, 0.374, 0.752, 1.183, 1.800, 2.881, 3.891, 4.581,
     5.091, 4.004, 2.960, 2.091, 1.368, 0.865, 0.616, 0.419, 0.277, 0.313};

@@ -83,15 +83,17 @@ template <class Real>
 void BsdfShares<Real>::set_facets(const Real& eta) {
   using std::sqrt;
   const Real alpha = sqrt(p_.alpha_x * p_.alpha_y), one(1);
-  rough_ = here_ && !(alpha < Real(smooth_alpha));
+  // Between equal indices light goes straight on, however rough the boundary. Where the surface is
+  // a metal or matt too, glass has facets all the same, and they need a half way to tell them by.
+  const Here equal = !p_.thin && abs_of(eta - one) < Real(1e-3F);
+  const Here unseen = equal && p_.glass > Real(0) && !(p_.matt + p_.metal + p_.mirror > Real(0));
+  rough_ = here_ && !unseen && !(alpha < Real(smooth_alpha));
   coat_rough_ = here_ && !(p_.coat_alpha < Real(smooth_alpha));
   p_.alpha_x = select(rough_, p_.alpha_x, one);
   p_.alpha_y = select(rough_, p_.alpha_y, one);
   p_.coat_alpha = select(coat_rough_, p_.coat_alpha, one);
   root_ = sqrt(alpha);
-  // Between equal indices light goes straight on, however rough the boundary: no facet tells where.
-  const Here equal = rough_ && abs_of(eta - one) < Real(1e-3F);
-  eta_ = select(p_.thin, one, select(equal, Real(1.001F), eta));
+  eta_ = select(p_.thin, one, select(equal && rough_, Real(1.001F), eta));
   index_ = select(p_.thin, max_of(eta, one / eta), eta_);
   // The shares of a finish may add up to more than 1.
   p_.base = {min_of(p_.base.x, one), min_of(p_.base.y, one), min_of(p_.base.z, one)};

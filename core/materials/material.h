@@ -3,8 +3,10 @@
 
 #include <concepts>
 #include <string_view>
+#include <type_traits>
 #include <variant>
 
+#include "core/input/boxed.h"
 #include "core/input/kinds.h"
 #include "core/materials/finish.h"
 #include "core/materials/principled.h"
@@ -20,9 +22,10 @@ concept IsMaterial = IsKind<Kind> && requires(const Kind& kind, const Vec3d& amb
   { texture_of(kind) } -> std::same_as<const Texture*>;
 };
 
-/// MaterialList: checks each kind of the list against IsMaterial.
+/// MaterialList: checks each kind of the list against IsMaterial. Most materials are finishes, and
+/// a larger kind must not make all as large: it lives on the heap.
 template <IsMaterial Kind>
-using ListedMaterial = Kind;
+using ListedMaterial = std::conditional_t<(sizeof(Kind) > sizeof(Finish)), Boxed<Kind>, Kind>;
 template <class... Kinds>
 using MaterialList = std::variant<ListedMaterial<Kinds>...>;
 
@@ -38,11 +41,13 @@ struct Material {
 };
 
 inline ShadingParameters shading_of(const Material& material, const Vec3d& ambient_light) {
-  return std::visit([&](const auto& kind) { return shading_of(kind, ambient_light); },
-                    material.kind);
+  return std::visit(
+      [&](const auto& held) { return shading_of(detail::unboxed(held), ambient_light); },
+      material.kind);
 }
 inline const Texture* texture_of(const Material& material) {
-  return std::visit([](const auto& kind) { return texture_of(kind); }, material.kind);
+  return std::visit([](const auto& held) { return texture_of(detail::unboxed(held)); },
+                    material.kind);
 }
 
 }  // namespace tia

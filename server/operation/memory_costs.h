@@ -20,7 +20,7 @@ namespace memory_cost {
 
 inline constexpr MemoryCost text{"text", "byte of JSON text", 40,
                                  "its tree, and the scene that is read from it"};
-inline constexpr MemoryCost value{"value", "JSON value, as many as may be in so long a text", 520,
+inline constexpr MemoryCost value{"value", "JSON value, as many as may be in so long a text", 400,
                                   "the same, where the text says much in few bytes"};
 inline constexpr MemoryCost patch{"patch", "byte of a scene in memory", 8,
                                   "the scene written as a tree, patched, and read again"};

@@ -176,8 +176,8 @@ std::vector<Sample> scenes() {
                               R"("children":[)" +
                                   sphere + "]}")),
        26, 16},
-      {"Materials", members_of("materials", most_values - 8, "{}"), 47, 40},
-      {"NumberedMaterials", objects(wearing("{}")), 150, 137},
+      {"Materials", members_of("materials", most_values - 8, "{}"), 38, 31},
+      {"NumberedMaterials", objects(wearing("{}")), 115, 102},
       {"MaterialsByName", R"({"materials":{"":{}},"objects":)" + wearing("\"\"") + "}", 100, 86},
       {"Lights", "{\"lights\":" + list_of(49'000, R"({"type":"sky"})") + "}", 30, 15},
       {"Keys", members_of("keys", 49'000, R"({"":0})"), 50, 30},

@@ -1,5 +1,5 @@
 // Writes core/materials/albedo_tables.inc: the share of light that single scattering sends on, by
-// the visible normals' mean of what each facet does. The command stands in its first line.
+// the visible normals' mean of what each facet does. The command stands in its first lines.
 #include <cstdio>
 #include <vector>
 
@@ -7,16 +7,20 @@
 #include "core/materials/microfacet.h"
 #include "core/materials/sheen.h"
 #include "core/math/deterministic.h"
+#include "core/math/sobol.h"
 
 namespace {
 
 using namespace tia;
 
-// Calls to(h, wo) with the middles of a grid of the unit square.
+// Calls to(h) with the normals for Hammersley's points. A grid would not do: those that send light
+// below the surface lie along the square's edge, nearer to it than the middles of its cells.
 template <class F>
-void each_normal(const Ggx<double>& ggx, const Vec3d& wo, int side, F to) {
-  for (int i = 0; i < side; ++i)
-    for (int j = 0; j < side; ++j) to(ggx.sample(wo, (i + 0.5) / side, (j + 0.5) / side));
+void each_normal(const Ggx<double>& ggx, const Vec3d& wo, int count, F to) {
+  for (int i = 0; i < count; ++i) {
+    const double v = reversed_bits(static_cast<std::uint32_t>(i)) * 0x1p-32;
+    to(ggx.sample(wo, (i + 0.5) / count, v + 0x1p-33));
+  }
 }
 Vec3d direction_of(double mu) { return {std::sqrt(1 - mu * mu), 0, mu}; }
 
@@ -25,26 +29,26 @@ struct Pair {
 };
 // What facets reflect, for Fresnel's shares 1 - (1 - c)^5 and (1 - c)^5.
 Pair reflected(double mu, double alpha) {
-  constexpr int side = 256;
+  constexpr int count = 1 << 16;
   const Ggx<double> ggx{alpha, alpha};
   const Vec3d wo = direction_of(mu);
   Pair sum;
-  each_normal(ggx, wo, side, [&](const Vec3d& h) {
+  each_normal(ggx, wo, count, [&](const Vec3d& h) {
     const double c = dot(wo, h);
     const Vec3d wi = h * (2 * c) - wo;
     if (wi.z <= 0) return;
     const double share = ggx.visible(wo, wi) / ggx.visible(wo), w = schlick_weight(c);
     sum.a += share * (1 - w), sum.b += share * w;
   });
-  return {sum.a / (side * side), sum.b / (side * side)};
+  return {sum.a / count, sum.b / count};
 }
 // What facets of a dielectric reflect and let pass together.
 double passed_on(double mu, double alpha, double eta) {
-  constexpr int side = 128;
+  constexpr int count = 1 << 14;
   const Ggx<double> ggx{alpha, alpha};
   const Vec3d wo = direction_of(mu);
   double sum = 0;
-  each_normal(ggx, wo, side, [&](const Vec3d& h) {
+  each_normal(ggx, wo, count, [&](const Vec3d& h) {
     const double c = dot(wo, h), g = ggx.visible(wo);
     const Dielectric<double> at(c, eta);
     const Vec3d wi = h * (2 * c) - wo;
@@ -53,7 +57,7 @@ double passed_on(double mu, double alpha, double eta) {
     const Vec3d wt = refracted(wo, h, c, eta, at.cos_t);
     if (wt.z < 0) sum += (1 - at.reflected) * ggx.visible(wo, wt) / g;
   });
-  return sum / (side * side);
+  return sum / count;
 }
 // What velvet's fibres reflect.
 double sheen(double mu, double alpha) {
@@ -74,7 +78,7 @@ void print(const char* name, const std::vector<double>& values) {
     std::printf("%s%.4fF,", i % 14 == 0 ? "\n" : " ", values[i]);
   std::printf("\n};\n");
 }
-// Twice the integral of mu times a row's values, by the trapezoid of the nodes' own spacing.
+// Twice the integral of mu times a row's values, as they are interpolated.
 template <class F>
 double average(F value) {
   constexpr int n = 2048;
@@ -119,7 +123,8 @@ int main() {
       const double* row = &glass[glass.size() - glass_nodes];
       mean_glass.push_back(average([&](double mu) { return between(row, glass_nodes, mu); }));
     }
-  std::printf("// Made by: cmake --build build --target albedo_tables && tests/albedo_tables\n");
+  std::printf("// Made by: cmake --build build/release --target albedo_tables\n");
+  std::printf("//          build/release/tests/albedo_tables > core/materials/albedo_tables.inc\n");
   std::printf("// clang-format off\n");
   print("reflected_a", a), print("reflected_b", b), print("mean_a", mean_a),
       print("mean_b", mean_b);

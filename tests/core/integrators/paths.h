@@ -51,4 +51,18 @@ inline Finish matt(double albedo) {
   return finish;
 }
 
+/// Lambert's formula: half the sum over the edges of the angle that an edge fills, times the cosine
+/// of the normal of the plane through it and the point.
+/// Source: Lambert, "Photometria" (1760); Arvo, "Analytic methods for simulated light transport"
+/// (1995), ch. 4.
+inline double polygon_irradiance(const std::vector<Vec3d>& corners, const Vec3d& n) {
+  double sum = 0;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Vec3d a = normalize(corners[i]), b = normalize(corners[(i + 1) % corners.size()]);
+    const Vec3d across = cross(a, b);
+    sum += std::atan2(length(across), dot(a, b)) * dot(normalize(across), n);
+  }
+  return std::fabs(sum) / 2;
+}
+
 }  // namespace tia::test

@@ -220,6 +220,21 @@ TEST(Bsdf, NothingGivesMoreThanItGets) {
   }
 }
 
+// A boundary between equal indices cannot be seen, however rough it is.
+TEST(Bsdf, EqualIndicesLetLightGoStraightOn) {
+  for (const double roughness : {0.0, 0.3, 1.0}) {
+    Principled p = white(roughness);
+    p.transmission = 1;
+    const Vec3d wo = direction_at(0.4, 0.3);
+    each_sample(bsdf_of(parameters_of(p), wo, 1), 64,
+                [&](const BsdfSample<Wide>& sample, int lane) {
+                  const Vec3d on = lane_of(sample.wi, lane) + wo;
+                  EXPECT_LT(length(on), 1e-5) << roughness;
+                  EXPECT_NEAR(lane_of(sample.weight, lane).y, 1, 1e-5);
+                });
+  }
+}
+
 // ---- closed forms -------------------------------------------------------------------------------
 
 // ((n - 1)^2 + k^2) / ((n + 1)^2 + k^2) of gold at 650 nm, n = 0.183 and k = 3.4242.
@@ -230,6 +245,23 @@ TEST(Bsdf, MetalsReflectWhatTheirIndicesSay) {
   EXPECT_NEAR(base.x, 0.944, 0.001);
   EXPECT_GT(base.x, base.y);
   EXPECT_GT(base.y, base.z);
+}
+// Straight down the facets' share is an integral over one angle: of D G / 4, with the facet's angle
+// half of the light's.
+TEST(Bsdf, TableIsTheIntegralOverTheLight) {
+  for (const double rough : {0.1, 0.23, 0.25, 0.3, 0.45, 0.6, 0.8, 1.0}) {
+    const Ggx<double> ggx{rough * rough, rough * rough};
+    constexpr int count = 200'000;
+    double sum = 0;
+    for (int i = 0; i < count; ++i) {
+      const double angle = pi / 2 * (i + 0.5) / count;
+      const Vec3d wi{std::sin(angle), 0, std::cos(angle)};
+      const Vec3d h{std::sin(angle / 2), 0, std::cos(angle / 2)};
+      sum += ggx.density(h) * ggx.visible({0, 0, 1}, wi) / 4 * 2 * pi * wi.x * pi / 2 / count;
+    }
+    const auto table = schlick_albedo(1.0, rough);
+    EXPECT_NEAR(table.a + table.b, sum, 1e-3) << rough;
+  }
 }
 // Straight down on GGX: D = 1 / (pi alpha^2), all facets seen, f = F D / 4.
 TEST(Bsdf, MirrorOfFacetsIsAsBrightAsItsPeak) {
