@@ -2,6 +2,7 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
+import { fieldsOf } from '../../web/state/scene_fields.js';
 import { asItCame, sceneStage, showsPicture, textOf, type } from './scene_stage.mjs';
 
 const on = sceneStage();
@@ -30,7 +31,8 @@ test('a slider changes its value in the text and the picture, and nothing else',
 
 test('ranges, defaults and descriptions are the server\u2019s schema\u2019s', () =>
   shared(async (page, tia) => {
-    const { properties } = JSON.parse(await tia.get('/schema/scene.json')).$defs.material;
+    const schema = JSON.parse(await tia.get('/schema/scene.json'));
+    const { properties } = schema.$defs.material.oneOf.find((kind) => kind.properties.type.const === 'finish');
     for (const name of ['diffuse', 'reflection', 'transmission']) {
       const slider = field(page, name).locator('[type=range]');
       assert.deepEqual([await slider.getAttribute('min'), await slider.getAttribute('max'), await slider.inputValue()],
@@ -40,6 +42,9 @@ test('ranges, defaults and descriptions are the server\u2019s schema\u2019s', ()
     }
     const ior = field(page, 'ior').locator('[type=range]');
     assert.deepEqual([await ior.getAttribute('min'), await ior.getAttribute('max')], ['0.1', '10']);
+    const metal = (base_color) => fieldsOf(schema, { materials: { it: { type: 'principled', base_color } } }, '/materials/it')
+      .find(({ name }) => name === 'base_color')?.kind;
+    assert.deepEqual([metal(0.5), metal([1, 0, 0]), metal('gold')], ['color', 'color', undefined]);
   }));
 
 test('a material that an object names is changed where it stands; a missing field is added there', () =>

@@ -81,7 +81,8 @@ export function fieldsOf(schema, scene, pointer) {
   });
 }
 
-function kindOf({ type, items, maxItems, oneOf, enum: choices }) {
+function kindOf({ type, items, maxItems, oneOf, anyOf, enum: choices }) {
+  if (anyOf) return kindOf(anyOf[0]);
   if (choices) return 'choice';
   if (type === 'number' || type === 'integer') return 'number';
   if (type === 'boolean') return 'truth';
