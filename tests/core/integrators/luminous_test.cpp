@@ -88,12 +88,12 @@ TEST(Luminous, AskedForOrFoundIsTheSame) {
         object(Capsule{p - frame.u * 2.0, p - frame.u * 2.5, 0.3}, glowing(1))};
     std::vector<Object> moved = lights;
     moved[2].transform.steps.push_back(Translate{p - frame.v * 3.0});
-    const Mean asked = matt_floor(moved, frame, 4096);
+    const Mean asked = matt_floor(moved, frame, rounds(4096, 4));
     moved.push_back(object(Sphere{{0, 0, 0}, 0.25}, clear_glass(1)));
     Scene scene;
     scene.objects = moved;
     scene.objects.push_back(object(Plane{{0, 0, 0}, frame.n}, matt(0.7)));
-    const Mean found = light_from(scene, frame.n * 0.1, {0, 0, 0}, 16384, 3);
+    const Mean found = light_from(scene, frame.n * 0.1, {0, 0, 0}, rounds(16384, 4), 3);
     EXPECT_NEAR(asked.value, found.value, 4 * std::hypot(asked.error, found.error));
     if (!sanitized()) {
       EXPECT_LT(asked.error, 0.01 * asked.value);

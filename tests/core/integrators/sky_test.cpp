@@ -119,10 +119,10 @@ TEST(Sky, LightsAndSurfacesDirectionsAgree) {
     const double mean = sum / count, error = std::sqrt((squares / count - mean * mean) / count);
     EXPECT_NEAR(mean, whole, 4 * error) << "by the sky's alone";
     Scene scene = floor_under(light, n, 1);
-    expect_mean(floor_light(light, n, 1, 4096), whole, 1e-3);
+    expect_mean(floor_light(light, n, 1, rounds(4096, 4)), whole, 1e-3);
     // A pane of clear glass hides the sky from questions, and what is drawn passes.
     scene.objects.push_back(object(Sphere{{0, 0, 0}, 0.5}, clear_glass(1)));
-    const Mean drawn = light_from(scene, n * 0.3, {0, 0, 0}, 8192, 3);
+    const Mean drawn = light_from(scene, n * 0.3, {0, 0, 0}, rounds(8192, 4), 3);
     EXPECT_NEAR(drawn.value, whole, 4 * drawn.error + 1e-3 * whole) << "by the surface's alone";
   }
 }

@@ -175,7 +175,7 @@ TEST(Bsdf, ScattersTheSameBothWays) {
 double albedo_of(const Principled& principled, double mu, double eta) {
   const Bsdf<Wide> bsdf = bsdf_of(parameters_of(principled), direction_at(mu, 0.1), eta);
   double sum = 0;
-  constexpr int count = 1 << 13;
+  const int count = rounds(1 << 13, 4);
   each_sample(bsdf, count, [&](const BsdfSample<Wide>& sample, int lane) {
     if (!has(sample.here, lane)) return;
     const double denser = has(sample.transmitted, lane) && !principled.thin ? eta * eta : 1;

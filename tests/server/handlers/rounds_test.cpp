@@ -119,7 +119,7 @@ TEST(Rounds, RaysThatAreNotEnoughForOneAreALimit) {
 
 TEST(Rounds, TimeEndsThemInTime) {
   const Response response = host().get(
-      "/render?scene=shapes&integrator=path&width=64&height=48&samples=65536&budget_ms=300");
+      "/render?scene=shapes&integrator=path&width=16&height=12&samples=65536&budget_ms=300");
   ASSERT_EQ(response.status, 200) << response.body;
   EXPECT_GE(samples_of(response).least, 16);
   EXPECT_LT(samples_of(response).most, 65536);
