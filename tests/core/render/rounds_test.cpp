@@ -43,7 +43,8 @@ RenderOptions with_budget(RenderOptions options, Budget budget = {}) {
   options.budget = std::move(budget);
   return options;
 }
-Picture of_room(const RenderOptions& options, int width = 40, int height = 30) {
+Picture of_room(const RenderOptions& options, int width = sanitized() ? 20 : 40,
+                int height = sanitized() ? 15 : 30) {
   return picture(room(), width, height, options);
 }
 
@@ -150,7 +151,7 @@ TEST(Budget, OfTimeThatEndsWithinARoundLeavesTheOneBefore) {
       RenderOptions options = with_budget(
           chance(256, 0.01), {.has_time = [&](double) { return ++asked <= asked_at_most; }});
       options.threads = threads;
-      options.tile = 8;
+      options.tile = sanitized() ? 4 : 8;  // as many tiles
       const Picture drawn = [&]() -> Picture {
         try {
           return of_room(options);

@@ -66,6 +66,7 @@ TEST(Rounds, ABudgetsContentLocationGivesTheSameBytesAndTag) {
   config.cache_bytes = 0;
   Host other(config);
   for (const std::string more : {"&samples=5000", "&noise=0.02", "&noise=0.1&format=pfm"}) {
+    if (sanitized() && more != "&noise=0.02") continue;
     for (const char* budget : {"&max%5Frays=150000", "&budget_ms=60000&max_rays=400000"}) {
       const Response response = host().get(occlusion + budget + more);
       ASSERT_EQ(response.status, 200) << response.body;
