@@ -4,6 +4,8 @@
 #include "core/integrators/optics.h"
 #include "core/integrators/world_view.h"
 #include "core/math/powers.h"
+#include "core/math/sobol.h"
+#include "core/math/unit_lanes.h"
 
 namespace tia {
 
@@ -53,26 +55,19 @@ Real faded(const Real& light, const Real& share) {
   return select(light > Real(0), light * share, Real(0));
 }
 
-/// The i-th sample of the light: at random in the i-th stratum of the area that p sees.
+/// The i-th sample of the light: all of a pixel's together are Sobol's points of the area that p
+/// sees, so that soft shadows are smooth at few.
 template <class Real>
 LightSample<Real> sample_area(const WorldLight& light, int number, int i, const Vec3<Real>& p,
                               const RayPath<Real>& path) {
-  constexpr auto n = static_cast<std::size_t>(lanes<Real>);
-  constexpr std::uint32_t of_lights = 0x80000000;  // dimensions from here on are the lights' alone
-  RandomWords<n> words;
-  words.a = path.sampler_state.x;
-  words.b = path.sampler_state.y;
-  words.c.fill(path.sampler_state.sample);
-  words.d.fill(of_lights | (path.node * 0x01000193U ^ static_cast<std::uint32_t>(number) << 13U ^
-                            static_cast<std::uint32_t>(i)));
-  philox(words, path.sampler_state.key);
-  const Strata::Cell& cell = (*light.strata)[static_cast<std::uint32_t>(i)];
-  std::array<LaneOf<Real>, n> u, v;
-  for (std::size_t k = 0; k < n; ++k) {
-    u[k] = cell.x + cell.width * unit_float(words.a[k]);
-    v[k] = cell.y + cell.height * unit_float(words.b[k]);
-  }
-  const Real at_u = load<Real>(u.data()), at_v = load<Real>(v.data());
+  constexpr std::uint32_t of_lights = 0x80000000;  // blocks from here on are the lights' alone
+  const SamplerState<Real>& state = path.sampler_state;
+  const std::uint32_t sample =
+      state.sample * static_cast<std::uint32_t>(light.samples) + static_cast<std::uint32_t>(i);
+  const auto [u, v] = sobol_pairs(
+      state.x, state.y, sample,
+      of_lights | (path.node * 0x01000193U ^ static_cast<std::uint32_t>(number) << 13U), state.key);
+  const Real at_u = unit_lanes<Real>(u), at_v = unit_lanes<Real>(v);
   return std::visit(
       [&]<class Form>(const Form& form) -> LightSample<Real> {
         if constexpr (AreaForm<Form>) return sample_li(form, p, at_u, at_v);
@@ -122,11 +117,10 @@ DirectLighting<Real> average_direct(WorldView& world_view, int number,
                                     const Vec3<Real>& direction, const Phong<Real>& phong,
                                     const RayPath<Real>& path) {
   const WorldLight& light = world_view.world.lights[static_cast<std::size_t>(number)];
-  if (!world_view.rules.area_lights || !light.strata)
+  if (!world_view.rules.area_lights || light.samples == 1)
     return estimate_direct(world_view, light, middle, isect, direction, phong);
   DirectLighting<Real> sum;
-  const int samples = light.strata->count();
-  for (int i = 0; i < samples; ++i) {
+  for (int i = 0; i < light.samples; ++i) {
     const LightSample<Real> sample = sample_area(light, number, i, isect.at.p, path);
     const DirectLighting<Real> one =
         estimate_direct(world_view, light, sample, isect, direction, phong);
@@ -134,7 +128,7 @@ DirectLighting<Real> average_direct(WorldView& world_view, int number,
     sum.specular = sum.specular + one.specular;
     sum.visible = sum.visible + one.visible;
   }
-  const Real share(1 / static_cast<float>(samples));
+  const Real share(1 / static_cast<float>(light.samples));
   return {sum.diffuse * share, sum.specular * share, sum.visible * share};
 }
 

@@ -16,8 +16,8 @@ namespace tia {
 inline constexpr int most_light_samples = 4096;
 inline constexpr Spec light_samples{
     .about =
-        "samples of its area for each point that it lights, at random in strata of equal area; "
-        "1: its middle",
+        "samples of its area for each point that it lights, evenly spread over what the point "
+        "sees; 1: its middle",
     .min = 1,
     .max = most_light_samples};
 

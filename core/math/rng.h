@@ -3,7 +3,6 @@
 #pragma once
 
 #include <array>
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 
@@ -49,25 +48,5 @@ inline float unit_float(std::uint32_t word) {
 }
 /// Returns: a multiple of 2^-32 in [0, 1), uniform.
 inline double unit_double(std::uint32_t word) { return word * 0x1p-32; }
-
-/// The place of i after a shuffle of 0 .. n - 1; every key has its own shuffle.
-/// Domain: i < n <= 2^31. Each step is one-to-one on the numbers below the next power of two; what
-/// falls beyond n goes round again. Eight rounds give all 24 shuffles of 4 equally often, which
-/// Kensler's (Pixar memo 13-01, 2013) does not.
-/// Source: Black, Rogaway, "Ciphers with arbitrary finite domains", 2002, cycle walking.
-inline std::uint32_t shuffled(std::uint32_t i, std::uint32_t n, std::uint32_t key) {
-  const std::uint32_t mask = std::bit_ceil(n) - 1;
-  const int half = (std::bit_width(mask) + 1) / 2;
-  do {
-    std::uint32_t step = key;
-    for (int round = 0; round < 8; ++round) {
-      step = step * 0x915F77F5 + 0x9E3779B9;
-      i = (i * (step >> 8U | 1U) + (step >> 16U ^ step >> 3U)) & mask;
-      i ^= i >> half;
-    }
-  } while (i >= n);
-  const std::uint32_t turned = i + static_cast<std::uint32_t>(std::uint64_t{key} * n >> 32U);
-  return turned < n ? turned : turned - n;
-}
 
 }  // namespace tia

@@ -71,6 +71,35 @@ constexpr std::uint32_t sobol(std::uint32_t index, std::size_t dimension) {
   return bits;
 }
 
+namespace detail {
+
+/// Dimension 1 of that index. Its matrix is Pascal's triangle modulo 2, five times the product of
+/// (1 1; 0 1) with itself. Source: Ahmed, "An implementation algorithm of 2D Sobol sequence fast,
+/// elegant, and compact", Eurographics Symposium on Rendering (2024).
+constexpr std::uint32_t sobol_of_pascal(std::uint32_t index) {
+  index ^= index >> 16U;
+  index ^= (index & 0xFF00FF00) >> 8U;
+  index ^= (index & 0xF0F0F0F0) >> 4U;
+  index ^= (index & 0xCCCCCCCC) >> 2U;
+  index ^= (index & 0xAAAAAAAA) >> 1U;
+  return reversed_bits(index);
+}
+
+/// What orders and scrambles the points of a block, in each pixel alike for all samples.
+template <std::size_t n>
+RandomWords<n> sobol_seeds(const std::array<std::uint32_t, n>& x,
+                           const std::array<std::uint32_t, n>& y, std::uint32_t block,
+                           RandomKey key) {
+  constexpr std::uint32_t of_seeds = 0xFFFFFFFF;  // a sample that no pixel has
+  RandomWords<n> seeds{x, y, {}, {}};
+  seeds.c.fill(of_seeds);
+  seeds.d.fill(block);
+  philox(seeds, key);
+  return seeds;
+}
+
+}  // namespace detail
+
 /// The four numbers, as binary fractions, of a sample of several pixels, one in each lane. Every
 /// pixel and every block of four dimensions has its points in an order and scrambled in a way of
 /// their own, so that blocks are independent of each other, as pixels are. Of 2^k samples from the
@@ -81,18 +110,30 @@ template <std::size_t n>
 RandomWords<n> sobol_words(const std::array<std::uint32_t, n>& x,
                            const std::array<std::uint32_t, n>& y, std::uint32_t sample,
                            std::uint32_t block, RandomKey key) {
-  constexpr std::uint32_t of_seeds = 0xFFFFFFFF;  // a sample that no pixel has
-  RandomWords<n> seeds{x, y, {}, {}};
-  seeds.c.fill(of_seeds);
-  seeds.d.fill(block);
-  philox(seeds, key);
+  const RandomWords<n> seeds = detail::sobol_seeds(x, y, block, key);
   RandomWords<n> words;
   for (std::size_t i = 0; i < n; ++i) {
     const std::uint32_t index = owen_scrambled(sample, seeds.a[i]);
-    words.a[i] = owen_scrambled(sobol(index, 0), seeds.b[i]);
-    words.b[i] = owen_scrambled(sobol(index, 1), seeds.c[i]);
+    words.a[i] = owen_scrambled(reversed_bits(index), seeds.b[i]);
+    words.b[i] = owen_scrambled(detail::sobol_of_pascal(index), seeds.c[i]);
     words.c[i] = owen_scrambled(sobol(index, 2), seeds.d[i]);
     words.d[i] = owen_scrambled(sobol(index, 3), seeds.a[i] ^ seeds.b[i]);
+  }
+  return words;
+}
+
+/// The first two of them, for less.
+template <std::size_t n>
+std::array<std::array<std::uint32_t, n>, 2> sobol_pairs(const std::array<std::uint32_t, n>& x,
+                                                        const std::array<std::uint32_t, n>& y,
+                                                        std::uint32_t sample, std::uint32_t block,
+                                                        RandomKey key) {
+  const RandomWords<n> seeds = detail::sobol_seeds(x, y, block, key);
+  std::array<std::array<std::uint32_t, n>, 2> words;
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::uint32_t index = owen_scrambled(sample, seeds.a[i]);
+    words[0][i] = owen_scrambled(reversed_bits(index), seeds.b[i]);
+    words[1][i] = owen_scrambled(detail::sobol_of_pascal(index), seeds.c[i]);
   }
   return words;
 }

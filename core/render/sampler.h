@@ -70,9 +70,9 @@ inline int least_samples(int samples, double threshold) {
 }
 
 /// Aims: one round's rays of several pixels, one in each lane. Strata of the pixel are taken in
-/// order, those of the lens shuffled, differently in each pixel, so that the two are independent;
-/// of Sobol's points the first two dimensions are the pixel's, the others the lens'. Source: Cook,
-/// Porter, Carpenter, "Distributed ray tracing", 1984.
+/// order; points of the lens are Sobol's, in an order of their own in each pixel, so that the two
+/// are independent. Where places in the pixel are Sobol's, too, they are the first two dimensions
+/// of the same points. Source: Cook, Porter, Carpenter, "Distributed ray tracing", 1984.
 template <class Real>
 class Aims {
  public:
@@ -86,9 +86,7 @@ class Aims {
         y_(y),
         before_(static_cast<std::uint32_t>(sampler.before(round))),
         has_lens_(has_lens),
-        centered_(sampler.centered()) {
-    if (has_lens && strata_ != nullptr) shuffles_ = drawn(before_, shuffling).a;
-  }
+        centered_(sampler.centered()) {}
 
   /// The rays of the round's i-th sample. Domain: 0 <= i < the round's count. Cost: least in order.
   Aim<Real> operator()(int i) {
@@ -100,49 +98,42 @@ class Aims {
     Aim<Real> aim{};
     aim.dx = Real(cell.x - 0.5F) + units(odd ? pair_.c : pair_.a) * Real(cell.width);
     aim.dy = Real(cell.y - 0.5F) + units(odd ? pair_.d : pair_.b) * Real(cell.height);
-    if (has_lens_) aim_on_lens(index, aim);
+    if (has_lens_) aim_on_lens(before_ + index, aim);
     return aim;
   }
 
  private:
-  enum Dimension : std::uint32_t { in_pixel, on_lens, shuffling };
+  // Blocks of Sobol's dimensions that are no integrator's.
+  static constexpr std::uint32_t of_both = 0x10000000, of_lens = 0x10000001;
 
   Aim<Real> by_points(std::uint32_t sample) const {
-    constexpr std::uint32_t block = 0x10000000;  // of dimensions: no integrator's
-    const RandomWords<n> words = sobol_words(x_, y_, sample, block, key_);
+    const RandomWords<n> words = sobol_words(x_, y_, sample, of_both, key_);
     Aim<Real> aim{units(words.a) - Real(0.5F), units(words.b) - Real(0.5F), Real(0), Real(0)};
-    if (!has_lens_) return aim;
-    const DiscPoint<Real> point = square_to_disc(units(words.c), units(words.d));
-    aim.lens_x = point.x;
-    aim.lens_y = point.y;
+    if (has_lens_) put_on_lens(words.c, words.d, aim);
     return aim;
   }
-  RandomWords<n> drawn(std::uint32_t sample, Dimension dimension) const {
+  RandomWords<n> drawn(std::uint32_t sample) const {
     RandomWords<n> words;
     words.a = x_;
     words.b = y_;
     words.c.fill(sample);
-    words.d.fill(dimension);
+    words.d.fill(0);
     philox(words, key_);
     return words;
   }
   // Two samples share four words; the odd one has the latter two.
   bool draw_pair(std::uint32_t sample) {
     const std::uint32_t even = sample & ~1U;
-    if (even != pair_of_) pair_ = drawn(pair_of_ = even, in_pixel);
+    if (even != pair_of_) pair_ = drawn(pair_of_ = even);
     return sample != even;
   }
   static Real units(const Pixels& words) { return unit_lanes<Real>(words); }
-  void aim_on_lens(std::uint32_t index, Aim<Real>& aim) const {
-    const RandomWords<n> words = drawn(before_ + index, on_lens);
-    std::array<LaneOf<Real>, n> u, v;
-    const auto count = static_cast<std::uint32_t>(strata_->count());
-    for (std::size_t i = 0; i < n; ++i) {
-      const Strata::Cell& cell = (*strata_)[shuffled(index, count, shuffles_[i])];
-      u[i] = cell.x + unit_float(words.a[i]) * cell.width;
-      v[i] = cell.y + unit_float(words.b[i]) * cell.height;
-    }
-    const DiscPoint<Real> point = square_to_disc(load<Real>(u.data()), load<Real>(v.data()));
+  void aim_on_lens(std::uint32_t sample, Aim<Real>& aim) const {
+    const auto [u, v] = sobol_pairs(x_, y_, sample, of_lens, key_);
+    put_on_lens(u, v, aim);
+  }
+  static void put_on_lens(const Pixels& u, const Pixels& v, Aim<Real>& aim) {
+    const DiscPoint<Real> point = square_to_disc(units(u), units(v));
     aim.lens_x = point.x;
     aim.lens_y = point.y;
   }
@@ -150,7 +141,6 @@ class Aims {
   const Strata* strata_;  // null: of chance
   RandomKey key_;
   const Pixels &x_, &y_;
-  Pixels shuffles_{};
   std::uint32_t before_;
   bool has_lens_, centered_;
   RandomWords<n> pair_;

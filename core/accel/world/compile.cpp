@@ -1,6 +1,5 @@
 // Geometry + lights -> World.
 #include <algorithm>
-#include <map>
 #include <optional>
 
 #include "core/accel/world/geometry_builder.h"
@@ -20,7 +19,7 @@ constexpr std::size_t few_lights = 64;
 bool is_plain_point(const WorldLight& light) {
   const bool from_point =
       std::visit([]<class Form>(const Form&) { return ShinesFromPoint<Form>; }, light.form);
-  return from_point && light.fade_distance == 0 && light.strata == nullptr;
+  return from_point && light.fade_distance == 0 && light.samples == 1;
 }
 
 // Whether the surface has a diffuse term alone.
@@ -103,15 +102,9 @@ class Lighting {
     if (light.fade_distance) shining.fade_distance = *light.fade_distance;
     shining.fade_power = light.fade_power;
     shining.name = name;
-    if constexpr (AreaLight<Kind>) shining.strata = strata_of(kind.samples);
+    if constexpr (AreaLight<Kind>) shining.samples = kind.samples;
     if constexpr (SeenLight<Kind>) shining.primitive = add_seen(surface(kind), color);
     if (emits(color)) world_.lights.push_back(shining);
-  }
-  std::shared_ptr<const Strata> strata_of(int samples) {
-    if (samples == 1) return nullptr;
-    std::shared_ptr<const Strata>& shared = strata_[samples];
-    if (!shared) shared = std::make_shared<const Strata>(samples);
-    return shared;
   }
   // Returns: its primitive.
   template <IsSeenSurface S>
@@ -128,7 +121,6 @@ class Lighting {
   World world_;
   Geometry& lights_ = world_.of_lights;
   GeometryBuilder builder_{lights_, workers_};
-  std::map<int, std::shared_ptr<const Strata>> strata_;
   std::optional<Vec3d> skies_;  // the sum of the sky lights; none: the scene's background
                                 // is seen
 };

@@ -117,50 +117,5 @@ TEST(Philox, NumbersFillTheUnitIntervalFromZeroToJustBelowOne) {
   EXPECT_EQ(unit_double(~0U), 1 - 0x1p-32);
 }
 
-// ---- shuffles -----------------------------------------------------------------------------------
-
-TEST(Shuffle, IsAPermutationForEveryLengthAndKey) {
-  Random random(71);
-  for (std::uint32_t n = 1; n <= 300; ++n) {
-    for (const std::uint32_t key : {0U, ~0U, static_cast<std::uint32_t>(random.in(0, 4e9))}) {
-      std::vector<bool> taken(n);
-      for (std::uint32_t i = 0; i < n; ++i) {
-        const std::uint32_t place = shuffled(i, n, key);
-        ASSERT_LT(place, n);
-        EXPECT_FALSE(taken[place]) << n << ", key " << key;
-        taken[place] = true;
-      }
-    }
-  }
-}
-
-TEST(Shuffle, PutsEachElementAnywhereEquallyOften) {
-  constexpr int keys = 20'000;
-  for (const std::uint32_t n : {2U, 3U, 4U, 7U, 16U, 17U}) {
-    std::vector<int> places(n * n);
-    for (std::uint32_t key = 0; key < keys; ++key) {
-      const std::uint32_t word = drawn({key, 0, 0, 0}, 9)[0];
-      for (std::uint32_t i = 0; i < n; ++i) ++places[i * n + shuffled(i, n, word)];
-    }
-    for (const int count : places)
-      EXPECT_NEAR(count, double{keys} / n, 5 * std::sqrt(double{keys} / n)) << n;
-  }
-}
-
-TEST(Shuffle, GivesAllOrdersOfFourEquallyOften) {
-  constexpr int keys = 24'000;
-  std::map<std::vector<std::uint32_t>, int> orders;
-  for (std::uint32_t key = 0; key < keys; ++key) {
-    const std::uint32_t word = drawn({key, 0, 0, 0}, 10)[0];
-    std::vector<std::uint32_t> order;
-    for (std::uint32_t i = 0; i < 4; ++i) order.push_back(shuffled(i, 4, word));
-    ++orders[order];
-  }
-  std::vector<int> counts;
-  for (const auto& [order, count] : orders) counts.push_back(count);
-  EXPECT_EQ(counts.size(), 24U);
-  EXPECT_LT(std::fabs(surprise(counts, keys / 24.0)), 5);
-}
-
 }  // namespace
 }  // namespace tia

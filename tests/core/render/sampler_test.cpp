@@ -78,9 +78,9 @@ std::pair<double, double> disc_to_square(double x, double y) {
   return {((flat ? large : small) + 1) / 2, ((flat ? small : large) + 1) / 2};
 }
 
-TEST(Sampler, PutsOneRayInEachStratumOfTheLens) {
+TEST(Sampler, PutsOneRayInEachSquareOfTheLens) {
   Random random(81);
-  for (const int n : {2, 5, 16, 100}) {
+  for (const int n : {4, 16, 64}) {
     const Sampler sampler(n, 0, 8);
     const Strata& strata = sampler.strata(0);
     for (int k = 0; k < 20; ++k) {
