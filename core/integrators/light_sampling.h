@@ -19,6 +19,18 @@ struct LightDraw {
   Blocker own{};  ///< the surface that does not hide it
 };
 
+template <class Real, class F>
+void each_lane(Mask<Real> here, F f) {
+  for (unsigned left = bits(here); left != 0; left &= left - 1) {
+    const int i = std::countr_zero(left);
+    f(i, static_cast<std::size_t>(i));
+  }
+}
+template <class Real>
+Vec3d lane_of(const Vec3<Real>& v, int i) {
+  return {lane(v.x, i), lane(v.y, i), lane(v.z, i)};
+}
+
 /// LightSampling: draws from the world's PathLights and its skies.
 /// Source: Pharr, Jakob, Humphreys, "Physically Based Rendering", 4th ed., 12.6 and 13.2.
 template <class Real>
@@ -38,44 +50,57 @@ class LightSampling {
     if (lights_.empty()) return;
     Lanes light, chance;
     light.fill(-1), chance.fill(0);
-    each_lane(here, [&](int i, std::size_t at) {
-      const PathChoice chosen = lights_.choose(lane(p, i), lane(n, i), tia::lane(choice, i));
+    each_lane<Real>(here, [&](int i, std::size_t at) {
+      const PathChoice chosen = lights_.choose(lane_of(p, i), lane_of(n, i), tia::lane(choice, i));
       light[at] = static_cast<Lane>(chosen.light), chance[at] = static_cast<Lane>(chosen.chance);
     });
-    const Real chosen = load<Real>(light.data()), share = load<Real>(chance.data());
+    draw_of(load<Real>(light.data()), load<Real>(chance.data()), p, u, v, here, f);
+  }
+  /// The same of lights that are chosen already, with the density `share`; -1: none.
+  template <class F>
+  void draw_of(const Real& chosen, const Real& share, const V& p, const Real& u, const Real& v,
+               Mask<Real> here, F f) const {
     here = here && chosen >= Real(0);
     while (const unsigned lanes_left = bits(here)) {
-      const Lane number = light[static_cast<std::size_t>(std::countr_zero(lanes_left))];
+      const auto number = tia::lane(chosen, std::countr_zero(lanes_left));
       const Mask<Real> those = here && chosen == Real(number);
       f(sample(static_cast<int>(number), share, p, u, v, those), those);
       here = here && !those;
     }
   }
 
-  /// The density with which draw() asks from p, where the normal is n, for the point that a ray has
-  /// hit.
-  Real pdf(const V& p, const V& n, const Hit<Real>& hit, const V& at, Mask<Real> here) const {
+  /// The density with which draw() asks from p for the point that a ray has hit, where a light has
+  /// the chance chance_of(light, lane).
+  template <class F>
+  Real pdf(const V& p, const Hit<Real>& hit, const V& at, Mask<Real> here, F chance_of) const {
     Lanes pdf{};
-    each_lane(here, [&](int i, std::size_t k) {
+    each_lane<Real>(here, [&](int i, std::size_t k) {
       const int light = lights_.at(static_cast<int>(tia::lane(hit.primitive, i)),
                                    static_cast<int>(tia::lane(hit.instance, i)),
                                    static_cast<int>(tia::lane(hit.element, i)));
       if (light < 0) return;
-      const Vec3d from = lane(p, i), way = lane(at, i) - from;
+      const Vec3d from = lane_of(p, i), way = lane_of(at, i) - from;
       const double distance = length(way);
-      const double chance = lights_.chance(light, from, lane(n, i));
-      pdf[k] = static_cast<Lane>(chance *
+      pdf[k] = static_cast<Lane>(chance_of(light, i) *
                                  area_pdf(lights_[light], from, way * (1 / distance), distance));
     });
     return load<Real>(pdf.data());
   }
 
+  /// The chance that draw() has for that light, from p where the normal is n.
+  double chance(int light, const Vec3d& p, const Vec3d& n) const {
+    return lights_.chance(light, p, n);
+  }
+  /// The chance of each thing infinitely far away.
+  Real chance_beyond() const {
+    return Real(static_cast<float>(lights_.chance(lights_.size(), {}, {})));
+  }
   /// Calls f(radiance, pdf, mask) for each thing that rays from p may find infinitely far away:
-  /// each sky and each disc in it, with the density with which draw() asks for the direction.
+  /// each sky and each disc in it, with the density with which its direction was asked for, if it
+  /// had the chance `share`.
   template <class F>
-  void beyond(const V& wi, Mask<Real> here, F f) const {
+  void beyond(const V& wi, const Real& share, Mask<Real> here, F f) const {
     if (world_.skies.empty()) return;  // discs stand in skies
-    const Real share(static_cast<float>(lights_.chance(lights_.size(), {}, {})));
     for (const WorldSky& sky : world_.skies)
       f(radiance(sky.form, wi, here) * lift<Real>(sky.color), pdf_sky(sky.form, wi, here) * share,
         here);
@@ -90,17 +115,6 @@ class LightSampling {
   }
 
  private:
-  template <class F>
-  static void each_lane(Mask<Real> here, F f) {
-    for (unsigned left = bits(here); left != 0; left &= left - 1) {
-      const int i = std::countr_zero(left);
-      f(i, static_cast<std::size_t>(i));
-    }
-  }
-  static Vec3d lane(const V& v, int i) {
-    return {tia::lane(v.x, i), tia::lane(v.y, i), tia::lane(v.z, i)};
-  }
-
   static double area_pdf(const PathLight& light, const Vec3d& p, const Vec3d& wi, double distance) {
     return std::visit(
         [&]<class Form>(const Form& form) -> double {
@@ -148,8 +162,8 @@ class LightSampling {
   static LightDraw<Real> sample_lanes(const Form& form, const V& color, const Real& share,
                                       const V& p, const Real& u, const Real& v, Mask<Real> here) {
     Lanes x{}, y{}, z{}, distance{}, pdf{};
-    each_lane(here, [&](int i, std::size_t at) {
-      const AreaSample one = sample_area(form, lane(p, i), tia::lane(u, i), tia::lane(v, i));
+    each_lane<Real>(here, [&](int i, std::size_t at) {
+      const AreaSample one = sample_area(form, lane_of(p, i), tia::lane(u, i), tia::lane(v, i));
       x[at] = static_cast<Lane>(one.wi.x), y[at] = static_cast<Lane>(one.wi.y);
       z[at] = static_cast<Lane>(one.wi.z), distance[at] = static_cast<Lane>(one.distance);
       pdf[at] = static_cast<Lane>(one.pdf);

@@ -7,12 +7,19 @@
 
 namespace tia {
 
-/// Medium: what fills space. Space/units: absorption per scene unit.
+/// Medium: what fills space. Space/units: absorption, and the density of fog, per scene unit.
 template <class Real>
 struct Medium {
   Real ior = Real(1);
   Vec3<Real> absorption{Real(0), Real(0), Real(0)};
+  Real density = Real(0);
 };
+
+template <class Real>
+Medium<Real> select(const Mask<Real>& mask, const Medium<Real>& a, const Medium<Real>& b) {
+  return {select(mask, a.ior, b.ior), select(mask, a.absorption, b.absorption),
+          select(mask, a.density, b.density)};
+}
 
 /// MediumTransition: a surface of a transmitting object that a packet's rays have passed through.
 /// The transitions of a path are a linked list, the last first, whose elements lie on the stack, in
@@ -59,15 +66,18 @@ const MediumTransition<Real>* innermost(const MediumTransition<Real>* last, int 
 
 /// The medium around the lanes of `here`: that of the last object that they have entered and not
 /// left. Where lanes are `leaving` the object of this number, it counts as left. In other lanes,
-/// and outside of all objects, it is empty space: index 1, no absorption.
+/// and outside of all objects, it is that of space, which is the same in all lanes.
 template <class Real>
 Medium<Real> medium_around(const MediumTransition<Real>* last, Mask<Real> here, Mask<Real> leaving,
-                           const Real& object, const Real& instance) {
+                           const Real& object, const Real& instance,
+                           const Medium<Real>& space = {}) {
   constexpr auto n = static_cast<std::size_t>(lanes<Real>);
-  Medium<Real> medium;
-  if (last == nullptr) return medium;
-  std::array<std::array<LaneOf<Real>, n>, 4> found{};
-  found[0].fill(1);
+  if (last == nullptr) return space;
+  const auto parts = [](const Medium<Real>& of) {
+    return std::array{&of.ior, &of.absorption.x, &of.absorption.y, &of.absorption.z, &of.density};
+  };
+  std::array<std::array<LaneOf<Real>, n>, 5> found;
+  for (std::size_t k = 0; k < found.size(); ++k) found[k].fill(lane(*parts(space)[k], 0));
   for (unsigned left = bits(here); left != 0; left &= left - 1) {
     const int i = std::countr_zero(left);
     const auto at = static_cast<std::size_t>(i);
@@ -75,12 +85,11 @@ Medium<Real> medium_around(const MediumTransition<Real>* last, Mask<Real> here, 
                                        static_cast<float>(lane(object, i)),
                                        static_cast<float>(lane(instance, i)));
     if (in == nullptr) continue;
-    const Real* parts[] = {&in->inside.ior, &in->inside.absorption.x, &in->inside.absorption.y,
-                           &in->inside.absorption.z};
-    for (std::size_t k = 0; k < 4; ++k) found[k][at] = lane(*parts[k], i);
+    for (std::size_t k = 0; k < found.size(); ++k) found[k][at] = lane(*parts(in->inside)[k], i);
   }
   return {load<Real>(found[0].data()),
-          {load<Real>(found[1].data()), load<Real>(found[2].data()), load<Real>(found[3].data())}};
+          {load<Real>(found[1].data()), load<Real>(found[2].data()), load<Real>(found[3].data())},
+          load<Real>(found[4].data())};
 }
 
 /// The share of light that a medium lets pass along t. Source: the law of Beer and Lambert.

@@ -1,87 +1,73 @@
-// Path tracing: light as it really goes, with all that surfaces send to each other.
+// Path tracing: light as it really goes, with all that surfaces and fog send to each other.
 #include <optional>
 
 #include "core/integrators/integrator.h"
-#include "core/integrators/light_sampling.h"
-#include "core/integrators/scatterers.h"
+#include "core/integrators/light_gatherer.h"
 #include "core/materials/spectrum.h"
-#include "core/math/sobol.h"
-#include "core/math/unit_lanes.h"
 #include "core/scene/scene.h"
 
 namespace tia {
 namespace {
 
 /// PathTracer: the light along camera rays, estimated by one path each: at every vertex one point
-/// of one light is asked for, and one direction, drawn by the surface, goes on. What both can find,
-/// the light of a luminous surface, is weighted by the power heuristic.
+/// of one light is asked for, and one direction, drawn by the surface, goes on. In fog, light is
+/// asked for somewhere along each of the path's rays, and the path scatters there by chance.
 /// Source: Kajiya, "The rendering equation" (1986); Veach, "Robust Monte Carlo methods for light
 /// transport simulation" (1997), ch. 8 to 10.
 template <class Real>
 class PathTracer {
   using V = Vec3<Real>;
   using Surface = SurfaceInteraction<SurfacePoint<Real>, Real>;
+  using Numbers = typename PathNumbers<Real>::AtVertex;
+  using Flight = typename FogSampling<Real>::Flight;
 
  public:
   PathTracer(WorldView& world_view, const SamplerState<Real>& sampler_state)
-      : world_view_(world_view), sampler_state_(sampler_state), lights_(world_view.world) {}
+      : world_view_(world_view), numbers_(sampler_state), lights_(world_view, state_) {}
 
   V trace(Ray<Real> ray, Mask<Real> active) {
     const int max_depth = std::min(world_view_.rules.max_depth, SceneOptions::deepest);
     for (int depth = 0; any(active); ++depth) {
       count_rays(depth, active);
       const Hit<Real> hit = world_view_.closest(ray, active);
-      const Surface isect = surfaces(world_view_, ray, hit, active);
-      beta_ = beta_ * transmittance_of(absorption_, hit.t);
-      add_emitted(ray, hit, isect, active);
-      active = isect.here;
-      if (depth == max_depth || !any(active)) break;
-      auto materials = scatterers(world_view_.world, hit, isect);
-      if (any(disperses(materials, isect.here))) disperse(materials, isect.here);
-      const auto behind = boundary(materials, isect, hit, last_);
-      const Bsdf<Real> bsdf(materials.bsdf, -ray.direction, isect.at.n, isect.at.ng, behind.eta,
-                            isect.here);
-      const Numbers numbers = draw(depth);
-      add_direct(isect, bsdf, behind, numbers);
-      const BsdfSample<Real> next = bsdf.sample(numbers.lobe, numbers.u, numbers.v);
-      active = next.here && survives(depth, bsdf, next, numbers);
-      const Mask<Real> enters = next.transmitted && !materials.bsdf.thin;
-      if (any(enters)) pass(hit, isect, materials, behind, enters, depth);
-      pdf_ = next.pdf;
-      from_ = isect.at.p;
-      from_n_ = isect.at.ng;
-      transmitted_ = next.transmitted;
-      ray = off(isect, next.wi, next.transmitted);
+      Surface isect = surfaces(world_view_, ray, hit, active);
+      state_.beta = state_.beta * transmittance_of(state_.medium.absorption, hit.t);
+      const FogSpan<Real> span = span_of(ray, hit.t, active);
+      lights_.add_emitted(ray, hit, isect, span, active);
+      if (!any(isect.here || span.here)) break;
+      if (depth < max_depth && any(span.here))
+        lights_.add_scattered(ray, span, numbers_.in_fog(depth));
+      const Numbers numbers = numbers_.at_vertex(depth);
+      const Flight flight = fly(ray, span, numbers);
+      isect.here = isect.here && !flight.scattered;
+      if (depth == max_depth) {
+        world_view_.rays.cut += count(flight.scattered || scatters(world_view_.world, hit, isect));
+        break;
+      }
+      const V arriving = state_.beta;
+      Ray<Real> next = ray;
+      if (any(isect.here)) active = scatter(ray, hit, isect, numbers, depth, next);
+      else active = isect.here;
+      if (any(flight.scattered))
+        active = active || scatter_in_fog(ray, flight, span, arriving, numbers, depth, next);
+      ray = next;
     }
-    return light_;
+    return clamped(state_.light);
   }
 
  private:
   // What a matt surface sends on counts as reflected.
   void count_rays(int depth, Mask<Real> active) {
-    const int refracted = depth == 0 ? 0 : count(active && transmitted_);
+    const int refracted = depth == 0 ? 0 : count(active && state_.transmitted);
     world_view_.rays.count(RayKind::refraction, refracted);
     world_view_.rays.count(depth == 0 ? RayKind::primary : RayKind::reflection,
                            count(active) - refracted);
   }
-
-  // ---- numbers at random ------------------------------------------------------------------------
-
-  struct Numbers {
-    Real light, light_u, light_v, lobe, u, v, roulette;
-  };
-  // Two blocks of four dimensions for each vertex.
-  Numbers draw(int depth) const {
-    constexpr std::uint32_t of_paths = 0x20000000;  // no other integrator's
-    const std::uint32_t block = of_paths + 2 * static_cast<std::uint32_t>(depth);
-    const auto words = [&](std::uint32_t of) {
-      return sobol_words(sampler_state_.x, sampler_state_.y, sampler_state_.sample, of,
-                         sampler_state_.key);
-    };
-    const auto first = words(block), second = words(block + 1);
-    const auto units = [](const auto& each) { return unit_lanes<Real>(each); };
-    return {units(first.c),  units(first.a),  units(first.b), units(first.d),
-            units(second.a), units(second.b), units(second.c)};
+  V clamped(const V& light) const {
+    const double most = world_view_.rules.clamp;
+    if (most == Rules{}.clamp) return light;
+    const Real brightest = max_of(max_of(light.x, light.y), light.z), bound = lift<Real>(most);
+    return light * select(brightest > bound, bound / brightest, Real(1));
   }
 
   // ---- wavelengths ------------------------------------------------------------------------------
@@ -92,139 +78,96 @@ class PathTracer {
   }
   // A path that meets glass which parts colours is of a single wavelength from there on.
   void disperse(Scatterers<Real>& materials, Mask<Real> here) {
-    constexpr std::uint32_t of_waves = 0x1FFFFFFF;
-    const Mask<Real> parted = disperses(materials, here), fresh = parted && !(wave_ > Real(0));
+    const Mask<Real> parted = disperses(materials, here),
+                     fresh = parted && !(state_.wave > Real(0));
     if (any(fresh)) {
-      const auto words = sobol_words(sampler_state_.x, sampler_state_.y, sampler_state_.sample,
-                                     of_waves, sampler_state_.key);
-      const Real u = unit_lanes<Real>(words.a);
-      wave_ = select(fresh, Real(shortest_wave) + u * Real(longest_wave - shortest_wave), wave_);
-      beta_ = select(fresh, beta_ * wave_color(wave_), beta_);
+      const Real wave = Real(shortest_wave) + numbers_.wave() * Real(longest_wave - shortest_wave);
+      state_.wave = select(fresh, wave, state_.wave);
+      state_.beta = select(fresh, state_.beta * wave_color(state_.wave), state_.beta);
     }
     auto& [bsdf, inside, object] = materials;
-    inside.ior = select(parted, ior_at(bsdf.ior, bsdf.dispersion, wave_), inside.ior);
+    inside.ior = select(parted, ior_at(bsdf.ior, bsdf.dispersion, state_.wave), inside.ior);
   }
 
-  // ---- light ------------------------------------------------------------------------------------
+  // ---- fog --------------------------------------------------------------------------------------
 
-  void add(Mask<Real> here, const V& radiance) {
-    const V none{Real(0), Real(0), Real(0)};
-    light_ = light_ + select(here, beta_ * radiance, none);
+  FogSpan<Real> span_of(const Ray<Real>& ray, const Real& t_max, Mask<Real> active) const {
+    const WorldFog& fog = world_view_.world.fog;
+    if (!(fog.density > 0)) return {};
+    return {fog, ray, t_max, active && state_.medium.density > Real(0)};
   }
-  static Mask<Real> shines(const V& light) {
-    return light.x > Real(0) || light.y > Real(0) || light.z > Real(0);
-  }
-  static Mask<Real> is_finite(const V& light) {
-    return light.x < Real(infinity) && light.y < Real(infinity) && light.z < Real(infinity);
-  }
-
-  // What the ray finds: what is infinitely far, or what the surface sends out by itself.
-  void add_emitted(const Ray<Real>& ray, const Hit<Real>& hit, const Surface& isect,
-                   Mask<Real> active) {
-    if (const Mask<Real> missed = active && !isect.here; any(missed)) {
-      add(missed, lift<Real>(world_view_.world.background));
-      lights_.beyond(ray.direction, missed,
-                     [&](const V& radiance, const Real& pdf, Mask<Real> here) {
-                       add(here, radiance * drawn_weight(here, [&](auto) { return pdf; }));
-                     });
+  // Where the fog scatters the path. Where it only absorbs, light that passes is dimmed instead.
+  Flight fly(const Ray<Real>& ray, const FogSpan<Real>& span, const Numbers& numbers) {
+    state_.fog_vertex.here = Mask<Real>{};
+    if (!any(span.here)) return {};
+    if (!emits(world_view_.world.fog.albedo.exact)) {
+      state_.beta = state_.beta * span.transmittance(state_.medium.density);
+      return {};
     }
-    const Mask<Real> luminous = isect.here && shines(isect.emission);
-    if (!any(luminous)) return;
-    const Real weight = drawn_weight(luminous, [&](Mask<Real> rivals) {
-      return lights_.pdf(from_, from_n_, hit, isect.at.p, rivals);
-    });
-    add(luminous, isect.emission * weight);
+    return lights_.fog().flight(ray, span, numbers.flight);
   }
-  // The weight of light that the surface's direction has found, where add_direct() could have asked
-  // for it with a density of other_pdf(mask).
-  template <class F>
-  Real drawn_weight(Mask<Real> here, F other_pdf) const {
-    const Mask<Real> rivals = here && pdf_ > Real(0);
-    if (!any(rivals)) return Real(1);
-    const Real other = other_pdf(rivals) / pdf_;
-    return select(rivals, Real(1) / (Real(1) + other * other), Real(1));
-  }
-
-  // What one point of one light gives the surface to scatter.
-  void add_direct(const Surface& isect, const Bsdf<Real>& bsdf, const MediumBoundary<Real>& behind,
-                  const Numbers& numbers) {
-    const Mask<Real> here = bsdf.scatters();
-    if (!any(here)) return;
-    lights_.draw(isect.at.p, isect.at.ng, numbers.light, numbers.light_u, numbers.light_v, here,
-                 [&](const LightDraw<Real>& draw, Mask<Real> those) {
-                   add_light(draw, isect, bsdf, behind, those);
-                 });
-  }
-  void add_light(const LightDraw<Real>& draw, const Surface& isect, const Bsdf<Real>& bsdf,
-                 const MediumBoundary<Real>& behind, Mask<Real> here) {
-    world_view_.work.test();
-    const BsdfValue<Real> at = bsdf.value(draw.wi);
-    const Mask<Real> below = dot(isect.at.ng, draw.wi) < Real(0);
-    const V absorption = select(below, behind.absorption, absorption_);
-    const V scattered = at.f_cos * draw.light * transmittance_of(absorption, draw.distance);
-    const Mask<Real> lit = here && shines(scattered) && is_finite(scattered);
-    if (!any(lit)) return;
-    world_view_.rays.shadow += count(lit);
-    const Mask<Real> dark = hidden(draw, isect, below, lit);
-    Real weight = Real(1) / draw.pdf;
-    if (!draw.is_delta) {
-      const Real other = at.pdf / draw.pdf;
-      weight = Real(1) / (draw.pdf * (Real(1) + other * other));
-    }
-    add(lit && !dark, scattered * weight);
-  }
-  // The ray starts off the surface and is aimed at the point of the light anew, for else it would
-  // meet a near light beside that point, and before it. What is as near to the light as rays start
-  // off surfaces is at it: the light itself, or a ceiling that it is part of.
-  Mask<Real> hidden(const LightDraw<Real>& draw, const Surface& isect, Mask<Real> below,
-                    Mask<Real> lit) {
-    const Mask<Real> finite = draw.distance < Real(infinity);
-    Ray<Real> ray = off(isect, draw.wi, below);
-    const Real span = select(finite, draw.distance, Real(1));
-    const V to = isect.at.p + draw.wi * span - ray.origin;
-    const Real distance = length(to);
-    ray.direction = select(finite, to * (Real(1) / distance), draw.wi);
-    const Real reach = distance * Real(1 - 2 * tolerance::ray_offset) - isect.offset;
-    return occluded(world_view_.world, ray, select(finite, reach, Real(infinity)), draw.own, lit,
-                    world_view_.work);
+  Mask<Real> scatter_in_fog(const Ray<Real>& ray, const Flight& flight, const FogSpan<Real>& span,
+                            const V& arriving, const Numbers& numbers, int depth, Ray<Real>& next) {
+    const Mask<Real> here = flight.scattered;
+    state_.fog_vertex = {ray, span, flight.t, here};
+    const V p = ray.origin + ray.direction * flight.t;
+    const V wi = lights_.phase().sample(ray.direction, numbers.u, numbers.v);
+    const V scattered = arriving * lift<Real>(world_view_.world.fog.albedo);
+    state_.beta = select(here, scattered * flight.weight, state_.beta);
+    state_.pdf = select(here, lights_.phase().value(dot(ray.direction, wi)), state_.pdf);
+    state_.from = select(here, p, state_.from);
+    state_.transmitted = state_.transmitted && !here;
+    next = {select(here, p, next.origin), select(here, wi, next.direction)};
+    return here && survives(depth, here, numbers);
   }
 
   // ---- the path goes on -------------------------------------------------------------------------
 
-  // Multiplies the weight of the direction in. From the fifth vertex on paths end by chance, the
-  // less they count the sooner. Returns: the lanes that go on.
-  Mask<Real> survives(int depth, const Bsdf<Real>& bsdf, const BsdfSample<Real>& next,
-                      const Numbers& numbers) {
-    beta_ = beta_ * next.weight;
-    denser_ = select(next.transmitted, denser_ * (bsdf.eta() * bsdf.eta()), denser_);
-    if (depth + 1 < 5) return shines(beta_);
-    const Real most = max_of(max_of(beta_.x, beta_.y), beta_.z) * denser_;
+  // At surfaces. Returns: the lanes that go on, by `next`.
+  Mask<Real> scatter(const Ray<Real>& ray, const Hit<Real>& hit, const Surface& isect,
+                     const Numbers& numbers, int depth, Ray<Real>& next) {
+    auto materials = scatterers(world_view_.world, hit, isect);
+    if (any(disperses(materials, isect.here))) disperse(materials, isect.here);
+    const auto behind = boundary(materials, isect, hit, last_, space_);
+    const Bsdf<Real> bsdf(materials.bsdf, -ray.direction, isect.at.n, isect.at.ng, behind.eta,
+                          isect.here);
+    lights_.add_direct(isect, bsdf, behind, numbers);
+    const BsdfSample<Real> drawn = bsdf.sample(numbers.lobe, numbers.u, numbers.v);
+    state_.beta = state_.beta * drawn.weight;
+    state_.denser =
+        select(drawn.transmitted, state_.denser * (bsdf.eta() * bsdf.eta()), state_.denser);
+    const Mask<Real> here = drawn.here && survives(depth, drawn.here, numbers);
+    const Mask<Real> enters = drawn.transmitted && !materials.bsdf.thin;
+    if (any(enters)) pass(hit, isect, materials, behind, enters, depth);
+    state_.pdf = drawn.pdf;
+    state_.from = isect.at.p;
+    state_.from_n = isect.at.ng;
+    state_.transmitted = drawn.transmitted;
+    next = isect.ray_off(drawn.wi, drawn.transmitted);
+    return here;
+  }
+  // From the fifth vertex on paths end by chance, the less they count the sooner.
+  Mask<Real> survives(int depth, Mask<Real> here, const Numbers& numbers) {
+    if (depth + 1 < 5) return shines(state_.beta);
+    const Real most = max_of(max_of(state_.beta.x, state_.beta.y), state_.beta.z) * state_.denser;
     const Real q = min_of(Real(0.95F), most);
-    beta_ = beta_ * (Real(1) / q);
-    return shines(beta_) && numbers.roulette < q;
+    state_.beta = select(here, state_.beta * (Real(1) / q), state_.beta);
+    return shines(state_.beta) && numbers.roulette < q;
   }
   void pass(const Hit<Real>& hit, const Surface& isect, const Scatterers<Real>& materials,
             const MediumBoundary<Real>& behind, Mask<Real> enters, int depth) {
     last_ = &passed_[static_cast<std::size_t>(depth)].emplace(MediumTransition<Real>{
         last_, enters, isect.at.front, materials.object, hit.instance, materials.inside});
-    absorption_ = select(enters, behind.absorption, absorption_);
-  }
-  static Ray<Real> off(const Surface& isect, const V& wi, Mask<Real> below) {
-    return {isect.at.p + isect.at.ng * select(below, -isect.offset, isect.offset), wi};
+    state_.medium = select(enters, behind.medium, state_.medium);
   }
 
-  V light_{Real(0), Real(0), Real(0)}, beta_{Real(1), Real(1), Real(1)};
-  V absorption_{Real(0), Real(0), Real(0)};  // of the medium, per scene unit
-  Real wave_ = Real(0);                      // in nanometres; 0: white
-  V from_{Real(0), Real(0), Real(0)}, from_n_{Real(0), Real(0), Real(0)};  // the last vertex
-  Real pdf_ = Real(0);  // of the direction from there; 0: of the camera, of mirrors and of glass
-  Mask<Real> transmitted_{};  // whether that direction went through the surface
-  Real denser_ = Real(1);  // the square of the index of refraction, over that where the path began
+  WorldView& world_view_;
+  const PathNumbers<Real> numbers_;
+  const Medium<Real> space_{.density = lift<Real>(world_view_.world.fog.density)};
+  PathState<Real> state_{space_};
+  LightGatherer<Real> lights_;
   std::array<std::optional<MediumTransition<Real>>, SceneOptions::deepest> passed_{};
   const MediumTransition<Real>* last_ = nullptr;
-  WorldView& world_view_;
-  const SamplerState<Real>& sampler_state_;
-  const LightSampling<Real> lights_;
 };
 
 }  // namespace

@@ -26,6 +26,8 @@ enum class RayKind { primary, reflection, refraction };
 /// one shadow ray.
 struct RayCounts {
   std::int64_t primary = 0, shadow = 0, reflection = 0, refraction = 0;
+  std::int64_t cut =
+      0;  ///< of paths, whose last ray would have gone on if it were not for max_depth
   bool operator==(const RayCounts&) const = default;
   std::int64_t all() const { return primary + shadow + reflection + refraction; }
   void count(RayKind kind, int rays) {

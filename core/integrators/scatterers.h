@@ -1,6 +1,7 @@
 // The materials of the surfaces that a packet has hit, for path tracing, and what lies behind them.
 #pragma once
 
+#include <algorithm>
 #include <utility>
 
 #include "core/integrators/media.h"
@@ -37,24 +38,40 @@ Scatterers<Real> scatterers(const World& world, const Hit<Real>& hit,
   return all;
 }
 
+/// Whether a surface sends on any light.
+template <class Real>
+Mask<Real> scatters(const World& world, const Hit<Real>& hit,
+                    const SurfaceInteraction<SurfacePoint<Real>, Real>& isect) {
+  Mask<Real> any{};
+  for_each_winner(hit, isect.here, [&](int primitive, Mask<Real> here) {
+    const BsdfParameters<double>& bsdf = world.shading_of(primitive).bsdf;
+    const double most = std::max({bsdf.base.x, bsdf.base.y, bsdf.base.z});
+    if ((bsdf.matt + bsdf.metal) * most + bsdf.mirror + bsdf.glass + bsdf.coat + bsdf.f90 > 0)
+      any = any || here;
+  });
+  return any;
+}
+
 /// MediumBoundary: what light that passes through the surfaces comes into.
 template <class Real>
 struct MediumBoundary {
   Real eta = Real(1);  ///< its index of refraction, over that of where the light comes from
-  Vec3<Real> absorption{Real(0), Real(0), Real(0)};
+  Medium<Real> medium{};
 };
 
-/// `transitions`: the surfaces that the rays have passed through before.
+/// `transitions`: the surfaces that the rays have passed through before, from `space` on.
 template <class Real>
 MediumBoundary<Real> boundary(const Scatterers<Real>& all,
                               const SurfaceInteraction<SurfacePoint<Real>, Real>& isect,
-                              const Hit<Real>& hit, const MediumTransition<Real>* transitions) {
+                              const Hit<Real>& hit, const MediumTransition<Real>* transitions,
+                              const Medium<Real>& space) {
   const Mask<Real> passes = isect.here && all.bsdf.glass > Real(0), front = isect.at.front;
   if (!any(passes)) return {};
-  const Medium<Real> outside = medium_around(transitions, passes, !front, all.object, hit.instance);
+  const Medium<Real> outside =
+      medium_around(transitions, passes, !front, all.object, hit.instance, space);
   const Real eta = all.inside.ior / outside.ior;
-  const Vec3<Real> absorption = select(front, all.inside.absorption, outside.absorption);
-  return {select(front, eta, Real(1) / eta), select(all.bsdf.thin, outside.absorption, absorption)};
+  const Mask<Real> enters = front && !all.bsdf.thin;
+  return {select(front, eta, Real(1) / eta), select(enters, all.inside, outside)};
 }
 
 }  // namespace tia

@@ -102,6 +102,10 @@ struct SurfaceInteraction {
   Real offset{};        ///< how far from the surface new rays start, along its normal (offset_of)
 
   Ray<Real> shadow_ray(const Vec3<Real>& wi) const { return {at.p + at.side() * offset, wi}; }
+  /// A ray from the surface: where `below`, from behind it.
+  Ray<Real> ray_off(const Vec3<Real>& wi, Mask<Real> below) const {
+    return {at.p + at.ng * select(below, -offset, offset), wi};
+  }
   /// Sets those lanes. The first call sets all lanes, which spares selecting.
   void take(const Point& point, const ShadingParameters& shading, Mask<Real> those, bool first) {
     const Vec3<Real> own_albedo = lift<Real>(shading.albedo);

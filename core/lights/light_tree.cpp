@@ -116,7 +116,7 @@ double LightBounds::importance(const Vec3d& p, const Vec3d& n) const {
   const double facing = inside ? 1 : cos_of_rest(sin_x, cos_x, sin_b, cos_b);
   if (facing <= cos_e) return 0;
   const double cos_i = std::fabs(clamped(dot(wi, n)));
-  const double lit = inside ? 1 : cos_of_rest(sine_of(cos_i), cos_i, sin_b, cos_b);
+  const double lit = inside || n == Vec3d{} ? 1 : cos_of_rest(sine_of(cos_i), cos_i, sin_b, cos_b);
   return std::max(0.0, power * facing * lit / distance_square);
 }
 

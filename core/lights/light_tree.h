@@ -18,7 +18,7 @@ struct LightBounds {
   bool two_sided = false;
 
   /// About how much a surface at p with the normal n, to either side, may get; 0 where it gets
-  /// none. Domain: a unit normal.
+  /// none; of n = 0, a point within a medium. Domain: else a unit normal.
   double importance(const Vec3d& p, const Vec3d& n) const;
 };
 LightBounds around(const LightBounds& a, const LightBounds& b);

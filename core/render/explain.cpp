@@ -14,7 +14,7 @@ std::unique_ptr<RayNode> tree_of(const World& world, const Ray<float>& ray,
                                  const std::stop_token& stop) {
   RayMeter meter(options.max_rays, options.max_work, stop);
   WorldView world_view{world, WorkCounter([&](std::int64_t work) { meter.add_work(work); }),
-                       rules_of(options.integrator, options.max_depth, options.ao_radius)};
+                       rules_of(options)};
   const RayTreeLimit limit{
       [&](const Hit<float>& hit) { size.ray(hit); },
       [&](TermName name, const LightRecord& light) { size.term(name, light); }};

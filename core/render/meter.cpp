@@ -13,6 +13,7 @@ void RayMeter::add(RayCounts& rays) {
   shadow_ += more.shadow;
   reflection_ += more.reflection;
   refraction_ += more.refraction;
+  cut_ += more.cut;
   const std::int64_t spent = more.all();
   if (all_.fetch_add(spent) + spent <= max_rays_) return tell();
   const bool deep = reflection_ + refraction_ > all_ / 2;

@@ -35,7 +35,7 @@ class RayMeter {
   }
   /// Adds a portion of work. Errors: as add()'s; Stopped.
   void add_work(std::int64_t work);
-  RayCounts counts() const { return {primary_, shadow_, reflection_, refraction_}; }
+  RayCounts counts() const { return {primary_, shadow_, reflection_, refraction_, cut_}; }
 
  private:
   void add_many(RayCounts& rays);
@@ -47,7 +47,7 @@ class RayMeter {
   std::stop_token stop_;
   Spent spent_;
   std::atomic<std::int64_t> all_ = 0, work_ = 0;
-  std::atomic<std::int64_t> primary_ = 0, shadow_ = 0, reflection_ = 0, refraction_ = 0;
+  std::atomic<std::int64_t> primary_ = 0, shadow_ = 0, reflection_ = 0, refraction_ = 0, cut_ = 0;
 };
 
 }  // namespace tia

@@ -57,13 +57,8 @@ class Render {
         convergence_({options.threshold, options.noise, options.budget.has_value(), options.tone}),
         meter_(options.budget ? no_limit : options.max_rays,
                options.budget ? no_limit : options.max_work, stop, spent_of(options)),
-        shot_{world,
-              in_world_,
-              options.integrator,
-              rules_of(options.integrator, options.max_depth, options.ao_radius),
-              sampler_,
-              convergence_,
-              meter_} {}
+        shot_{world,        in_world_, options.integrator, rules_of(options), sampler_,
+              convergence_, meter_} {}
 
   Rendered tile_by_tile(const Develop& develop) {
     try {

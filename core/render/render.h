@@ -29,6 +29,7 @@ struct RenderOptions {
   IntegratorName integrator = IntegratorName::thesis;
   int max_depth = row_of(IntegratorName::whitted).max_depth;
   double ao_radius = Rules{}.ao_radius;  ///< of ambient_occlusion, in scene units
+  double clamp = Rules{}.clamp;          ///< the most of a channel of a sample of path
   int threads = 1;
   int tile = FilmTile::size;  ///< pixels a side, at most FilmTile::size
   Scalar scalar = Scalar::wide;
@@ -43,6 +44,13 @@ struct RenderOptions {
   Spent spent = {};
   Flow* flow = nullptr;  ///< the request that it is drawn for; null: one of its own
 };
+
+/// What the integrator follows of that.
+inline Rules rules_of(const RenderOptions& options) {
+  return rules_of(
+      options.integrator,
+      {.max_depth = options.max_depth, .ao_radius = options.ao_radius, .clamp = options.clamp});
+}
 
 struct Rendered {
   RayCounts rays;                       ///< of whole rounds

@@ -33,6 +33,8 @@ struct Rules {
   bool transparent_shadows = true;  ///< whether they are, where the world has them
   /// How far ambient_occlusion looks for what hides the sky. Space/units: scene units.
   double ao_radius = std::numeric_limits<double>::infinity();
+  /// The most that a channel of a sample of path may be.
+  double clamp = std::numeric_limits<double>::infinity();
 };
 
 /// What an integrator's numbers are: light that comes along the ray, or what it finds of surfaces.
@@ -146,11 +148,12 @@ constexpr FeatureDisplay display_of(IntegratorName name) { return row_of(name).d
 constexpr bool averages(IntegratorName name) { return row_of(name).averages; }
 /// Whether it gathers light, else numbers of the surfaces.
 constexpr bool gathers_light(IntegratorName name) { return row_of(name).gathers_light(); }
-/// How far one follows light of which max_depth is asked.
-constexpr Rules rules_of(IntegratorName name, int max_depth, double ao_radius) {
+/// The rules of one, of which these are asked.
+constexpr Rules rules_of(IntegratorName name, const Rules& asked) {
   Rules rules = row_of(name).most;
-  rules.max_depth = rules.max_depth < max_depth ? rules.max_depth : max_depth;
-  rules.ao_radius = ao_radius;
+  rules.max_depth = rules.max_depth < asked.max_depth ? rules.max_depth : asked.max_depth;
+  rules.ao_radius = asked.ao_radius;
+  rules.clamp = asked.clamp;
   return rules;
 }
 

@@ -16,6 +16,7 @@
 #include "core/input/shared_value.h"
 #include "core/lights/light.h"
 #include "core/scene/camera.h"
+#include "core/scene/fog.h"
 #include "core/scene/integrators.h"
 #include "core/scene/object.h"
 
@@ -40,6 +41,7 @@ struct SceneOptions {
   std::optional<int> max_depth;                ///< none: the integrator's
   bool transparent_shadows = false;
   std::optional<double> ao_radius;  ///< none: infinite
+  std::optional<double> clamp;      ///< none: off
   std::int64_t seed = 0;
 
   template <class Visitor>
@@ -88,6 +90,13 @@ struct SceneOptions {
                .min = 0,
                .max = 1e9,
                .open_min = true});
+    visit("clamp", &SceneOptions::clamp,
+          Spec{.about = "the most that a channel of one of path's samples may be; what is brighter "
+                        "is darkened, its colour kept, and the picture is no longer the true one, "
+                        "which the header Tia-Biased says; else there is no such bound",
+               .min = 0,
+               .max = 1e9,
+               .open_min = true});
     visit("seed", &SceneOptions::seed,
           Spec{.about = "the random stream", .min = 0, .max = last_seed});
   }
@@ -112,6 +121,7 @@ struct Scene {
   Camera camera;
   Color background{};
   Color ambient_light{1, 1, 1};
+  std::optional<Fog> fog;
   std::map<std::string, Material> materials;
   SharedList<Object> objects;
   std::vector<Light> lights;
@@ -128,6 +138,7 @@ struct Scene {
           Spec{.about = "linear RGB of rays that hit nothing", .max = 1e6});
     visit("ambient_light", &Scene::ambient_light,
           Spec{.about = "linear RGB of the light from everywhere", .max = 1e6});
+    visit("fog", &Scene::fog, Spec{.about = "what fills the air and scatters light, by path"});
     visit("materials", &Scene::materials, Spec{.about = "materials by name"});
     visit("objects", &Scene::objects, Spec{.about = "what can be hit"});
     visit("lights", &Scene::lights, Spec{.about = "what sends light"});

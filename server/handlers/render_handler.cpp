@@ -1,18 +1,13 @@
 // /render: parameters in, picture out.
 #include <algorithm>
-#include <cstdio>
-#include <functional>
-#include <memory>
-#include <new>
 
 #include "server/contract/answers.h"
 #include "server/contract/parameters.h"
 #include "server/contract/query_parameters.h"
 #include "server/handlers/bodies.h"
 #include "server/handlers/handlers.h"
+#include "server/handlers/picture_response.h"
 #include "server/http/headers.h"
-#include "server/operation/memory_costs.h"
-#include "server/operation/shared_flow.h"
 #include "server/operation/timing.h"
 #include "server/requests/accept.h"
 #include "server/requests/draw.h"
@@ -22,29 +17,6 @@
 
 namespace tia::server {
 namespace {
-
-std::string server_timing(const Timing& t) {
-  char text[192];
-  std::snprintf(text, sizeof text,
-                "queue;dur=%.3f, wait;desc=memory;dur=%.3f, parse;dur=%.3f, build;dur=%.3f, "
-                "trace;dur=%.3f, encode;dur=%.3f",
-                t.queue, t.wait, t.parse, t.build, t.trace, t.encode);
-  return text;
-}
-
-std::string ray_counts(const RayCounts& rays) {
-  return "primary=" + std::to_string(rays.primary) + ", shadow=" + std::to_string(rays.shadow) +
-         ", reflection=" + std::to_string(rays.reflection) +
-         ", refraction=" + std::to_string(rays.refraction);
-}
-
-// RFC 9211, with this server as the cache and the tracer behind it.
-std::string cache_status(const PictureStore::Found& found) {
-  std::string status = "Tia; ";
-  if (found.source == Source::stored) return status + "hit";
-  status += found.source == Source::joined ? "fwd=miss; collapsed" : "fwd=miss";
-  return found.kept ? status + "; stored" : status;
-}
 
 /// What is asked for, and whether Accept has chosen the format.
 struct Asked {
@@ -85,26 +57,6 @@ Headers validators(const std::string& etag, const Asked& asked) {
                   {"Cache-Control", for_good ? "public, max-age=31536000, immutable" : "no-cache"}};
   if (asked.accepted) add_vary(headers, "Accept");
   return headers;
-}
-
-// A picture that was not drawn for this request took it no time, but its rays are told again.
-Response picture_response(const PictureStore::Found& found, double parse_ms, double wait_ms) {
-  const Picture& picture = *found.picture;
-  Timing timing = found.source == Source::drawn ? picture.timing : Timing{};
-  if (found.source == Source::joined) timing.queue = wait_ms;
-  timing.parse = parse_ms;
-  Response response{.content_type = std::string(picture.media_type),
-                    .body = "",
-                    .headers = {{"Server-Timing", server_timing(timing)},
-                                {"Tia-Rays", ray_counts(picture.rays)},
-                                {"Cache-Status", cache_status(found)}},
-                    .shared = {found.picture, &picture.bytes}};
-  if (picture.reached) tell_reached(*picture.reached, response.headers);
-  for (const auto& [name, value] : response.headers) response.log.emplace_back(name, value);
-  // What a client need not know, but whoever runs the server may.
-  if (picture.degenerate > 0)
-    response.log.emplace_back("triangles without area", static_cast<double>(picture.degenerate));
-  return response;
 }
 
 Response not_modified() {
@@ -162,86 +114,7 @@ Response rendered(const Asked& asked, Stopwatch watch, const Request& request, S
   return with(picture_response(found, parse_ms, watch.lap_ms()), headers);
 }
 
-// Does it, and where the account had no memory for what nobody could foresee, once more when twice
-// as much is free. Errors: what it throws; HttpError (busy, too-large) in std::bad_alloc's place.
-template <class Attempt>
-Picture with_memory_for(const Attempt& attempt, const std::stop_token& stop) {
-  MemoryClaim* const claim = MemoryClaim::current();
-  if (claim == nullptr) return attempt();
-  try {
-    return attempt();
-  } catch (const std::bad_alloc&) {
-    if (!claim->was_refused()) throw;
-    claim->settle();
-    claim->reserve(2 * claim->most_used(), "this picture", stop);
-  }
-  try {
-    return attempt();
-  } catch (const std::bad_alloc&) {
-    throw claim->refusal();
-  }
-}
-
-// What threads are foreseen to take.
-Cost cost_of(const Plan& plan, Service& service) {
-  Cost cost = service.costs.of(plan.cost_key, plan.rays());
-  if (plan.asked->budget_ms)
-    cost.seconds = std::min(cost.seconds, *plan.asked->budget_ms * 1e-3 * plan.options.threads);
-  return cost;
-}
-
-Picture drawn(Plan& plan, const Requester& requester, SharedFlow& shared,
-              const std::stop_token& stop, Service& service) {
-  const double rays = plan.rays();
-  Stopwatch watch;
-  // It begins once admission has given a ticket, and gives it back at its end.
-  auto ticket =
-      service.admission.enter(cost_of(plan, service), requester.client, stop, &shared.place);
-  Flow flow{Requester{ticket.client(), stop}.number()};
-  const double queue_ms = watch.lap_ms();
-  plan.options.flow = &flow;
-  plan.options.spent = [&](std::int64_t rays_done, std::int64_t tests) {
-    ticket.has_done(rays_done, tests);
-  };
-  // It may be parked then, and must not keep a light one's place, however few its rays are.
-  flow.became_long = [&] { ticket.turn_heavy(); };
-  const SharedFlow::Going going(shared, flow);
-  MemoryClaim* const claim = MemoryClaim::current();
-  const auto attempt = [&] {
-    Picture picture = draw(plan, service.rendering, stop);
-    if (!plan.asked->has_budget())
-      service.costs.learn(plan.cost_key, rays, picture.trace_seconds, true);
-    picture.timing.queue = queue_ms;
-    picture.timing.wait = claim != nullptr ? claim->waited_ms() : 0;
-    service.metrics.count(picture.rays, picture.timing);
-    return picture;
-  };
-  try {
-    return with_memory_for(attempt, stop);
-  } catch (const Stopped&) {
-    service.costs.learn(plan.cost_key, rays, static_cast<double>(flow.attained) * 1e-9, false);
-    throw;
-  }
-}
-
 }  // namespace
-
-PictureStore::Found picture_of(Plan& plan, const std::string& etag, const Requester& requester,
-                               Service& service) {
-  const auto shared = std::make_shared<SharedFlow>(service.rendering.pool);
-  PictureStore::Wish wish;
-  wish.draw = [&](const std::stop_token& given_up) {
-    return drawn(plan, requester, *shared, given_up, service);
-  };
-  wish.stop = requester.stop;
-  wish.client = requester.client;
-  wish.wait = [&] {
-    return std::make_shared<Admission::QueuePlace>(
-        service.admission.wait_for_others(requester.client));
-  };
-  wish.joined_by = [shared](const std::string& client) { shared->also_for(client); };
-  return service.pictures.get(etag, wish);
-}
 
 std::optional<Response> known_picture(const Request& request, Service& service) {
   if ((request.method != "GET" && !request.is_head()) || request.path() != "/render")
@@ -275,8 +148,8 @@ Response post_render(const Request& request, const std::string&, Service& servic
 Answer picture() {
   Answer answer{.about = "the picture"};
   for (const FormatRow& row : formats) answer.contents.push_back({row.media_type});
-  answer.headers = {"Server-Timing", "Tia-Rays",         "Cache-Control", "ETag",
-                    "Cache-Status",  "Content-Location", "Tia-Samples",   "Tia-Noise"};
+  answer.headers = {"Server-Timing",    "Tia-Rays",    "Cache-Control", "ETag",      "Cache-Status",
+                    "Content-Location", "Tia-Samples", "Tia-Noise",     "Tia-Biased"};
   return answer;
 }
 

@@ -28,6 +28,7 @@ std::string cost_key_of(const Plan& plan) {
   const auto add = [&](const auto&... parts) { ((key += ' ' + std::to_string(parts)), ...); };
   add(static_cast<int>(plan.options.integrator), plan.options.max_depth, plan.options.ao_radius,
       plan.options.threshold, plan.options.noise, plan.scene->options.transparent_shadows);
+  if (plan.scene->fog) add(plan.scene->fog->density);
   for (const Light& light : plan.scene->lights) {
     const Value written = write_value(light);
     for (const auto& [name, value] : *written.as<Value::Object>())
@@ -164,6 +165,7 @@ Picture draw(const Plan& plan, const RenderContext& context, const std::stop_tok
   const World world = context.geometries.compile(plan.scene, workers);
   reserve_memory(memory_of(plan), "this picture", stop);
   picture.degenerate = world.degenerate;
+  picture.is_clamped = plan.in_effect.clamp.has_value();
   picture.timing.build = watch.lap_ms();
 
   const int width = plan.window.width(), height = plan.window.height();

@@ -75,6 +75,7 @@ RenderOptions options_of(const SceneOptions& in_effect, const Limits& limits) {
   options.integrator = in_effect.integrator;
   options.max_depth = in_effect.max_depth.value_or(row_of(in_effect.integrator).max_depth);
   options.ao_radius = in_effect.ao_radius.value_or(options.ao_radius);
+  options.clamp = in_effect.clamp.value_or(options.clamp);
   options.samples = in_effect.samples.value_or(in_effect.usual_samples());
   options.threshold = in_effect.threshold.value_or(0);
   options.noise = in_effect.noise.value_or(0);

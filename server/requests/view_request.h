@@ -122,6 +122,7 @@ SceneOptions options_in_effect(SceneOptions options, const Request& asked) {
   if (options.max_depth == row_of(options.integrator).max_depth) options.max_depth = std::nullopt;
   if (options.threshold == 0) options.threshold = std::nullopt;
   if (options.integrator != IntegratorName::ambient_occlusion) options.ao_radius = std::nullopt;
+  if (options.integrator != IntegratorName::path) options.clamp = std::nullopt;
   if (!gathers_light(options.integrator)) options.show_by(encoding_alone(options));
   return options;
 }

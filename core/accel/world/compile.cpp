@@ -62,6 +62,7 @@ class Lighting {
 
   World lit() {
     add_lights();
+    if (scene_.fog) world_.fog = fog_of(*scene_.fog);
     builder_.finish();
     world_.objects = lights_.objects;
     world_.degenerate = world_.of_objects->degenerate + lights_.degenerate;
@@ -88,6 +89,16 @@ class Lighting {
           else if constexpr (ShiningLight<Kind>) add_shining(kind, light, color, name);
         },
         light.kind);
+  }
+  WorldFog fog_of(const Fog& fog) const {
+    WorldFog own{fog.density, fog.g, rgb_of(fog.albedo), {}};
+    if (fog.bounds) {
+      Bounds bounds = *fog.bounds;
+      for (auto* corner : {&bounds.min, &bounds.max, &bounds.center})
+        if (*corner) *corner = **corner - world_.origin;
+      own.region = prepare(bounds);
+    }
+    return own;
   }
   void add_sky(SkyForm form, const Vec3d& color, const std::string& name) {
     skies_ = skies_.value_or(Vec3d{});

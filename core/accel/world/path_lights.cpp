@@ -174,7 +174,10 @@ PathLights::PathLights(const std::vector<WorldLight>& lights, const std::vector<
   });
   std::vector<LightBounds> bounds;
   double power = 0;
-  for (int i = 0; i < near_; ++i) power += bounds.emplace_back(bounds_of((*this)[i])).power;
+  for (int i = 0; i < near_; ++i) {
+    power += bounds.emplace_back(bounds_of((*this)[i])).power;
+    middles_.push_back(bounds.back().box.center());
+  }
   if (near_ > few) tree_ = LightTree(bounds);
   else
     for (const LightBounds& each : bounds)

@@ -60,6 +60,9 @@ class PathLights {
   int size() const { return static_cast<int>(lights_.size()); }
   /// The first that is infinitely far; all after it are too.
   int first_endless() const { return near_; }
+  bool is_near(int light) const { return light < near_; }
+  /// Domain: a near one.
+  const Vec3d& middle(int light) const { return middles_[static_cast<std::size_t>(light)]; }
   bool empty() const { return groups_ == 0; }
 
  private:
@@ -68,6 +71,7 @@ class PathLights {
 
   std::vector<PathLight> lights_;  // the near ones first, sorted by what rays hit
   int near_ = 0, groups_ = 0;
+  std::vector<Vec3d> middles_;  // of the near ones
   std::vector<double> shares_;  // of the power, where there are few
   LightTree tree_;
 };

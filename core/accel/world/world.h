@@ -2,10 +2,12 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "core/accel/world/geometry.h"
 #include "core/scene/beam.h"
+#include "core/shapes/bounds.h"
 
 namespace tia {
 
@@ -14,6 +16,14 @@ struct WorldSky {
   SkyForm form;
   Constant color;
   std::string name;  ///< the JSON Pointer of its light
+};
+
+/// WorldFog: what scatters light in a region, or in all space. `density` 0: none.
+/// Space/units: world space, scene units.
+struct WorldFog {
+  double density = 0, g = 0;
+  Constant albedo;
+  std::optional<Region> region;
 };
 
 /// World. The geometry of the objects does not depend on lights and camera, so worlds that differ
@@ -30,7 +40,8 @@ struct World {
   std::vector<Ball> balls;
   Constant background;
   std::vector<WorldSky> skies;  ///< are seen where rays leave, beside the background
-  int objects = 0;              ///< how many; the luminous lights are the last
+  WorldFog fog;
+  int objects = 0;  ///< how many; the luminous lights are the last
   bool transparent_shadows =
       false;                   ///< whether shadow rays pass through transmitting objects, unbent
   bool few_balls = false;      ///< whether FewBallsView can draw it

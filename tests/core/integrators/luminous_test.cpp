@@ -6,11 +6,6 @@ namespace {
 
 using namespace test;
 
-Finish glowing(double light) {
-  Finish finish = dark();
-  finish.emission = {light, light, light};
-  return finish;
-}
 // Seen from afar, for a light must not hide itself from rays that start the farther off the floor.
 Mean matt_floor(const std::vector<Object>& lights, const Onb& frame, int samples) {
   Scene scene;

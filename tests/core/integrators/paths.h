@@ -51,6 +51,12 @@ inline Finish matt(double albedo) {
   return finish;
 }
 
+inline Finish glowing(double emission, double albedo = 0) {
+  Finish finish = matt(albedo);
+  finish.emission = {emission, emission, emission};
+  return finish;
+}
+
 /// Lambert's formula: half the sum over the edges of the angle that an edge fills, times the cosine
 /// of the normal of the plane through it and the point.
 /// Source: Lambert, "Photometria" (1760); Arvo, "Analytic methods for simulated light transport"

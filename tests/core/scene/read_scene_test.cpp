@@ -84,10 +84,11 @@ TEST(ReadScene, UnknownMembersNameTheNearestKnownOne) {
   expect_scene_refused(
       with_sphere(R"("material":{"colour":[1,1,1]})"),
       {{unknown_name, "/objects/0/material/colour", "\"colour\"", "color", "color"}});
-  expect_scene_refused(R"({"options":{"thread":3}})",
-                       {{unknown_name, "/options/thread", "\"thread\"",
-                         "integrator, transfer, exposure, white_balance_kelvin, samples, "
-                         "threshold, noise, max_depth, transparent_shadows, ao_radius, seed"}});
+  expect_scene_refused(
+      R"({"options":{"thread":3}})",
+      {{unknown_name, "/options/thread", "\"thread\"",
+        "integrator, transfer, exposure, white_balance_kelvin, samples, "
+        "threshold, noise, max_depth, transparent_shadows, ao_radius, clamp, seed"}});
   expect_scene_refused(
       R"({"lights":[{"type":"point","position":[0,0,0],"radius":3}]})",
       {{unknown_name, "/lights/0/radius", "\"radius\"", "position, color, intensity"}});

@@ -73,6 +73,28 @@ TEST(TiaRays, TheCountDoesNotDependOnFormatOrThreads) {
   EXPECT_EQ(rays_of(host().get(full + "&threads=7")), rays);
 }
 
+// A room of which every path is cut at its second wall.
+TEST(TiaRays, TellOfPathsThatWereCut) {
+  const auto drawn = [](const std::string& options) {
+    return host().post("/render",
+                       R"({"width": 8, "height": 6, "scene": {"objects": [{"type": "sphere",
+      "center": [0, 0, 0], "radius": 2, "material": {"color": [1, 1, 1], "diffuse": 0.5, "emission": [1, 1, 1]}}],
+      "options": {)" + options +
+                           "}}}");
+  };
+  const Response path = drawn(R"("integrator": "path", "samples": 4, "max_depth": 1)");
+  EXPECT_EQ(header(path, "Tia-Rays"),
+            "primary=192, shadow=0, reflection=192, refraction=0, cut=192");
+  EXPECT_EQ(header(path, "Tia-Biased"), std::nullopt);
+  EXPECT_EQ(header(drawn(R"("max_depth": 1)"), "Tia-Rays"),
+            "primary=48, shadow=0, reflection=0, refraction=0");
+  // What darkens bright samples is told as well, where it does.
+  const std::string clamped = R"("integrator": "path", "samples": 4, "max_depth": 1, "clamp": 1)";
+  EXPECT_EQ(header(drawn(clamped), "Tia-Biased"), "clamp");
+  EXPECT_EQ(header(drawn(clamped), "Tia-Biased"), "clamp");  // kept, too
+  EXPECT_EQ(header(drawn(R"("clamp": 1)"), "Tia-Biased"), std::nullopt);
+}
+
 TEST(ServerTiming, HasTheWaitForMemoryAndTheFivePhasesInMilliseconds) {
   const std::string text = header(host().get("/render?width=8&height=8"), "Server-Timing").value();
   const std::string number = R"(\d+(\.\d+)?)";

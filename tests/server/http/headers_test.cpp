@@ -96,7 +96,7 @@ TEST(Cors, AnOriginOfTheListMayReadEveryAnswerProblemsToo) {
       EXPECT_EQ(header(response, allow_origin), origin) << target;
       EXPECT_EQ(header(response, "Access-Control-Expose-Headers"),
                 "ETag, Server-Timing, Tia-Rays, Tia-Delete-Key, X-Request-Id, traceparent, "
-                "Retry-After, Cache-Status");
+                "Retry-After, Cache-Status, Content-Location, Tia-Samples, Tia-Noise, Tia-Biased");
       EXPECT_THAT(header(response, "Vary").value_or(""), HasSubstr("Origin")) << target;
     }
 }

@@ -1,0 +1,170 @@
+// Fog along the rays of a packet: how much light comes through, and where it is scattered.
+#pragma once
+
+#include <array>
+
+#include "core/integrators/fog_line.h"
+#include "core/integrators/light_sampling.h"
+#include "core/integrators/path_numbers.h"
+#include "core/math/powers.h"
+
+namespace tia {
+
+/// FogSpan: the distances along a packet's rays between which the world's fog fills their way;
+/// those of some lanes may be empty.
+template <class Real>
+struct FogSpan {
+  Real near = Real(0), far = Real(0);
+  Mask<Real> here{};  ///< where it is not empty
+  Mask<Real> open{};  ///< where nothing lies behind it
+
+  FogSpan() = default;
+  /// `foggy`: the lanes whose rays are in no body.
+  FogSpan(const WorldFog& fog, const Ray<Real>& ray, const Real& t_max, Mask<Real> foggy)
+      : far(t_max) {
+    if (fog.region) clip(fog.region, ray, foggy);
+    here = foggy && near < far;
+    open = here && !(t_max < Real(infinity));
+  }
+  Real transmittance(const Real& density) const {
+    return select(here, exp_of(-density * (far - near)), Real(1));
+  }
+
+ private:
+  void clip(const std::optional<Region>& region, const Ray<Real>& ray, Mask<Real> foggy) {
+    using Lane = LaneOf<Real>;
+    std::array<Lane, static_cast<std::size_t>(lanes<Real>)> in{}, out{};
+    each_lane<Real>(foggy, [&](int i, std::size_t at) {
+      const Chord held = chord(region, {lane_of(ray.origin, i), lane_of(ray.direction, i)});
+      in[at] = static_cast<Lane>(held.in.t), out[at] = static_cast<Lane>(held.out.t);
+    });
+    near = max_of(load<Real>(in.data()), near);
+    far = min_of(load<Real>(out.data()), far);
+  }
+};
+
+/// FogSampling: where along their ways rays scatter in fog, and which light they are given there.
+/// A distance and a light are drawn together, by two ways alike: the distance by what comes through
+/// and then the light, or the light and then the distance by the angle seen from its middle.
+template <class Real>
+class FogSampling {
+  using V = Vec3<Real>;
+  using Lane = LaneOf<Real>;
+  using Lanes = std::array<Lane, static_cast<std::size_t>(lanes<Real>)>;
+
+ public:
+  FogSampling(const World& world, const LightSampling<Real>& lights)
+      : fog_(world.fog), all_(lights), lights_(world.path_lights) {}
+
+  /// How far paths go before the fog scatters them, whether that is within the span, and what they
+  /// count then.
+  struct Flight {
+    Real t;
+    Mask<Real> scattered;
+    Real weight;
+  };
+  Flight flight(const Ray<Real>& ray, const FogSpan<Real>& span, const Real& u) const {
+    Lanes t{}, weight{};
+    each_lane<Real>(span.here, [&](int i, std::size_t at) {
+      const FogLine way = line(ray, span, i);
+      t[at] = static_cast<Lane>(way.flight(tia::lane(u, i)));
+      weight[at] = static_cast<Lane>(way.flight_weight());
+    });
+    const Real distance = load<Real>(t.data());
+    return {distance, span.open || (span.here && distance < span.far), load<Real>(weight.data())};
+  }
+
+  /// Calls f(t, flown, draw, mask) for what the lanes of `here` ask for: at distance t, what one
+  /// light sends there; `draw.pdf` is by distance, too, and `flown` the density with which flight()
+  /// leads there.
+  template <class F>
+  void draw(const Ray<Real>& ray, const FogSpan<Real>& span,
+            const typename PathNumbers<Real>::InFog& numbers, Mask<Real> here, F f) const {
+    if (lights_.empty()) return;
+    Lanes light, share{}, t{}, flown{};
+    light.fill(-1);
+    each_lane<Real>(here, [&](int i, std::size_t at) {
+      const FogLine way = line(ray, span, i);
+      const auto [chosen, distance] =
+          drawn(way, tia::lane(numbers.choice, i), tia::lane(numbers.distance, i));
+      if (chosen < 0) return;
+      t[at] = static_cast<Lane>(distance);
+      light[at] = static_cast<Lane>(chosen);
+      share[at] = static_cast<Lane>(density(way, chosen, static_cast<double>(t[at])));
+      flown[at] = static_cast<Lane>(way.flight_pdf(static_cast<double>(t[at])));
+    });
+    const Real distance = load<Real>(t.data()), density = load<Real>(flown.data());
+    all_.draw_of(load<Real>(light.data()), load<Real>(share.data()),
+                 ray.origin + ray.direction * distance, numbers.u, numbers.v, here,
+                 [&](const LightDraw<Real>& drawn, Mask<Real> those) {
+                   f(distance, density, drawn, those);
+                 });
+  }
+
+  /// FogVertex: where a path has scattered in fog, for what it then meets.
+  struct Vertex {
+    Ray<Real> ray;
+    FogSpan<Real> span;
+    Real t;
+    Mask<Real> here{};
+  };
+  /// The density with which draw() would have asked for a light at the vertex, over that with which
+  /// flight() has led there.
+  double chance(const Vertex& vertex, int light, int i) const {
+    const FogLine way = line(vertex.ray, vertex.span, i);
+    const auto t = static_cast<double>(tia::lane(vertex.t, i));
+    return density(way, light, t) / way.flight_pdf(t);
+  }
+  /// The same of all that is infinitely far, over its chance_beyond(); 1 at surfaces.
+  Real times_beyond(const Vertex& vertex) const {
+    Lanes times;
+    times.fill(1);
+    each_lane<Real>(vertex.here, [&](int i, std::size_t at) {
+      const FogLine way = line(vertex.ray, vertex.span, i);
+      times[at] = static_cast<Lane>(way.flight_weight() / way.taken());
+    });
+    return load<Real>(times.data());
+  }
+
+ private:
+  FogLine line(const Ray<Real>& ray, const FogSpan<Real>& span, int i) const {
+    return {lane_of(ray.origin, i),
+            lane_of(ray.direction, i),
+            tia::lane(span.near, i),
+            tia::lane(span.far, i),
+            fog_.density,
+            (bits(span.open) >> i & 1U) != 0};
+  }
+  // Where a light is chosen for the whole line: a free flight on.
+  Vec3d outlook(const FogLine& way) const {
+    return way.point(way.near + std::min(way.far - way.near, 1 / way.density) / 2);
+  }
+  struct Drawn {
+    int light = -1;
+    double distance = 0;
+  };
+  Drawn drawn(const FogLine& way, double choice, double u) const {
+    if (choice < 0.5) {
+      const double distance = way.within(u);
+      return {lights_.choose(way.point(distance), {}, 2 * choice).light, distance};
+    }
+    const int light = lights_.choose(outlook(way), {}, 2 * choice - 1).light;
+    if (light < 0) return {};
+    return {light,
+            lights_.is_near(light) ? way.equiangular(lights_.middle(light), u) : way.within(u)};
+  }
+  double density(const FogLine& way, int light, double t) const {
+    const double within = way.within_pdf(t);
+    const double aimed =
+        lights_.is_near(light) ? way.equiangular_pdf(lights_.middle(light), t) : within;
+    return (lights_.chance(light, way.point(t), {}) * within +
+            lights_.chance(light, outlook(way), {}) * aimed) /
+           2;
+  }
+
+  const WorldFog& fog_;
+  const LightSampling<Real>& all_;
+  const PathLights& lights_;
+};
+
+}  // namespace tia

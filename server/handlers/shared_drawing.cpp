@@ -1,0 +1,95 @@
+// Pictures drawn once for all who ask for them: by turns, within what memory allows.
+#include <algorithm>
+#include <memory>
+#include <new>
+
+#include "server/handlers/handlers.h"
+#include "server/operation/shared_flow.h"
+#include "server/operation/timing.h"
+#include "server/requests/draw.h"
+
+namespace tia::server {
+namespace {
+
+// Does it, and where the account had no memory for what nobody could foresee, once more when twice
+// as much is free. Errors: what it throws; HttpError (busy, too-large) in std::bad_alloc's place.
+template <class Attempt>
+Picture with_memory_for(const Attempt& attempt, const std::stop_token& stop) {
+  MemoryClaim* const claim = MemoryClaim::current();
+  if (claim == nullptr) return attempt();
+  try {
+    return attempt();
+  } catch (const std::bad_alloc&) {
+    if (!claim->was_refused()) throw;
+    claim->settle();
+    claim->reserve(2 * claim->most_used(), "this picture", stop);
+  }
+  try {
+    return attempt();
+  } catch (const std::bad_alloc&) {
+    throw claim->refusal();
+  }
+}
+
+// What threads are foreseen to take.
+Cost cost_of(const Plan& plan, Service& service) {
+  Cost cost = service.costs.of(plan.cost_key, plan.rays());
+  if (plan.asked->budget_ms)
+    cost.seconds = std::min(cost.seconds, *plan.asked->budget_ms * 1e-3 * plan.options.threads);
+  return cost;
+}
+
+Picture drawn(Plan& plan, const Requester& requester, SharedFlow& shared,
+              const std::stop_token& stop, Service& service) {
+  const double rays = plan.rays();
+  Stopwatch watch;
+  // It begins once admission has given a ticket, and gives it back at its end.
+  auto ticket =
+      service.admission.enter(cost_of(plan, service), requester.client, stop, &shared.place);
+  Flow flow{Requester{ticket.client(), stop}.number()};
+  const double queue_ms = watch.lap_ms();
+  plan.options.flow = &flow;
+  plan.options.spent = [&](std::int64_t rays_done, std::int64_t tests) {
+    ticket.has_done(rays_done, tests);
+  };
+  // It may be parked then, and must not keep a light one's place, however few its rays are.
+  flow.became_long = [&] { ticket.turn_heavy(); };
+  const SharedFlow::Going going(shared, flow);
+  MemoryClaim* const claim = MemoryClaim::current();
+  const auto attempt = [&] {
+    Picture picture = draw(plan, service.rendering, stop);
+    if (!plan.asked->has_budget())
+      service.costs.learn(plan.cost_key, rays, picture.trace_seconds, true);
+    picture.timing.queue = queue_ms;
+    picture.timing.wait = claim != nullptr ? claim->waited_ms() : 0;
+    service.metrics.count(picture.rays, picture.timing);
+    return picture;
+  };
+  try {
+    return with_memory_for(attempt, stop);
+  } catch (const Stopped&) {
+    service.costs.learn(plan.cost_key, rays, static_cast<double>(flow.attained) * 1e-9, false);
+    throw;
+  }
+}
+
+}  // namespace
+
+PictureStore::Found picture_of(Plan& plan, const std::string& etag, const Requester& requester,
+                               Service& service) {
+  const auto shared = std::make_shared<SharedFlow>(service.rendering.pool);
+  PictureStore::Wish wish;
+  wish.draw = [&](const std::stop_token& given_up) {
+    return drawn(plan, requester, *shared, given_up, service);
+  };
+  wish.stop = requester.stop;
+  wish.client = requester.client;
+  wish.wait = [&] {
+    return std::make_shared<Admission::QueuePlace>(
+        service.admission.wait_for_others(requester.client));
+  };
+  wish.joined_by = [shared](const std::string& client) { shared->also_for(client); };
+  return service.pictures.get(etag, wish);
+}
+
+}  // namespace tia::server

@@ -1,0 +1,261 @@
+// Fog, by closed forms and by integrals along the ray that the tests sum up themselves.
+#include "core/integrators/fog_line.h"
+#include "core/integrators/phase.h"
+#include "tests/core/integrators/paths.h"
+
+namespace tia {
+namespace {
+
+using namespace test;
+
+// Simpson's rule.
+template <class F>
+double simpson(double from, double to, int halves, F f) {
+  const double h = (to - from) / (2 * halves);
+  double sum = f(from) + f(to);
+  for (int i = 1; i < 2 * halves; ++i) sum += f(from + i * h) * (i % 2 == 1 ? 4 : 2);
+  return sum * h / 3;
+}
+double phase_of(double g, double cosine) {
+  return (1 - g * g) / (4 * pi * std::pow(1 + g * g - 2 * g * cosine, 1.5));
+}
+Fog fog_of(double density, double albedo, double g = 0) {
+  return {density, {albedo, albedo, albedo}, g, {}};
+}
+Fog in_box(Fog fog, const Vec3d& min, const Vec3d& max) {
+  fog.bounds = Bounds{min, max, {}, {}};
+  return fog;
+}
+TEST(Phase, IsDrawnAsDenseAsItSays) {
+  Random random(910);
+  for (int round = 0; round < 20; ++round) {
+    const double g = round == 0 ? 0 : random.in(-0.95, 0.95);
+    const HenyeyGreenstein<double> phase{g};
+    const Vec3d w = random.direction();
+    EXPECT_NEAR(simpson(-1, 1, 4000, [&](double c) { return 2 * pi * phase.value(c); }), 1, 1e-6);
+    // The cosine's cumulative distribution, by integration of the definition.
+    const auto below = [&](double c) {
+      if (g == 0) return (1 + c) / 2;
+      return (1 - g * g) / (2 * g) *
+             (1 / std::sqrt(1 + g * g - 2 * g * c) - 1 / std::sqrt(1 + g * g + 2 * g));
+    };
+    constexpr int n = 4096, bins = 16;
+    std::array<int, bins> found{};
+    Vec3d sum{};
+    for (int i = 0; i < n; ++i) {
+      const Vec3d wi = phase.sample(w, random.in(0, 1), random.in(0, 1));
+      EXPECT_NEAR(length(wi), 1, 1e-9);
+      sum = sum + wi;
+      const double share = below(std::clamp(dot(w, wi), -1.0, 1.0));
+      ++found[static_cast<std::size_t>(std::clamp(share, 0.0, 1 - 1e-12) * bins)];
+    }
+    double chi = 0;
+    for (const int each : found) chi += std::pow(each - n / bins, 2) / (n / bins);
+    EXPECT_LT(chi, 15 + 5 * std::sqrt(2 * 15)) << g;
+    EXPECT_LT(length(sum * (1.0 / n) - w * g), 5 / std::sqrt(n)) << g;
+  }
+}
+
+TEST(FogLine, DistancesAreDrawnAsDenseAsTheySay) {
+  Random random(911);
+  for (int round = 0; round < 60; ++round) {
+    const double near = random.in(0, 3);
+    const double far = round % 3 == 0 ? infinity : near + std::pow(10, random.in(-4, 2));
+    const FogLine line{random.point(5), random.direction(), near, far,
+                       std::pow(10, random.in(-3, 1))};
+    const Vec3d lamp = round % 5 == 0 ? line.point(near + random.in(0.1, 1)) : random.point(5);
+    for (const bool aimed : {false, true}) {
+      const auto at = [&](double u) { return aimed ? line.equiangular(lamp, u) : line.within(u); };
+      const auto pdf = [&](double t) {
+        return aimed ? line.equiangular_pdf(lamp, t) : line.within_pdf(t);
+      };
+      // dt/du = 1 / pdf.
+      for (const double u : {0.1, 0.37, 0.8, 0.95}) {
+        const double step = 1e-5, slope = (at(u + step) - at(u - step)) / (2 * step);
+        EXPECT_NEAR(slope * pdf(at(u)), 1, 1e-3) << round << ' ' << aimed << ' ' << u;
+      }
+      EXPECT_NEAR(at(0), near, 1e-6 * (near + 1));
+      if (far < infinity && (aimed || line.taken() < 0.99)) {
+        EXPECT_NEAR(at(1 - 1e-12), far, 1e-4 * far);
+      }
+    }
+    const double passed = std::exp(-line.density * (far - near));
+    EXPECT_NEAR(line.taken(), 1 - passed, 1e-12);
+    EXPECT_NEAR(line.flight(0.5), near + std::log(2) / line.density, 1e-9 * line.flight(0.5));
+    EXPECT_NEAR(line.flight_pdf(near), line.density, 1e-12 * line.density);
+  }
+}
+
+// Bouguer's law, which needs no chance where nothing is scattered: of a lamp seen, and of a wall
+// that a point light lights.
+TEST(Fog, LetsLightThroughByItsLength) {
+  Random random(912);
+  for (int round = 0; round < 8; ++round) {
+    const double density = random.in(0.05, 0.5), distance = random.in(1, 9);
+    Scene scene;
+    scene.fog = fog_of(density, 0);
+    scene.objects = {object(Sphere{{0, 0, -distance - 1}, 1}, glowing(2))};
+    Mean mean = light_from(scene, {0, 0, 0}, {0, 0, -1}, 16, 0, 2);
+    EXPECT_NEAR(mean.value, 2 * std::exp(-density * distance), 1e-5);
+    scene.fog = in_box(*scene.fog, {-1, -1, -0.75 * distance}, {1, 1, -0.25 * distance});
+    mean = light_from(scene, {0, 0, 0}, {0, 0, -1}, 16, 4, 2);
+    EXPECT_NEAR(mean.value, 2 * std::exp(-density * distance / 2), 1e-5);
+    scene.fog->bounds = Bounds{{}, {}, Vec3d{0, 0, -distance / 2}, distance / 8};
+    mean = light_from(scene, {0, 0, 0}, {0, 0, -1}, 16, 4, 2);
+    EXPECT_NEAR(mean.value, 2 * std::exp(-density * distance / 4), 1e-5);
+    // Of light that nothing gives back and that comes from beyond infinite fog nothing is seen.
+    scene.fog = fog_of(density, 0);
+    scene.objects.clear();
+    scene.background = {1, 1, 1};
+    EXPECT_EQ(light_from(scene, {0, 0, 0}, {0, 0, -1}, 16, 4, 2).value, 0);
+    const double height = random.in(0.5, 3), aside = random.in(0.5, 3);
+    scene.objects = {object(Plane{{0, 0, 0}, {0, 1, 0}}, matt(1))};
+    scene.lights = {point_light({0, height, 0}, {5, 5, 5})};
+    mean = light_from(scene, {aside, distance, 0}, {aside, 0, 0}, 16, 1, 2);
+    const double square = height * height + aside * aside, way = std::sqrt(square);
+    EXPECT_NEAR(mean.value,
+                5 / pi * height / (square * way) * std::exp(-density * (way + distance)), 1e-5);
+  }
+}
+
+// Glass keeps it out.
+TEST(Fog, IsNotWithinBodies) {
+  Scene scene;
+  scene.fog = fog_of(0.3, 0);
+  scene.objects = {object(Sphere{{0, 0, -5}, 2}, clear_glass(1)),
+                   object(Sphere{{0, 0, -11}, 1}, glowing(1))};
+  const Mean mean = light_from(scene, {0, 0, 0}, {0, 0, -1}, 16, 8, 2);
+  EXPECT_NEAR(mean.value, std::exp(-0.3 * 6), 1e-5);
+}
+
+// Light that is scattered once: along the ray, by the angle at which the light sees it, so that the
+// inverse square falls out of the integral.
+double scattered_once(const Fog& fog, double intensity, const Vec3d& lamp, const Vec3d& eye,
+                      const Vec3d& w, double near, double far) {
+  const double foot = dot(lamp - eye, w), away = length(eye + w * foot - lamp);
+  const auto at = [&](double angle) {
+    const double t = foot + away * std::tan(angle), r = away / std::cos(angle);
+    const double cosine = dot(w, lamp - (eye + w * t)) / r;
+    return std::exp(-fog.density * ((t - near) + r)) * phase_of(fog.g, cosine);
+  };
+  const double end = far < infinity ? std::atan2(far - foot, away) : pi / 2 - 1e-9;
+  return fog.density * rgb_of(fog.albedo).x * intensity / away *
+         simpson(std::atan2(near - foot, away), end, 2000, at);
+}
+TEST(Fog, ScattersAPointLightsLightOnce) {
+  Random random(913);
+  for (int round = 0; round < 6; ++round) {
+    const Fog fog = fog_of(std::pow(10, random.in(-2, 0)), random.in(0.3, 1), random.in(-0.7, 0.7));
+    Scene scene;
+    scene.fog = fog;
+    const Vec3d eye = random.point(1), lamp = random.point(4);
+    Vec3d w = normalize(lamp - eye + random.direction() * (round % 2 == 0 ? 0.4 : 3.0));
+    scene.lights = {point_light(lamp, {10, 10, 10})};
+    expect_mean(light_from(scene, eye, eye + w, 1024, 1, 8),
+                scattered_once(fog, 10, lamp, eye, w, 0, infinity), 1e-4);
+    // Up to a wall that sends nothing back.
+    const double far = random.in(1, 6);
+    scene.objects = {object(Plane{eye + w * far, -w}, matt(0))};
+    if (dot(lamp - eye, w) < far - 0.1)
+      expect_mean(light_from(scene, eye, eye + w, 1024, 1, 8),
+                  scattered_once(fog, 10, lamp, eye, w, 0, far), 1e-4);
+  }
+}
+
+// Of all lights the sum, whichever is asked for.
+TEST(Fog, ScattersTheLightOfMany) {
+  Random random(914);
+  const Fog fog = fog_of(0.2, 0.9, 0.3);
+  Scene scene;
+  scene.fog = fog;
+  const Vec3d eye{0, 0, 0}, w{0, 0, -1};
+  double sum = 0;
+  for (int i = 0; i < 12; ++i) {
+    const Vec3d lamp = Vec3d{0, 0, -4} + random.point(3);
+    const double intensity = random.in(1, 9);
+    scene.lights.push_back(point_light(lamp, {intensity, intensity, intensity}));
+    sum += scattered_once(fog, intensity, lamp, eye, w, 0, infinity);
+  }
+  expect_mean(light_from(scene, eye, w, 2048, 1), sum, 1e-4);
+}
+
+// A luminous ball is found by asking and by scattering; together they count it once. Seen from a
+// point, it fills a cone; along each of its directions light comes from where that meets it.
+TEST(Fog, ScattersABallsLightOnce) {
+  for (const double g : {0.6}) {
+    const Fog fog = fog_of(0.25, 0.8, g);
+    Scene scene;
+    scene.fog = fog;
+    const Vec3d middle{0.6, 0, -2};
+    scene.objects = {object(Sphere{middle, 0.5}, glowing(3))};
+    const auto come = [&](const Vec3d& p) {
+      const Vec3d way = middle - p;
+      const double d = length(way), cos_most = std::sqrt(1 - 0.25 / (d * d));
+      const Onb frame = onb_around(way * (1 / d));
+      return simpson(cos_most, 1, 12, [&](double c) {
+        const double s = std::sqrt(std::max(0.0, 1 - c * c));
+        const double r = d * c - std::sqrt(std::max(0.0, 0.25 - d * d * s * s));
+        const double around = simpson(0, 2 * pi, 12, [&](double phi) {
+          const Vec3d wi =
+              frame.u * (s * std::cos(phi)) + frame.v * (s * std::sin(phi)) + frame.n * c;
+          return phase_of(g, -wi.z);
+        });
+        return 3 * std::exp(-fog.density * r) * around;
+      });
+    };
+    const double expected = simpson(0, 60, 1500, [&](double t) {
+      return fog.density * 0.8 * std::exp(-fog.density * t) * come({0, 0, -t});
+    });
+    expect_mean(light_from(scene, {0, 0, 0}, {0, 0, -1}, 8192, 1), expected, 1e-3);
+  }
+}
+
+// What is infinitely far lights fog that ends.
+TEST(Fog, OfABoxScattersParallelLight) {
+  const Fog fog = in_box(fog_of(0.4, 0.7), {-1, -1, -3}, {1, 1, -1});
+  Scene scene;
+  scene.fog = fog;
+  Light sun;
+  sun.kind = DirectionalLight{.direction = Vec3d{0, -1, 0}};
+  sun.intensity = 2;
+  scene.lights = {sun};
+  // Light comes down through 1 - y of it, at y = 0; the eye looks through t of it.
+  const double expected = 2 * 0.7 / (4 * pi) * std::exp(-0.4) * (1 - std::exp(-0.4 * 2));
+  expect_mean(light_from(scene, {0, 0, 0}, {0, 0, -1}, 256, 1, 4), expected, 1e-4);
+}
+
+// Where all is equally bright, white fog cannot be seen, whatever way it scatters.
+TEST(Fog, WhiteInAWhiteSkyCannotBeSeen) {
+  for (const double g : {-0.5, 0.0, 0.9}) {
+    Scene scene;
+    scene.fog = in_box(fog_of(0.4, 1, g), {-1, -1, -1}, {1, 1, 1});
+    scene.background = {1, 1, 1};
+    expect_mean(light_from(scene, {0, 0.3, 4}, {0.1, 0, 0}, 256, 64, 8), 1, 1e-4);
+    scene.background = {};
+    scene.fog = fog_of(0.2, 1, g);
+    scene.objects = {object(Sphere{{0, 0, 0}, 1}, glowing(0.8, 0.2))};
+    expect_mean(light_from(scene, {0.5, 0.2, 0.1}, {2, 1, 0}, 1024, 64), 1, 2e-4);
+  }
+}
+
+TEST(Fog, NeitherThreadsNorTilesNorLanesChangeAByte) {
+  Scene scene;
+  scene.fog = in_box(fog_of(0.3, 0.9, 0.4), {-9, -9, -9}, {9, 9, 9});
+  scene.background = {0.1, 0.2, 0.3};
+  scene.objects = {object(Sphere{{0, 0, -5}, 1}, matt(0.7)),
+                   object(Sphere{{2, 1, -4}, 0.3}, glowing(4)),
+                   object(Sphere{{-2, 0, -5}, 1}, glass(1.5))};
+  scene.lights = {point_light({0, 3, -3}, {9, 9, 9})};
+  scene.camera.fov_degrees = 60;
+  RenderOptions options;
+  options.integrator = IntegratorName::path;
+  options.samples = 4;
+  const auto usual = bits_of(picture(scene, 37, 29, options).image);
+  options.threads = 7, options.tile = 8;
+  EXPECT_EQ(bits_of(picture(scene, 37, 29, options).image), usual);
+  options.scalar = Scalar::narrow;
+  EXPECT_EQ(bits_of(picture(scene, 37, 29, options).image), usual);
+}
+
+}  // namespace
+}  // namespace tia
