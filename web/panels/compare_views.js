@@ -1,6 +1,5 @@
 // The two ways to see two pictures at once: side by side at a line that slides, and their difference.
 
-import { differenceOf, pixelsOf } from '../picture/difference.js';
 import { countWords, numberWords, t } from '../words/words.js';
 import { element } from './element.js';
 
@@ -38,6 +37,7 @@ export function differenceView() {
   const node = element('canvas', { class: 'difference', role: 'img', 'aria-label': t('compare.difference') });
 
   async function draw(a, b, factor) {
+    const { differenceOf, pixelsOf } = await import('../picture/difference.js');
     const [left, right] = await Promise.all([pixelsOf(a), pixelsOf(b)]);
     const difference = differenceOf(left, right, factor);
     [node.width, node.height] = [left.width, left.height];

@@ -2,7 +2,7 @@
 // and on them what a hand can take: the lamp, the camera, what it looks at, and the objects.
 
 import { fetchPfm, fetchPicture } from '../picture/server.js';
-import { ownersOf, readPfm } from '../picture/feature_image.js';
+import { centersIn, ownersOf, readPfm } from '../picture/feature_image.js';
 import { placeIn, placeWithin, planCamera, plansOf, regionOf, wayIn } from '../space/plan.js';
 import { aimMoved, eyeMoved } from '../space/eye.js';
 import { distanceOf } from '../space/lamp.js';
@@ -12,9 +12,10 @@ import { t } from '../words/words.js';
 import { element, svg } from './element.js';
 import { bindHandle } from './handle.js';
 import { drawnRay } from './rays.js';
-import { centersIn, movedObject } from './map_objects.js';
 
 const [WIDTH, HEIGHT] = [240, 180];
+const MOST = 12; // objects that a hand can take
+const LARGEST = 0.4; // of the plan: what fills more is a floor or a wall
 const ROOM = 0.3; // around what the camera looks at, of its distance
 const FAR = 2.5; // times as far as the eye: a lamp out there stands at the plan's edge
 const COARSE = { width: WIDTH / 3, height: HEIGHT / 3 };
@@ -87,7 +88,8 @@ class PlanMap {
       const objects = readPfm(await fetchPfm({ ...request, ...COARSE, integrator: 'object' }, signal));
       if (signal.aborted) return;
       this.#show(blob);
-      this.#placeObjects(centersIn(objects, ownersOf(this.#studio.model.world ?? {})));
+      const centers = centersIn(objects, ownersOf(this.#studio.model.world ?? {}));
+      this.#placeObjects(centers.filter(({ share }) => share < LARGEST).slice(0, MOST));
     } catch (problem) {
       if (!signal.aborted) this.#drawn = '';
     }
@@ -207,4 +209,14 @@ class PlanMap {
     const rays = this.#studio.model.rays ?? [];
     this.#rays.replaceChildren(...rays.map((ray) => drawnRay(ray, place, HEIGHT / 24)));
   }
+}
+
+// The edits, [[JSON Pointer, value]], that move an object by `way`.
+function movedObject(object, index, way) {
+  const pointer = `/objects/${index}`;
+  if (object.center && !object.transform) return [[`${pointer}/center`, tidyVector(add(object.center, way), 5)]];
+  const steps = object.transform ?? [];
+  const last = steps.at(-1)?.translate;
+  const moved = { translate: tidyVector(add(last ?? [0, 0, 0], way), 5) };
+  return [[`${pointer}/transform`, [...(last ? steps.slice(0, -1) : steps), moved]]];
 }

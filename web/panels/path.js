@@ -1,6 +1,5 @@
 // The lamp on its way: a film of still pictures, played here and saved as one animated picture.
 
-import { apngOf } from '../picture/apng.js';
 import { Problem } from '../picture/problem.js';
 import { circlePath, curvePath } from '../space/light_path.js';
 import { fileName, queryOf } from '../state/request.js';
@@ -98,6 +97,7 @@ export default function mountPath(studio, panel) {
     const all = await now.load();
     if (!all || film !== now) return;
     try {
+      const { apngOf } = await import('../picture/apng.js');
       const pngs = await Promise.all(now.frames.map(({ blob }) => bytesOf(blob)));
       save(apngOf(pngs, frameMs()), `tia${fileName(model.request)}-path.png`);
       form.tell(t('path.saved', { count: pngs.length }));

@@ -1,4 +1,5 @@
-// An animated PNG of still ones: their packed pixels go over as they are, nothing is packed anew.
+// An animated PNG of still ones: their packed pixels go over as they are, nothing is packed anew. Loaded
+// when one is saved.
 // Source: PNG specification, third edition, 11.3.6 (acTL, fcTL, fdAT) and 5.3 (chunk layout).
 
 import { pngChunks, SIGNATURE } from './png_text.js';

@@ -1,4 +1,4 @@
-// How two pictures differ, pixel by pixel, in the codes that their PNGs hold.
+// How two pictures differ, pixel by pixel, in the codes that their PNGs hold. Loaded when that is asked.
 
 /** The pixels of a blob's picture, as ImageData: the PNG's own codes, for these have no colour profile. */
 export async function pixelsOf(blob) {

@@ -26,3 +26,22 @@ function membersOf({ type, children = [] }) {
 export function ownerAt(image, owners, x, y) {
   return owners[image.at(x, y)[0] - 1] ?? -1;
 }
+
+/** The middle of what is seen of each object, as parts of the image: [{ index, x, y, share }], largest first. */
+export function centersIn(image, owners) {
+  const { width, height } = image;
+  const sums = new Map();
+  for (let y = 0; y < height; ++y) {
+    for (let x = 0; x < width; ++x) {
+      const index = ownerAt(image, owners, x, y);
+      if (index < 0) continue;
+      const sum = sums.get(index) ?? { index, count: 0, x: 0, y: 0 };
+      sum.count += 1;
+      sum.x += x + 0.5;
+      sum.y += y + 0.5;
+      sums.set(index, sum);
+    }
+  }
+  return [...sums.values()].sort((a, b) => b.count - a.count)
+    .map(({ index, count, x, y }) => ({ index, x: x / count / width, y: y / count / height, share: count / (width * height) }));
+}
