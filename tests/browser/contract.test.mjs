@@ -45,7 +45,7 @@ test('is refused by that schema where anything that it needs is missing', async 
 test('names the parameters that the page knows, and those that are none of a picture’s own', () => {
   const names = openapi.paths['/render'].get.parameters.filter(({ in: place }) => place === 'query')
     .map(({ name }) => name);
-  assert.deepEqual(names.toSorted(), [...PARAMETERS, 'budget_ms', 'format', 'max_rays', 'noise', 'threads', 'v'].toSorted());
+  assert.deepEqual(names.toSorted(), [...PARAMETERS, 'format', 'threads', 'v'].toSorted());
 });
 
 test('holds no schema that ajv does not take as JSON Schema 2020-12', () => {

@@ -1,11 +1,18 @@
-// Numbers: what the page tells of a picture is what the server's headers say.
+// Numbers: what the page tells of a picture is what the server's headers say, and how far rounds are from
+// what they come to.
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
+import { errorsOf, slopeOf } from '../../web/picture/errors.js';
+import { roundAfter, roundsBefore } from '../../web/picture/rounds.js';
 import { Pace, median, rateOf } from '../../web/picture/timing.js';
-import { lab, light, rest } from './lab.mjs';
+import { faults, lab, light, rest } from './lab.mjs';
+import { addressOf, shows } from './page.mjs';
+import { pixelsOf } from './png.mjs';
 
 const on = lab();
+const shared = on.shared((page) => page.locator('#tab-numbers').click(), { panel: 'numbers' });
+const AT = '/?scene=cornell-light&width=32&height=24&samples=64';
 const words = (number) => number.toLocaleString('en', { maximumSignificantDigits: number < 1000 ? 3 : 4 });
 const told = (page, list, name) => page.locator(`#panel-numbers .${list} .${name} dd`).textContent();
 
@@ -14,7 +21,7 @@ const entries = (header) => header.split(', ').map((entry) => /^(\w+).*=([\d.]+)
   .map(([, name, value]) => [name, Number(value)]);
 
 test('time, rays, bytes and size are those of the last answer', () =>
-  on.open(async (page, { pictures }) => {
+  shared(async (page, { pictures }) => {
     await light(page, 's');
     const last = pictures.at(-1);
     const headers = await last.allHeaders();
@@ -32,7 +39,22 @@ test('time, rays, bytes and size are those of the last answer', () =>
     assert.equal(await page.locator('#panel-numbers .figure').nth(1).textContent(), all.toLocaleString('en'));
     assert.equal(await told(page, 'whole', 'size'), '640 \u00d7 480');
     assert.equal(await told(page, 'whole', 'each'), words(all / (640 * 480)));
-  }, { panel: 'numbers' }));
+  }));
+
+test('nothing is drawn while nobody looks', () =>
+  shared(async (page) => {
+    await page.locator('#tab-light').click();
+    await page.evaluate(() => {
+      globalThis.changes = 0;
+      const watcher = new MutationObserver((list) => (globalThis.changes += list.length));
+      watcher.observe(document.getElementById('panel-numbers'),
+        { subtree: true, childList: true, attributes: true, characterData: true });
+    });
+    await light(page, 'd');
+    assert.equal(await page.evaluate(() => globalThis.changes), 0);
+    await page.locator('#tab-numbers').click();
+    await page.waitForFunction(() => globalThis.changes > 0);
+  }));
 
 test('whose time it is is said: drawn now, from the server\u2019s cache, or this browser\u2019s own copy', async () => {
   const at = `/?scene=thesis&light=${Date.now() % 100_000},20,-10&threshold=0.02`;
@@ -83,20 +105,83 @@ test('a failure is a bar of its own', () =>
     assert.equal(await page.locator('.chart rect.failed').count(), 1);
   }, { panel: 'light', failing: true }));
 
-test('nothing is drawn while nobody looks', () =>
-  on.open(async (page) => {
-    await page.locator('#tab-light').click();
-    await page.evaluate(() => {
-      globalThis.changes = 0;
-      const watcher = new MutationObserver((list) => (globalThis.changes += list.length));
-      watcher.observe(document.getElementById('panel-numbers'),
-        { subtree: true, childList: true, attributes: true, characterData: true });
+// Root mean square of what two pictures show.
+function apart(a, b) {
+  const [left, right] = [a, b].map((bytes) => pixelsOf(bytes).data);
+  return Math.sqrt(left.reduce((sum, code, i) => sum + (code - right[i]) ** 2, 0) / left.length) / 255;
+}
+
+test('what is drawn by chance comes in rounds, the last the picture itself; their errors are beside their times', () =>
+  on.open(async (page, { asked, pictures, whole }) => {
+    const samplesOf = (url) => new URL(url).searchParams.get('samples');
+    assert.deepEqual([...new Set(asked.map((request) => samplesOf(request.url())))], ['1', '4', '16', '64']);
+    assert.equal(addressOf(page), AT.slice(1));
+    const [four, sixteen, all] = await Promise.all([4, 16, 64].map((samples) =>
+      on.tia.get(`/render${addressOf(page)}`.replace('samples=64', `samples=${samples}`))));
+    assert.ok(await shows(page, all));
+    const percent = (error) => `${(100 * error).toLocaleString('en', { maximumSignificantDigits: 2 })} %`;
+    const errors = [[four, 4], [sixteen, 16]].map(([round, n]) => apart(round, all) / Math.sqrt(1 - n / 64));
+    const times = await Promise.all(['4', '16', '64'].map((samples) => pictures
+      .find((one) => samplesOf(one.url()) === samples && whole.has(one.request())).headerValue('server-timing')));
+    const rows = [...errors, errors[1] / 2].map((error, i) => [`${4 ** (i + 1)}`,
+      `${words(entries(times[i]).find(([name]) => name === 'trace')[1])} ms`, `${i === 2 ? '\u2248 ' : ''}${percent(error)}`]);
+    await page.locator('#panel-numbers tr').nth(3).waitFor();
+    assert.deepEqual(await page.locator('#panel-numbers tr').evaluateAll((all) =>
+      all.slice(1).map((row) => [...row.cells].map((cell) => cell.textContent))), rows);
+    assert.equal(await page.getByRole('img', { name: 'Error against time' }).locator('circle').count(), 3);
+    assert.equal(await page.locator('.errors .expected').count(), 1);
+    assert.deepEqual(await faults(page, '#panel-numbers'), []);
+    assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth));
+
+    // What a budget comes to is named by its samples: so is the picture that the address is to give again.
+    await page.goto(`${on.tia.base}${AT.replace('samples=64', 'max_rays=90000')}`);
+    await page.waitForURL(/samples=16$/);
+    assert.ok(await shows(page, sixteen));
+  }, { at: AT, panel: 'numbers', viewport: { width: 320, height: 800 } }));
+
+test('rounds take a third of the time of the last, and are none of a budget', () => {
+  for (const samples of [1, 2, 3, 4, 7, 32, 48, 64, 1000, 65536]) {
+    const before = roundsBefore(samples);
+    assert.ok(before.reduce((sum, each) => sum + each, 0) <= samples / 3, `${samples}: ${before}`);
+    assert.ok([...before, samples].every((each, i, all) => i === 0 || each <= 8 * all[i - 1]));
+  }
+  const wish = { integrator: 'path', noise: 0.1, width: 64, height: 48 };
+  const round = (samples) => ({ ...wish, samples, threshold: 0, noise: null, budget_ms: null, max_rays: null });
+  assert.deepEqual(roundAfter({ ...round(1), width: 32, height: 24 }, wish, 4096, 0.1), round(2));
+  assert.deepEqual(roundAfter(round(2), wish, 4096, 0.1), round(8));
+  assert.equal(roundAfter(round(8), wish, 4096, 0.1), null);
+  assert.equal(roundAfter(round(1), { ...wish, budget_ms: 100 }, 32), null);
+});
+
+// Values around 0 of variance 1 by a seed: the sums of twelve even ones (G. Marsaglia, 1964, has better).
+function chance(seed) {
+  const even = () => {
+    seed = (Math.imul(seed, 1664525) + 1013904223) >>> 0;
+    return seed / 2 ** 32;
+  };
+  return () => Array.from({ length: 12 }, even).reduce((sum, each) => sum + each, -6);
+}
+
+test('the error told of a round of independent samples is theirs, though what it is held against has noise too', async () => {
+  const [deviation, pixels, value] = [20, 30_000, chance(7)];
+  const counts = [4, 16, 64];
+  const means = Array.from({ length: 4 * pixels }, () => {
+    let [sum, before] = [0, 0];
+    return counts.map((count) => {
+      sum += Math.sqrt(count - before) * value();
+      before = count;
+      return 128 + (deviation * sum) / count;
     });
-    await light(page, 'd');
-    assert.equal(await page.evaluate(() => globalThis.changes), 0);
-    await page.locator('#tab-numbers').click();
-    await page.waitForFunction(() => globalThis.changes > 0);
-  }, { panel: 'numbers' }));
+  });
+  const rounds = counts.map((samples, i) => ({ samples, ms: 3 * samples, blob: i }));
+  const errors = await errorsOf(rounds, async (i) => means.map((each) => each[i]));
+  for (const { samples, error } of errors) {
+    const right = deviation / 255 / Math.sqrt(samples);
+    assert.ok(Math.abs(error / right - 1) < 4 / Math.sqrt(2 * 3 * pixels), `${samples}: ${error}, ${right}`);
+  }
+  assert.ok(Math.abs(slopeOf(errors.map(({ ms, error }) => [ms, error])) + 0.5) < 0.01);
+  assert.ok(Math.abs(slopeOf([1, 3, 7].map((x) => [x, 5 * x ** -0.7])) + 0.7) < 1e-12);
+});
 
 test('pictures a second are the gaps of the last second; failures count for none', () => {
   const drawn = (...times) => times.map((at) => ({ at, kind: 'drawn' }));

@@ -132,23 +132,27 @@ test('without smooth edges the picture has one ray a pixel, and its link says so
     }, { at: await textOf(page, 'link'), panel: 'take' });
   }, { panel: 'take' }));
 
-test('rays, bounces, seed and method are asked for; what is out of range is not, and is said', () =>
+test('rays, noise, bounces, exposure, seed and method are asked for; what is out of range is not, and is said', () =>
   on.open(async (page, { asked }) => {
     const before = asked.length;
-    await page.getByLabel('Rays a pixel').fill('0');
-    await page.keyboard.press('Tab');
-    await page.getByText('Rays a pixel: a whole number from 1 to 65536').waitFor();
+    const refused = async (label, value, words) => {
+      await page.getByLabel(label).fill(value);
+      await page.keyboard.press('Tab');
+      await page.getByText(`${label}: ${words}`).waitFor();
+    };
+    await refused('Rays a pixel', '0', 'a whole number from 1 to 65536');
+    await refused('Noise at most', '1.5', 'a number from 0 to 1');
     assert.equal(asked.length, before);
-    await page.getByLabel('Rays a pixel').fill('4');
-    await page.getByLabel('Bounces at most').fill('3');
-    await page.getByLabel('Random seed').fill('7');
+    await page.getByLabel('Way of drawing').selectOption('path');
+    const values = { 'Rays a pixel': '40', 'Noise at most': '0.05', 'Bounces at most': '3', 'Exposure in stops': '-1.5', 'Random seed': '7' };
+    for (const [label, value] of Object.entries(values)) await page.getByLabel(label).fill(value);
     await page.keyboard.press('Tab');
-    await page.getByLabel('Way of drawing').selectOption('whitted');
-    await page.waitForURL(/integrator=whitted&max_depth=3&seed=7&samples=4$/);
+    const query = 'integrator=path&max_depth=3&seed=7&width=64&height=48&samples=40&noise=0.05&exposure=-1.5';
+    await page.waitForURL((url) => url.search.endsWith(query));
     await rest(page);
     const { bytes } = await saved(page, 'Save the picture');
-    assert.deepEqual(bytes, await on.tia.get('/render?key=a&integrator=whitted&max_depth=3&seed=7&samples=4'));
-  }, { panel: 'take' }));
+    assert.deepEqual(bytes, await on.tia.get(`/render?key=a&${query}`));
+  }, { at: '/?scene=thesis&key=a&width=64&height=48', panel: 'take' }));
 
 test('where nothing is filled in, the form shows what the server takes: the scene\'s number, or the method\'s own', () =>
   on.open(async (page) => {

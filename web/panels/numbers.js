@@ -1,7 +1,9 @@
 // What the last picture took, and how fast they come. Nothing is drawn while nobody looks.
 
+import { isChance } from '../picture/integrators.js';
 import { median, Pace, rateOf, totalMs } from '../picture/timing.js';
-import { windowOf } from '../state/window.js';
+import { ONE_RAY, queryOf } from '../state/request.js';
+import { pixelsOf, windowOf } from '../state/window.js';
 import { countWords, has, msWords, numberWords, t } from '../words/words.js';
 import { element, svg } from './element.js';
 
@@ -12,7 +14,7 @@ const FLUENT_MS = 1000 / 30;
 function chartOf(pace) {
   const { last, counts } = pace;
   const times = last.filter(({ kind }) => kind !== 'failed').map(({ ms }) => ms);
-  const most = Math.max(2 * FLUENT_MS, ...times);
+  const most = Math.max(2 * FLUENT_MS, Math.min(4 * (median(times) || 0), Math.max(...times))); // at rest there is time
   const fluent = HEIGHT - (FLUENT_MS / most) * HEIGHT;
   const words = times.length === 0 ? t('numbers.chartNone')
     : t('numbers.chart', { count: last.length, median: msWords(median(times)),
@@ -30,7 +32,7 @@ function chartOf(pace) {
 
 // What failed took no time that means anything: its bar is whole.
 function barOf({ ms, kind }, x, most) {
-  const height = kind === 'failed' ? HEIGHT : Math.max(1, (ms / most) * HEIGHT);
+  const height = kind === 'failed' ? HEIGHT : Math.min(HEIGHT, Math.max(1, (ms / most) * HEIGHT));
   return svg('rect', { class: kind, x, y: HEIGHT - height, width: STEP - 1, height });
 }
 
@@ -39,30 +41,51 @@ const REST_MS = 1000;
 export default function mountNumbers(studio, panel) {
   const { model } = studio;
   const pace = new Pace();
-  const [figures, pictures] = [element('div', { class: 'figures' }), element('div', { class: 'figures' })];
-  panel.append(figures, pictures);
+  const [figures, errors, pictures] = [1, 2, 3].map(() => element('div', { class: 'figures' }));
+  panel.append(figures, errors, pictures);
+  let rounds = []; // of the picture wanted: { samples, ms, blob }
   let resting;
 
   const open = () => studio.tab === 'tab-numbers';
   const drawFigures = () => model.shown && figures.replaceChildren(...figuresOf(model.shown));
   const drawPace = () => pictures.replaceChildren(...paceOf(pace));
 
+  function keepRound({ request, rays, timing, blob }) {
+    const pixels = pixelsOf(request);
+    const samples = (rays.find(({ name }) => name === 'primary')?.count ?? 0) / pixels;
+    if (!isChance(request.integrator ?? model.source?.options?.integrator)) errors.replaceChildren();
+    // One sample is through the pixel's centre: the mean of many is another picture.
+    else if (samples > 1 && pixels === pixelsOf(model.request) && matterOf(request) === matterOf(model.request)) {
+      const ms = timing.find(({ name }) => name === 'trace')?.ms ?? 0;
+      rounds = [...rounds.filter((one) => one.samples < samples), { samples, ms, blob }];
+    }
+  }
+
+  async function drawErrors() {
+    const mine = rounds;
+    if (mine.length < 2) return; // what was told last stays until there is something to tell
+    const nodes = await import('./error_chart.js').then(({ errorChart }) => errorChart(mine));
+    if (mine === rounds) errors.replaceChildren(...nodes);
+  }
+  const drawAll = () => (drawFigures(), drawPace(), drawErrors().catch((error) => console.warn(error.message)));
+
   function came(kind) {
     pace.add({ at: performance.now(), ms: kind === 'failed' ? 0 : model.shown.ms, kind });
+    if (kind !== 'failed') keepRound(model.shown);
     if (!open()) return;
-    if (kind !== 'failed') drawFigures();
-    drawPace();
+    drawAll();
     clearTimeout(resting);
     resting = setTimeout(() => open() && drawPace(), REST_MS + 1);
   }
 
+  model.on('want', () => (rounds = []));
   model.on('show', () => came(model.shown.cached ? 'cached' : 'drawn'));
   model.on('fail', () => came('failed'));
-  model.on('tab', () => open() && (drawFigures(), drawPace()));
+  model.on('tab', () => open() && drawAll());
 }
 
 function figuresOf(shown) {
-  const { timing, rays, blob, ms, request } = shown;
+  const { timing, rays, noise, blob, ms, request } = shown;
   const { width, height } = windowOf(request);
   const phases = timing.filter(({ name }) => name !== 'total');
   const all = rays.reduce((sum, { count }) => sum + count, 0);
@@ -78,13 +101,17 @@ function figuresOf(shown) {
     list('kinds', rays.map(({ name, count }) => [name, countWords(count)])),
     element('h2', {}, t('numbers.picture')),
     list('whole', [
-      ['wait', msWords(ms)],
+      ['shown', msWords(ms)],
       ['size', `${width} \u00d7 ${height}`],
       ['bytes', countWords(blob.size)],
       ['each', numberWords(all / (width * height))],
+      ...(noise ? [['noise', numberWords(Number(noise))]] : []),
     ]),
   ];
 }
+
+// What a request asks for but for how many rays.
+const matterOf = (request) => queryOf({ ...request, ...ONE_RAY });
 
 const sourceOf = ({ cached, copied }) => (copied ? 'fromCopy' : cached ? 'fromCache' : 'drawnNow');
 

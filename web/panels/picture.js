@@ -12,7 +12,8 @@ const part = (id) => document.getElementById(id);
 export function mountPicture(studio) {
   const { model } = studio;
   const [frame, picture, status] = [part('frame'), part('picture'), part('status')];
-  let slow = null;
+  let slow;
+  let asked = false; // for another picture, not for a finer one
   let shown = false;
 
   studio.display({
@@ -41,12 +42,12 @@ export function mountPicture(studio) {
   // Waiting shows only when it lasts.
   function wait() {
     frame.classList.add('waiting');
-    status.textContent = t('picture.rendering');
+    if (asked) status.textContent = t('picture.rendering');
   }
 
   function hurry() {
     clearTimeout(slow);
-    slow = null;
+    asked = false;
     frame.classList.remove('waiting');
   }
 
@@ -61,9 +62,12 @@ export function mountPicture(studio) {
 
   model.on('want', () => {
     if (frame.getAttribute('aria-busy') !== 'true') frame.setAttribute('aria-busy', true);
-    slow ??= setTimeout(wait, SLOW_MS);
+    if (asked) return;
+    asked = true;
+    clearTimeout(slow);
+    slow = setTimeout(wait, SLOW_MS);
   });
-  model.on('show', hurry);
+  model.on('show', () => (hurry(), (slow = setTimeout(wait, SLOW_MS))));
   model.on('rest', settle);
   model.on('world', () => (describe(), lookAround(studio, part('seen'))));
   model.on('source', describe);

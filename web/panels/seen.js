@@ -4,6 +4,7 @@
 import { ownerAt, ownersOf, readPfm } from '../picture/feature_image.js';
 import { fetchPfm } from '../picture/server.js';
 import { dot, subtract } from '../space/vec.js';
+import { ONE_RAY } from '../state/request.js';
 import { pixelsOf, scaled } from '../state/window.js';
 import { t, countWords } from '../words/words.js';
 
@@ -19,7 +20,7 @@ export async function lookAround(studio, place) {
   const { signal } = (telling = new AbortController());
   const { request: whole } = studio.model;
   const small = Math.min(1, Math.sqrt(PIXELS / pixelsOf(whole)));
-  const request = { ...scaled(whole, small), samples: 1, threshold: 0 };
+  const request = { ...scaled(whole, small), ...ONE_RAY };
   try {
     const [object, shadow, light] = await Promise.all([
       feature({ ...request, integrator: 'object' }, signal),

@@ -6,8 +6,9 @@ import { t, wordsOr } from '../words/words.js';
 import { element } from './element.js';
 
 const SIZES = [[320, 240], [640, 480], [800, 600], [1024, 768], [1280, 960], [1600, 1200], [1920, 1440]];
-// Least and most.
-const NUMBERS = { samples: [1, 65536], max_depth: [0, 64], seed: [0, Number.MAX_SAFE_INTEGER] };
+// Least, most and step.
+const NUMBERS = { samples: [1, 65536, 1], noise: [0, 1, 'any'], max_depth: [0, 64, 1], exposure: [-32, 32, 'any'],
+  seed: [0, Number.MAX_SAFE_INTEGER, 1] };
 
 /** The form as { node, draw() }. */
 export function takeForm(studio) {
@@ -50,13 +51,13 @@ function labelled(name, field) {
   return element('label', {}, element('span', {}, t(`take.${name}`)), field);
 }
 
-function numberField(name, [least, most], fault, model) {
-  const field = element('input', { type: 'number', name, min: least, max: most, step: 1,
+function numberField(name, [least, most, step], fault, model) {
+  const field = element('input', { type: 'number', name, min: least, max: most, step,
     'aria-describedby': fault.id });
   field.addEventListener('change', () => {
     const good = field.checkValidity();
     field.setAttribute('aria-invalid', !good);
-    fault.textContent = good ? '' : t('take.range', { name: t(`take.${name}`), least, most });
+    fault.textContent = good ? '' : t(step === 1 ? 'take.range' : 'take.anyRange', { name: t(`take.${name}`), least, most });
     if (good) model.change({ [name]: field.value === '' ? null : Number(field.value) });
   });
   return { name, field };

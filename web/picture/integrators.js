@@ -10,7 +10,7 @@ export async function learnIntegrators() {
     const { $defs } = await fetchJson('schema/scene.json');
     known = $defs.options.properties.integrator.oneOf.map((one) => (
       { name: one.const, about: one.description, feature: one['x-gathers'] !== 'light',
-        usual: { samples: one['x-samples'] ?? 1, max_depth: one['x-max-depth'] ?? 5, seed: 0 } }));
+        usual: { samples: one['x-samples'] ?? 1, max_depth: one['x-max-depth'] ?? 5, seed: 0, exposure: 0 } }));
   } catch (problem) {
     console.warn(problem.message);
   }
@@ -26,8 +26,14 @@ export const isFeature = (name) => featureNames().includes(name);
 /** Its samples, max_depth or seed where nothing is said. */
 export const usualOf = (name, option) => known.find((one) => one.name === name)?.usual[option];
 
+/** Whether its rays are chance, so that samples are rounds of an estimate. */
+export const isChance = (name) => usualOf(name, 'samples') > 1;
+
 /** What counts of a scene's options: rays that are chance have numbers of their own where it means others. */
-export const countingOptions = ({ integrator }, options) =>
-  integrator && integrator !== (options?.integrator ?? 'whitted') && usualOf(integrator, 'samples') > 1 ? {} : options;
+export function countingOptions({ integrator }, options) {
+  if (!isChance(integrator) || integrator === options?.integrator) return options;
+  const { samples, threshold, noise, max_depth, ...others } = options ?? {};
+  return others;
+}
 
 export const aboutOf = (name) => known.find((one) => one.name === name)?.about ?? name;

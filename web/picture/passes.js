@@ -1,9 +1,12 @@
-// How a wish becomes pictures: at once one that is quick enough for the hand, then the one that
-// was asked for, then the same with smooth edges. One request at a time; of wishes that come
-// meanwhile only the newest counts, and it does not wait for a finer picture of an older one.
+// How a wish becomes pictures: at once one that is quick enough for the hand, then the one that was
+// asked for, where rays are chance in rounds, then the same with smooth edges. One request at a time;
+// of wishes that come meanwhile only the newest counts, and it does not wait for a finer picture of an
+// older one.
 
-import { countingOptions, isFeature, usualOf } from './integrators.js';
+import { ONE_RAY } from '../state/request.js';
 import { pixelsOf, scaled } from '../state/window.js';
+import { countingOptions, isChance, isFeature, usualOf } from './integrators.js';
+import { roundAfter } from './rounds.js';
 
 const FRAME_MS = 36; // for 30 pictures a second: while one is decoded the next is under way
 const LEAST_MS = 8; // that the server may draw for, however slow the way to it is
@@ -19,13 +22,16 @@ const said = (name, request, options) => request[name] ?? countingOptions(reques
 
 /** The request with one ray a pixel, through its centre. */
 export function plain(request, options) {
-  return single(request, options) ? request : { ...request, samples: 1, threshold: 0 };
+  return single(request, options) ? request : { ...request, ...ONE_RAY };
 }
 
 function single(request, options) {
-  const usual = usualOf(said('integrator', request, options), 'samples') ?? 1;
-  return (said('samples', request, options) ?? usual) === 1 && !said('threshold', request, options);
+  const others = ['threshold', 'noise', 'budget_ms', 'max_rays'];
+  return samplesOf(request, options) === 1 && !others.some((name) => said(name, request, options));
 }
+
+const samplesOf = (request, options) =>
+  said('samples', request, options) ?? usualOf(said('integrator', request, options), 'samples') ?? 1;
 
 /** The request with the finest picture that the page draws of it: what it says itself holds. */
 export function finest(request, options, smooth) {
@@ -50,7 +56,9 @@ export function quickOf(request, options, { perPixel, way }) {
 export function finerOf(drawn, request, options, smooth) {
   const last = finest(request, options, smooth);
   if (same(drawn, last)) return null;
-  return same(drawn, request) ? last : request;
+  const round = isChance(said('integrator', request, options))
+    ? roundAfter(drawn, request, samplesOf(request, options), said('noise', request, options)) : null;
+  return round ?? (same(drawn, request) ? last : request);
 }
 
 const same = (a, b) => a === b || JSON.stringify(a) === JSON.stringify(b);
@@ -70,7 +78,7 @@ export class Passes {
   #took = []; // what the pace is the middle of
   #waiting = null;
   #running = false;
-  #refining = null;
+  #underWay = null; // { abort, finer }
   #wake = () => {};
 
   constructor({ draw, told, optionsOf }) {
@@ -87,10 +95,10 @@ export class Passes {
     return this.#waiting !== null;
   }
 
-  /** Draws `request`, now or when the picture under way has come. */
-  async ask(request) {
+  /** Draws `request`, now or when the picture under way has come; `anew`, without waiting for that. */
+  async ask(request, anew = false) {
     this.#waiting = request;
-    this.#refining?.abort();
+    if (anew || this.#underWay?.finer) this.#underWay?.abort.abort();
     this.#wake();
     if (this.#running) return;
     this.#running = true;
@@ -111,7 +119,7 @@ export class Passes {
         // How a scene that came by its name wants to be drawn may be known only now.
         const next = finerOf(pass, wish, this.#optionsOf(wish), !this.still);
         this.#told(null, !next, pass);
-        if (next) await this.#quiet();
+        if (next && !finer) await this.#quiet();
         pass = next;
       }
     } catch (problem) {
@@ -120,12 +128,12 @@ export class Passes {
   }
 
   async #drawPass(request, finer) {
-    this.#refining = finer ? new AbortController() : null;
+    this.#underWay = { abort: new AbortController(), finer };
     try {
-      const took = await this.#draw(request, this.#refining?.signal);
+      const took = await this.#draw(request, this.#underWay.abort.signal);
       if (!finer && !took.cached) this.#learn(request, took);
     } finally {
-      this.#refining = null;
+      this.#underWay = null;
     }
   }
 

@@ -22,6 +22,8 @@ export async function fetchPicture(request, signal) {
     blob, path,
     timing: readTiming(header('Server-Timing')),
     rays: readRays(header('Tia-Rays')),
+    noise: header('Tia-Noise'),
+    reached: Number(/&samples=(\d+)$/.exec(header('Content-Location'))?.[1]), // NaN: had no budget
     cached: /;\s*hit/.test(header('Cache-Status') ?? ''),
     copied: /detail=not-modified/.test(header('Cache-Status') ?? ''),
     ms: performance.now() - start,

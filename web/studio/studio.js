@@ -1,6 +1,7 @@
 // The studio: what all panels share. It holds the model, draws what is wanted, and knows where
 // camera, lamp and what one looks at are in the picture shown.
 
+import { isChance } from '../picture/integrators.js';
 import { finest, Passes, plain, SMOOTH } from '../picture/passes.js';
 import { readRecipe } from '../picture/png_text.js';
 import { fetchExplanation, fetchPicture, fetchScene } from '../picture/server.js';
@@ -8,7 +9,7 @@ import { totalMs } from '../picture/timing.js';
 import { lightOf, pivotOf } from '../space/lamp.js';
 import { completeCamera, viewOf } from '../space/view.js';
 import { mergePatch } from '../state/merge_patch.js';
-import { queryOf } from '../state/request.js';
+import { ONE_RAY, queryOf } from '../state/request.js';
 import { middleOf, sizeOf } from '../state/window.js';
 import { Model } from './model.js';
 
@@ -72,12 +73,19 @@ export class Studio {
   /** The request whose picture the page ends on: what a file or a shell gets. */
   get final() {
     const wish = this.#wish();
-    return finest(wish, this.model.source?.options, !this.model.asked);
+    return this.#lasting(finest(wish, this.model.source?.options, !this.model.asked));
   }
 
   /** The same while nothing is asked: what a link says, beside the pixel that is asked about. */
   get unasked() {
-    return finest(this.model.request, this.model.source?.options, true);
+    return this.#lasting(finest(this.model.request, this.model.source?.options, true));
+  }
+
+  // What a budget has come to is the same picture at any time.
+  #lasting(request) {
+    const { shown } = this.model;
+    return shown?.reached && queryOf(shown.request) === queryOf(request)
+      ? { ...request, samples: shown.reached, budget_ms: null, max_rays: null } : request;
   }
 
   /** The camera that is wanted, every spelling as the scene has it. */
@@ -124,7 +132,7 @@ export class Studio {
     const { request, source, asked } = this.model;
     this.#passes.still = Boolean(asked);
     if (!asked) return request;
-    return source ? plain(request, source.options) : { ...request, samples: 1, threshold: 0 };
+    return source ? plain(request, source.options) : { ...request, ...ONE_RAY };
   }
 
   async #draw(request, signal) {
@@ -185,7 +193,7 @@ export class Studio {
   // Of light only `whitted` explains; what a ray hits is the same for all.
   async #findPivot(request, middle) {
     const [x, y] = middleOf(request);
-    const asked = { ...request, integrator: 'whitted', samples: 1, threshold: 0 };
+    const asked = { ...request, ...ONE_RAY, integrator: 'whitted' };
     const { hits } = await fetchExplanation({ ...asked, x, y });
     if (this.model.shown.request !== request) return; // the hand was quicker
     this.#middle = middle;
@@ -198,6 +206,8 @@ export class Studio {
       const source = await fetchScene(name);
       if ((this.model.request.scene ?? 'thesis') !== name) return;
       this.model.know(source);
+      // What was begun without knowing that has all its samples.
+      if (isChance(source.options?.integrator)) this.#passes.ask(this.#wish(), true);
       if (this.#sourceProblem) this.#failed((this.#sourceProblem = null));
     } catch (problem) {
       if ((this.model.request.scene ?? 'thesis') === name) this.#failed((this.#sourceProblem = problem));
