@@ -1,6 +1,8 @@
 #!/usr/bin/env python3
-"""Prints web/scenes/voxels.json: a lighthouse on its rock, built of cells of a grid, in runs."""
+"""Prints web/scenes/voxels.json: a lighthouse on its rock, built of cells of a grid, in runs; with the
+argument `clay` web/scenes/clay.json, the same all of one material."""
 
+import sys
 from math import atan2, floor, hypot, pi
 
 NX, NY, NZ = 72, 72, 60
@@ -174,6 +176,9 @@ for place in ((14, 24, 13), (19, 36, 10), (58, 30, 12), (54, 13, 14), (40, 14, 1
 jetty()
 hidden_as_neighbours()
 
+clay = "clay" in sys.argv
+if clay:
+    cells = dict.fromkeys(cells, 1)
 lines, line = [], "       "
 for run in runs():
     text = f" [{run[0]},{run[1]}],"
@@ -189,6 +194,25 @@ named = ",\n".join(
     for name, color in MATERIALS)
 wears = ", ".join(f'"{name}"' for name, _ in MATERIALS)
 count = len(cells)
+grid = f"""
+    {{ "name": "lighthouse", "type": "voxels", "size": [{NX}, {NY}, {NZ}], "origin": [{-NX / 2:g}, 0, {-NZ / 2:g}],
+      "materials": [{'"clay"' if clay else wears}],
+      "occupied": [
+{chr(10).join(lines)}
+      ] }}"""
+if clay:
+    print(f"""{{
+  "title": "A lighthouse in clay",
+  "description": "Ambient occlusion: each point is as bright as the share of the sky that it sees, by the cosine. Folds and corners are dark, with no lamp at all.",
+  "camera": {{ "location": [-46, 30, 96], "look_at": [1, 29.5, 0], "fov_degrees": 41 }},
+  "background": [1, 1, 1],
+  "materials": {{ "clay": {{ "color": [0.8, 0.75, 0.7] }} }},
+  "objects": [
+    {{ "name": "table", "type": "plane", "point": [0, 2.6, 0], "normal": [0, 1, 0], "material": "clay" }},{grid}
+  ],
+  "options": {{ "integrator": "ambient_occlusion", "samples": 64, "ao_radius": 60, "exposure": -0.5 }}
+}}""")
+    sys.exit()
 print(f"""{{
   "title": "A lighthouse of voxels",
   "description": "One object: {count} cells of a grid of {NX} x {NY} x {NZ}, given as runs, in {len(MATERIALS)} materials. Follow a ray from cell to cell: the shadows, the sea's mirror and the lit windows all come from one walk through the grid.",
@@ -198,12 +222,7 @@ print(f"""{{
 {named}
   }},
   "objects": [
-    {{ "name": "sea", "type": "plane", "point": [0, 2.6, 0], "normal": [0, 1, 0], "material": {{ "color": [0.02, 0.1, 0.15], "ambient": 0.5, "diffuse": 0.7, "reflection": 0.45 }} }},
-    {{ "name": "lighthouse", "type": "voxels", "size": [{NX}, {NY}, {NZ}], "origin": [{-NX / 2:g}, 0, {-NZ / 2:g}],
-      "materials": [{wears}],
-      "occupied": [
-{chr(10).join(lines)}
-      ] }}
+    {{ "name": "sea", "type": "plane", "point": [0, 2.6, 0], "normal": [0, 1, 0], "material": {{ "color": [0.02, 0.1, 0.15], "ambient": 0.5, "diffuse": 0.7, "reflection": 0.45 }} }},{grid}
   ],
   "lights": [
     {{ "type": "directional", "direction": [-0.75, -0.62, -0.5], "color": [1, 0.9, 0.72], "intensity": 0.95 }},

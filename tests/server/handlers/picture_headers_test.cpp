@@ -87,7 +87,7 @@ TEST(TiaRays, TellOfPathsThatWereCut) {
             "primary=192, shadow=0, reflection=192, refraction=0, cut=192");
   EXPECT_EQ(header(path, "Tia-Biased"), std::nullopt);
   EXPECT_EQ(header(drawn(R"("max_depth": 1)"), "Tia-Rays"),
-            "primary=48, shadow=0, reflection=0, refraction=0");
+            "primary=48, shadow=48, reflection=0, refraction=0");
   // What darkens bright samples is told as well, where it does.
   const std::string clamped = R"("integrator": "path", "samples": 4, "max_depth": 1, "clamp": 1)";
   EXPECT_EQ(header(drawn(clamped), "Tia-Biased"), "clamp");
