@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "core/lights/spherical.h"
+#include "core/lights/sun.h"
 #include "core/math/deterministic.h"
 #include "core/math/onb.h"
 #include "tests/core/support.h"
@@ -17,7 +18,8 @@ namespace {
 using test::Random;
 using test::rounds;
 
-using AnyArea = std::variant<TriangleArea, QuadArea, DiscArea, BoxArea, CylinderArea>;
+using AnyArea =
+    std::variant<TriangleArea, QuadArea, DiscArea, BoxArea, CylinderArea, SphereForm, SunForm>;
 
 AnyArea random_area(Random& random, int kind) {
   const Vec3d p = random.point(1), x = random.vector(0.2, 2), y = random.vector(0.2, 2);
@@ -29,10 +31,28 @@ AnyArea random_area(Random& random, int kind) {
     case 2: return QuadArea{p, x, y};
     case 3: return DiscArea{p, x, y};
     case 4: return BoxArea{p, frame.u * a, frame.v * b, frame.n * c};
-    default: return CylinderArea{p, x, a};
+    case 5: return CylinderArea{p, x, a};
+    case 6: return SphereForm{p, 2 * a};
+    default: {
+      // The sun's disc, as large as can be seen well.
+      const double sine = random.in(0.1, 0.5);
+      return SunForm{random.direction(), sine * sine, 1 - std::sqrt(1 - sine * sine)};
+    }
   }
 }
-constexpr int area_kinds = 6;
+constexpr int area_kinds = 8;
+
+// Lights that draw lane by lane, as if they were areas.
+constexpr double far_away = 1e9;
+template <class Form>
+AreaSample sample_area(const Form& form, const Vec3d& p, double u, double v) {
+  const LightSample<double> at = sample_li(form, p, u, v);
+  return {at.wi, std::min(at.distance, far_away), pdf_li(form, p, at.wi, at.distance)};
+}
+template <class Form>
+double pdf_area(const Form& form, const Vec3d& p, const Vec3d& wi, double distance) {
+  return pdf_li(form, p, wi, distance);
+}
 
 // What a ray meets first; none beyond. Each kind by its own equation.
 double flat_hit(const Vec3d& p, const Vec3d& wi, const Vec3d& q, const Vec3d& x, const Vec3d& y,
@@ -85,48 +105,119 @@ double hit(const CylinderArea& c, const Vec3d& p, const Vec3d& wi) {
   return near;
 }
 
-// The share of the sphere that it fills is the mean of 1 / pdf over those directions that are drawn
-// to what is seen of it, and that of all directions that meet it.
+double hit(const SphereForm& ball, const Vec3d& p, const Vec3d& wi) {
+  const Vec3d to = lift<double>(ball.middle) - p;
+  const double along = dot(to, wi), reach = along * along - dot(to, to) + ball.radius * ball.radius;
+  return reach >= 0 && along > 0 ? along - std::sqrt(reach) : Aabb::far;
+}
+double hit(const SunForm& sun, const Vec3d&, const Vec3d& wi) {
+  const double c = dot(lift<double>(sun.wi), wi);
+  return c > std::sqrt(1 - sun.sine_square) ? far_away : Aabb::far;
+}
+
+// A cone of directions that holds the area.
+struct Cone {
+  Onb frame;
+  double rise;  // 1 - the cosine at its edge
+  Vec3d at(double u, double v) const {
+    const double height = 1 - rise * u, aside = std::sqrt(1 - height * height);
+    return frame.n * height + frame.u * (aside * std::cos(2 * pi * v)) +
+           frame.v * (aside * std::sin(2 * pi * v));
+  }
+};
+template <class Form>
+Cone cone_of(const Form& area, const Vec3d& p) {
+  if constexpr (std::is_same_v<Form, SunForm>)
+    return {onb_around(lift<double>(area.wi)), 1.2 * area.rise};
+  else {
+    Vec3d middle;
+    double reach;
+    if constexpr (std::is_same_v<Form, SphereForm>)
+      middle = lift<double>(area.middle), reach = 1.1 * area.radius;
+    else middle = extent_of(area).box.center(), reach = length(extent_of(area).box.size()) / 2;
+    const double sine = reach / length(middle - p);
+    return {onb_around(normalize(middle - p)), 1 - std::sqrt(1 - std::min(sine * sine, 1.0))};
+  }
+}
+
+// What is drawn to an area, in cells of a cone around it, beside what its density says of each cell
+// that the area fills, by directions spread over the cone; and the integral of a ramp over what is
+// seen, by both.
+struct Drawn {
+  static constexpr int cells = 16, finer = 8, count = 1 << 12;
+  std::array<double, cells * cells> expected{}, got{};
+  std::array<int, cells * cells> filled{};
+  double drawn = 0, drawn_square = 0, even = 0, even_square = 0;
+
+  template <class Form>
+  Drawn(const Form& area, const Vec3d& p, Random& random) {
+    const Vec3d axis = random.direction();
+    const Cone cone = cone_of(area, p);
+    constexpr int side = cells * finer;
+    constexpr double share = 1.0 / (side * side);
+    for (int i = 0; i < side * side; ++i) {
+      const double u = (i / side + random.unit()) / side, v = (i % side + random.unit()) / side;
+      const Vec3d wi = cone.at(u, v);
+      const double distance = hit(area, p, wi), solid_angle = 2 * pi * cone.rise;
+      if (!(distance < Aabb::far)) continue;
+      const double one = (2 + dot(wi, axis)) * solid_angle;
+      even += one * share, even_square += one * one * share;
+      const std::size_t at = cell(i / side / finer, i % side / finer);
+      expected[at] += pdf_area(area, p, wi, distance) * solid_angle * share * count, ++filled[at];
+    }
+    for (int k = 0; k < count; ++k) {
+      const double u = random.unit();
+      const AreaSample at = sample_area(area, p, u, random.unit());
+      if (!(at.pdf > 0)) continue;
+      const double first = hit(area, p, at.wi);
+      EXPECT_NEAR(pdf_area(area, p, at.wi, at.distance), at.pdf, 1e-6 * at.pdf);
+      EXPECT_LT(first, at.distance * (1 + 1e-6));
+      if (!(first > at.distance * (1 - 1e-6))) continue;  // its other side
+      const double one = (2 + dot(at.wi, axis)) / at.pdf;
+      drawn += one / count, drawn_square += one * one / count;
+      const Vec3d w = cone.frame.local(at.wi);
+      const double turn = std::atan2(w.y, w.x) / (2 * pi);
+      ++got[cell(static_cast<int>((1 - w.z) / cone.rise * cells),
+                 static_cast<int>((turn < 0 ? turn + 1 : turn) * cells))];
+    }
+  }
+  static std::size_t cell(int row, int column) {
+    return static_cast<std::size_t>(std::clamp(row, 0, cells - 1) * cells +
+                                    std::clamp(column, 0, cells - 1));
+  }
+  // Pearson's sum over the filled cells, as standard deviations from its mean.
+  int filled_cells() const {
+    return static_cast<int>(std::count(filled.begin(), filled.end(), finer * finer));
+  }
+  double surprise() const {
+    double statistic = 0;
+    for (std::size_t k = 0; k < expected.size(); ++k)
+      if (filled[k] == finer * finer)
+        statistic += (got[k] - expected[k]) * (got[k] - expected[k]) / expected[k];
+    return (statistic - filled_cells()) / std::sqrt(2.0 * std::max(filled_cells(), 1));
+  }
+  double error() const {
+    return std::sqrt((drawn_square - drawn * drawn) / count +
+                     (even_square - even * even) / (cells * cells * finer * finer));
+  }
+};
+
 TEST(Areas, DrawnDirectionsMeetWhatIsThereAsDenseAsTheySay) {
   Random random(950);
-  for (int i = 0; i < rounds(60, 12); ++i) {
+  int filled = 0;
+  for (int i = 0; i < rounds(104, 8); ++i) {
     const AnyArea any = random_area(random, i % area_kinds);
-    const Vec3d p = random.direction() * random.in(3, 5), axis = random.direction();
+    const Vec3d p = random.direction() * random.in(3, 5);
     std::visit(
         [&](const auto& area) {
-          // By the area's samples and by those of a cone around it: the integral of a ramp.
-          const Vec3d middle = extent_of(area).box.center();
-          const Onb frame = onb_around(normalize(middle - p));
-          const double reach = length(extent_of(area).box.size()) / 2, far = length(middle - p);
-          const double rise = 1 - std::sqrt(1 - std::min(reach * reach / (far * far), 1.0));
-          double drawn = 0, drawn_square = 0, even = 0, even_square = 0;
-          constexpr int count = 20'000;
-          for (int k = 0; k < count; ++k) {
-            const double u = random.unit();
-            const AreaSample at = sample_area(area, p, u, random.unit());
-            if (at.pdf > 0) {
-              const double first = hit(area, p, at.wi);
-              EXPECT_NEAR(pdf_area(area, p, at.wi, at.distance), at.pdf, 1e-6 * at.pdf);
-              EXPECT_LT(first, at.distance * (1 + 1e-6)) << i % area_kinds;
-              if (first > at.distance * (1 - 1e-6)) {
-                const double one = (2 + dot(at.wi, axis)) / at.pdf;
-                drawn += one / count, drawn_square += one * one / count;
-              }
-            }
-            const double height = 1 - rise * random.unit();
-            const double aside = std::sqrt(1 - height * height), turn = 2 * pi * random.unit();
-            const Vec3d wi = frame.n * height + frame.u * (aside * std::cos(turn)) +
-                             frame.v * (aside * std::sin(turn));
-            const double one =
-                hit(area, p, wi) < Aabb::far ? (2 + dot(wi, axis)) * 2 * pi * rise : 0;
-            even += one / count, even_square += one * one / count;
-          }
-          const double error = std::sqrt((drawn_square - drawn * drawn) / count +
-                                         (even_square - even * even) / count);
-          EXPECT_NEAR(drawn, even, 4 * error + 1e-9) << i % area_kinds;
+          const Drawn drawn(area, p, random);
+          EXPECT_NEAR(drawn.drawn, drawn.even, 4 * drawn.error() + 1e-9) << i % area_kinds;
+          EXPECT_LT(drawn.surprise(), 5) << i % area_kinds;
+          filled += drawn.filled_cells();
         },
         any);
   }
+  EXPECT_GT(filled, rounds(104, 8) * 30);
 }
 
 // The eighth of the sphere, and a face of a cube seen from its middle.

@@ -44,7 +44,7 @@ TEST(SkyMap, SamplesFallAsDenseAsTheDensitySays) {
       return static_cast<std::size_t>(y * around + x);
     };
     // As many directions evenly over the sphere as make the integral good to a few percent.
-    constexpr int fine = 64;
+    constexpr int fine = 24;
     for (int y = 0; y < fine * down; ++y)
       for (int x = 0; x < fine * around; ++x) {
         const double azimuth = 2 * pi * (x + random.unit()) / (fine * around) - pi;

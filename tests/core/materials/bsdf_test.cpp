@@ -83,7 +83,7 @@ Vec3d lane_of(const Vec3<Wide>& v, int i) {
 }
 
 // The sphere in cells of equal solid angle.
-constexpr int rows = 16, columns = 12, finer = 24;
+constexpr int rows = 16, columns = 12, finer = 16;
 std::size_t cell_of(const Vec3d& w) {
   const double turn = turn_of(w.y, w.x);
   const int row = std::clamp(static_cast<int>((w.z + 1) / 2 * rows), 0, rows - 1);
