@@ -31,6 +31,8 @@ Scatterers<Real> scatterers(const World& world, const Hit<Real>& hit,
         select(here, Real(static_cast<float>(world.primitive(primitive).object)), all.object);
   });
   all.inside.ior = all.bsdf.ior;
+  // Turned the other way from behind, for the grain is the same lines there.
+  all.bsdf.grain_sin = select(isect.at.front, all.bsdf.grain_sin, -all.bsdf.grain_sin);
   if (!isect.tinted) return all;
   const Vec3<Real> white{Real(1), Real(1), Real(1)};
   all.bsdf.base = all.bsdf.base * isect.tint;

@@ -26,6 +26,30 @@ TEST(Path, HighlightIsGgxsPeak) {
   }
 }
 
+// Grain is lines of the surface: behind it eye and light see what they would before it at the
+// points that mirror them.
+TEST(Path, GrainIsTheSameLinesFromBothSides) {
+  Random random(838);
+  Principled brushed;
+  brushed.metallic = 1, brushed.roughness = 0.4, brushed.anisotropy = 0.7;
+  double apart = 0;
+  for (int i = 0; i < 10; ++i) {
+    const Onb frame = onb_around(random.direction());
+    brushed.anisotropy_rotation = random.in(0.2, 1.3);
+    Scene scene;
+    scene.objects = {object(Disc{{0, 0, 0}, frame.n, 5}, {})};
+    scene.objects[0].material = MaterialRef(Material{brushed});
+    const Vec3d aside = frame.u * random.in(-3, 3), across = frame.v * random.in(-3, 3);
+    const auto seen = [&](double side, double turn) {
+      scene.lights = {point_light(aside + across * turn + frame.n * side)};
+      return light_from(scene, frame.n * (side * 2) - frame.u, {0, 0, 0}, 1, 1, 1).value;
+    };
+    EXPECT_NEAR(seen(1, 1), seen(-1, 1), 1e-4 * seen(1, 1));
+    apart += std::fabs(seen(1, 1) - seen(1, -1));
+  }
+  EXPECT_GT(apart, 0.1) << "the grain is turned";
+}
+
 // However far the eye is: rays start the farther off a surface, but not beside the light. A disc
 // overhead gives E = pi L r^2 / (r^2 + h^2).
 TEST(Path, LuminousBodiesDoNotHideThemselvesFromFarEyes) {
