@@ -103,6 +103,28 @@ Real mean_glass_albedo(const Real& rough, const Real& eta) {
 }
 
 template <class Real>
+SchlickAlbedo<Real> mean_grain_albedo(const Real& rough_x, const Real& rough_y) {
+  using Scalar = LaneOf<Real>;
+  const auto of = [&](const float* table) {
+    return each_lane<Real>([&](int i) {
+      return value(table, grain_nodes, Between<Scalar>(lane(rough_x, i), grain_nodes),
+                   Between<Scalar>(lane(rough_y, i), grain_nodes));
+    });
+  };
+  return {of(mean_grain_a), of(mean_grain_b)};
+}
+
+template <class Real>
+Real mean_grain_glass_albedo(const Real& rough_x, const Real& rough_y, const Real& eta) {
+  using Scalar = LaneOf<Real>;
+  return each_lane<Real>([&](int i) {
+    return value(mean_grain_glass, grain_glass_nodes, grain_glass_nodes,
+                 Between<Scalar>(lane(rough_x, i), grain_glass_nodes),
+                 Between<Scalar>(lane(rough_y, i), grain_glass_nodes), index_between(lane(eta, i)));
+  });
+}
+
+template <class Real>
 Real sheen_albedo(const Real& mu, const Real& rough) {
   using Scalar = LaneOf<Real>;
   using std::sqrt;
@@ -113,11 +135,13 @@ Real sheen_albedo(const Real& mu, const Real& rough) {
   });
 }
 
-#define TIA_ALBEDO(Real)                                                 \
-  template SchlickAlbedo<Real> schlick_albedo(const Real&, const Real&); \
-  template SchlickAlbedo<Real> mean_schlick_albedo(const Real&);         \
-  template Real glass_albedo(const Real&, const Real&, const Real&);     \
-  template Real mean_glass_albedo(const Real&, const Real&);             \
+#define TIA_ALBEDO(Real)                                                        \
+  template SchlickAlbedo<Real> schlick_albedo(const Real&, const Real&);        \
+  template SchlickAlbedo<Real> mean_schlick_albedo(const Real&);                \
+  template Real glass_albedo(const Real&, const Real&, const Real&);            \
+  template Real mean_glass_albedo(const Real&, const Real&);                    \
+  template SchlickAlbedo<Real> mean_grain_albedo(const Real&, const Real&);     \
+  template Real mean_grain_glass_albedo(const Real&, const Real&, const Real&); \
   template Real sheen_albedo(const Real&, const Real&);
 TIA_ALBEDO(Wide)
 TIA_ALBEDO(float)

@@ -12,6 +12,7 @@ namespace albedo_tables {
 // Nodes lie evenly in the roots of cosine and alpha, along whose diagonal the facets' shadows
 // begin, and in (eta - 1) / (eta + 1).
 inline constexpr int metal_nodes = 32, sheen_nodes = 32, glass_nodes = 16, glass_indices = 17;
+inline constexpr int grain_nodes = 16, grain_glass_nodes = 8;
 inline constexpr double last_index = 0.82;  // eta = 0.1 .. 10
 constexpr double index_of_node(int i) { return last_index * (2.0 * i / (glass_indices - 1) - 1); }
 }  // namespace albedo_tables
@@ -34,6 +35,12 @@ template <class Real>
 Real glass_albedo(const Real& mu, const Real& rough, const Real& eta);
 template <class Real>
 Real mean_glass_albedo(const Real& rough, const Real& eta);
+
+/// The means of facets stretched by two alphas (grain_albedo.h), by the alphas' roots.
+template <class Real>
+SchlickAlbedo<Real> mean_grain_albedo(const Real& rough_x, const Real& rough_y);
+template <class Real>
+Real mean_grain_glass_albedo(const Real& rough_x, const Real& rough_y, const Real& eta);
 
 /// The share that white sheen scatters.
 template <class Real>

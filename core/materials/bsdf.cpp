@@ -45,11 +45,11 @@ void Bsdf<Real>::add_reflected(const V& wi, Here here, BsdfValue<Real>& sum) con
   const Real zero(0), one(1), mu = wi.z, even = mu * Real(inverse_pi);
   V f = ground_;
   if (has_facets_) {
-    const SchlickAlbedo<Real> at = albedo(mu);
+    const SchlickAlbedo<Real> at = albedo(wi);
     const Real lost = one - at.a - at.b;
     f = f * (grey(one) - layer(at)) + again_ * lost;
     if (const Here glass = passes_ && rough_; any(glass)) {
-      const Real own = select(p_.thin, lost, one - glass_albedo(mu, root_, index_));
+      const Real own = select(p_.thin, lost, one - albedos_.of_glass(wi, index_));
       f = f + grey(select(glass, up_ * own, zero));
     }
   }
@@ -98,8 +98,9 @@ void Bsdf<Real>::add_passed(const V& wi, Here here, BsdfValue<Real>& sum) const 
       select(p_.thin, Real(0.25F) / max_of(c, Real(1e-6F)), -c_t / (parted * parted));
   const Real density = ggx().density(h) * c / wo_.z * jacobian;
   const Here meets = rough && c > zero && (p_.thin || c_t < zero);
-  const Real at_i = select(p_.thin, one - albedo(-wi.z).a - albedo(-wi.z).b,
-                           one - glass_albedo(-wi.z, root_, one / index_));
+  const SchlickAlbedo<Real> of_pane = albedo(over_pane);
+  const Real at_i = select(p_.thin, one - of_pane.a - of_pane.b,
+                           one - albedos_.of_glass(over_pane, one / index_));
   const V evenly = down_ * (at_i * even);
   const V facets = at_h.passed * (density * ggx().visible(wo_, wi));
   const V f = (evenly + select(meets, facets, grey(zero))) * (cover_ * inverse * inverse);

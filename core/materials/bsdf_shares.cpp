@@ -92,7 +92,10 @@ void BsdfShares<Real>::set_facets(const Real& eta) {
   p_.alpha_x = select(rough_, p_.alpha_x, one);
   p_.alpha_y = select(rough_, p_.alpha_y, one);
   p_.coat_alpha = select(coat_rough_, p_.coat_alpha, one);
-  root_ = sqrt(alpha);
+  const Here grained = rough_ && !(p_.alpha_x == p_.alpha_y);
+  const Here mirrors = p_.thin || p_.matt + p_.metal + p_.mirror > Real(0);
+  albedos_ = {
+      {p_.alpha_x, p_.alpha_y}, sqrt(alpha), grained && mirrors, grained && passes_ && !p_.thin};
   eta_ = select(p_.thin, one, select(equal && rough_, Real(1.001F), eta));
   index_ = select(p_.thin, max_of(eta, one / eta), eta_);
   // The shares of a finish may add up to more than 1.
@@ -140,10 +143,10 @@ void BsdfShares<Real>::set_ground() {
   matt_ = cover_ * max3(ground_);
   has_facets_ = any(here_ && p_.metal + p_.mirror + p_.glass + p_.f90 > zero);
   if (!has_facets_) return;
-  at_o_ = albedo(wo_.z);
+  at_o_ = albedo(wo_);
   SchlickAlbedo<Real> mean{Real(20.0F / 21), Real(1.0F / 21)};
   if (any(rough_)) {
-    const SchlickAlbedo<Real> table = mean_schlick_albedo(root_);
+    const SchlickAlbedo<Real> table = albedos_.mean();
     mean = {select(rough_, table.a, mean.a), select(rough_, table.b, mean.b)};
   }
   mean_ = mean.a + mean.b;
@@ -171,10 +174,10 @@ void BsdfShares<Real>::set_glass() {
   Real kept = one;
   if (any(rough)) {
     const Here pane = p_.thin;
-    const Real own = select(pane, at_o_.a + at_o_.b, glass_albedo(wo_.z, root_, index_));
+    const Real own = select(pane, at_o_.a + at_o_.b, albedos_.of_glass(wo_, index_));
     const Real lost = select(rough, max_of(one - own, zero), zero);
-    const Real before = left_of(select(pane, mean_, mean_glass_albedo(root_, index_)));
-    const Real behind = left_of(select(pane, mean_, mean_glass_albedo(root_, one / index_)));
+    const Real before = left_of(select(pane, mean_, albedos_.mean_of_glass(index_)));
+    const Real behind = left_of(select(pane, mean_, albedos_.mean_of_glass(one / index_)));
     const Real fresnel = mean_dielectric(index_);
     const Real through = one - select(pane, of_pane(fresnel), fresnel);
     const Real most = max_of(before, behind), passed = through * behind / most;
@@ -192,11 +195,11 @@ void BsdfShares<Real>::set_glass() {
 
 // Of Schlick's two parts, what facets send on; a smooth surface's in closed form.
 template <class Real>
-SchlickAlbedo<Real> BsdfShares<Real>::albedo(const Real& mu) const {
-  const Real w = schlick_weight(mu);
-  if (!any(rough_)) return {Real(1) - w, w};
-  const SchlickAlbedo<Real> table = schlick_albedo(mu, root_);
-  return {select(rough_, table.a, Real(1) - w), select(rough_, table.b, w)};
+SchlickAlbedo<Real> BsdfShares<Real>::albedo(const V& w) const {
+  const Real grazing = schlick_weight(w.z);
+  if (!any(rough_)) return {Real(1) - grazing, grazing};
+  const SchlickAlbedo<Real> at = albedos_.along(w);
+  return {select(rough_, at.a, Real(1) - grazing), select(rough_, at.b, grazing)};
 }
 // What the layer over the matt ground reflects.
 template <class Real>

@@ -3,7 +3,7 @@
 
 #include "core/materials/albedo_tables.h"
 #include "core/materials/bsdf_parameters.h"
-#include "core/materials/microfacet.h"
+#include "core/materials/facet_albedo.h"
 
 namespace tia {
 
@@ -40,7 +40,7 @@ class BsdfShares {
              const Real& eta, Here here);
   V local(const V& w) const { return {dot(x_, w), dot(y_, w), dot(n_, w)}; }
   V world(const V& w) const { return x_ * w.x + y_ * w.y + n_ * w.z; }
-  SchlickAlbedo<Real> albedo(const Real& mu) const;
+  SchlickAlbedo<Real> albedo(const V& w) const;
   V layer(const SchlickAlbedo<Real>& at) const;
   Real coat_fresnel(const Real& c) const;
   Fresnel fresnel(const Real& c) const;
@@ -48,9 +48,9 @@ class BsdfShares {
   BsdfParameters<Real> p_;
   Here here_, rough_{}, coat_rough_{}, passes_{};
   V n_{}, ng_, x_{}, y_{}, wo_{};
-  Real eta_;                 // of what passes
-  Real index_;               // in Fresnel's equations, which a pane has too
-  Real root_{};              // the root of the facets' alpha
+  Real eta_;    // of what passes
+  Real index_;  // in Fresnel's equations, which a pane has too
+  FacetAlbedo<Real> albedos_{};
   bool has_facets_ = false;  // whether any lane has some
   SchlickAlbedo<Real> at_o_{};
   Real mean_ = Real(1);  // the share that white facets reflect, by the cosine

@@ -42,9 +42,12 @@ struct Ggx {
   /// Source: Dupuy, Benyoub, "Sampling visible GGX normals with spherical caps" (2023), whose
   /// cap's point, by height and angle, is here the disc's point raised onto the sphere.
   V sample(const V& wo, const Real& u, const Real& v) const {
+    return seen(wo, square_to_disc(u, v));
+  }
+  /// The same for a point of the unit disc.
+  V seen(const V& wo, const DiscPoint<Real>& d) const {
     using std::sqrt;
     const V stretched = normalize(V{wo.x * alpha_x, wo.y * alpha_y, wo.z});
-    const DiscPoint<Real> d = square_to_disc(u, v);
     const Real below = (d.x * d.x + d.y * d.y) * (Real(1) + stretched.z);  // of the pole
     const Real spread = sqrt((Real(1) + stretched.z) * max_of(Real(2) - below, Real(0)));
     const V cap{d.x * spread + stretched.x, d.y * spread + stretched.y,

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/materials/albedo_tables.h"
+#include "core/materials/grain_albedo.h"
 #include "core/materials/microfacet.h"
 #include "core/materials/sheen.h"
 #include "core/math/deterministic.h"
@@ -86,6 +87,19 @@ double average(F value) {
   for (int i = 0; i < n; ++i) sum += value((i + 0.5) / n) * 2 * (i + 0.5) / n / n;
   return sum;
 }
+// The mean of value(w), by the cosine, of facets that are alike in the four quarters.
+template <class F>
+double quarter_mean(F value) {
+  constexpr int n = 32;
+  double sum = 0;
+  for (int i = 0; i < n; ++i)
+    for (int k = 0; k < n; ++k) {
+      const double square = (i + 0.5) / n, turn = pi / 2 * (k + 0.5) / n;
+      const double r = std::sqrt(1 - square);
+      sum += value(Vec3d{r * std::cos(turn), r * std::sin(turn), std::sqrt(square)});
+    }
+  return sum / (n * n);
+}
 double node(int i, int n) { return std::max(static_cast<double>(i) / (n - 1), 1e-3); }
 
 }  // namespace
@@ -123,10 +137,28 @@ int main() {
       const double* row = &glass[glass.size() - glass_nodes];
       mean_glass.push_back(average([&](double mu) { return between(row, glass_nodes, mu); }));
     }
+  const auto grains = [](int n, auto to) {
+    const auto alpha = [n](int i) { return std::max(node(i, n) * node(i, n), 1e-4); };
+    for (int y = 0; y < n; ++y)
+      for (int x = 0; x < n; ++x) to(Ggx<double>{alpha(x), alpha(y)});
+  };
+  std::vector<double> grain_a, grain_b, grain_glass;
+  grains(grain_nodes, [&](const Ggx<double>& ggx) {
+    grain_a.push_back(quarter_mean([&](const Vec3d& w) { return grain_albedo(ggx, w).a; }));
+    grain_b.push_back(quarter_mean([&](const Vec3d& w) { return grain_albedo(ggx, w).b; }));
+  });
+  for (int e = 0; e < glass_indices; ++e)
+    grains(grain_glass_nodes, [&](const Ggx<double>& ggx) {
+      const double f = index_of_node(e), eta = (1 + f) / (1 - f);
+      grain_glass.push_back(
+          quarter_mean([&](const Vec3d& w) { return grain_glass_albedo(ggx, w, eta); }));
+    });
   std::printf("// Made by: cmake --build build/release --target albedo_tables\n");
   std::printf("//          build/release/tests/albedo_tables > core/materials/albedo_tables.inc\n");
   std::printf("// clang-format off\n");
   print("reflected_a", a), print("reflected_b", b), print("mean_a", mean_a),
       print("mean_b", mean_b);
   print("velvet", velvet), print("glass", glass), print("mean_glass", mean_glass);
+  print("mean_grain_a", grain_a), print("mean_grain_b", grain_b);
+  print("mean_grain_glass", grain_glass);
 }

@@ -30,7 +30,7 @@ struct Estimates {
 /// one packet. It is so narrow that all of its paths begin at one point, and each pixel has numbers
 /// at random of its own.
 inline std::array<Mean, 3> colors_from(Scene scene, const Vec3d& eye, const Vec3d& to,
-                                       RenderOptions options, int seeds) {
+                                       const RenderOptions& by, int seeds) {
   scene.camera = Camera{};
   scene.camera.location = eye;
   scene.camera.direction = to - eye;
@@ -38,6 +38,7 @@ inline std::array<Mean, 3> colors_from(Scene scene, const Vec3d& eye, const Vec3
   scene.camera.fov_degrees = 1e-3;
   const World world = compile(scene);
   std::array<Estimates, 3> channels;
+  RenderOptions options = by;
   for (int seed = 0; seed < seeds; ++seed) {
     options.seed = seed;
     const Image image = picture(world, view_of(scene.camera, 4, 4), {0, 0, 4, 4}, options).image;
