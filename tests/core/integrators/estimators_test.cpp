@@ -77,7 +77,9 @@ class TwoWays {
     const Mask<Wide> lit = beyond.here && beyond.emission.x > Wide(0);
     Found found;
     if (!any(lit)) return found;
-    const Wide pdf = lights_.pdf(isect_.at.p, isect_.at.ng, hit, beyond.at.p, lit);
+    const Wide pdf = lights_.pdf(isect_.at.p, hit, beyond.at.p, lit, [&](int light, int i) {
+      return lights_.chance(light, lane_of(isect_.at.p, i), lane_of(isect_.at.ng, i));
+    });
     found.light = select(lit, sample.weight.x * sample.pdf * beyond.emission.x, Wide(0));
     found.by_surface = select(lit, sample.pdf, Wide(0));
     found.by_light = select(lit, pdf, Wide(0));
