@@ -5,6 +5,8 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
+#include <utility>
 
 #include "core/math/rng.h"
 
@@ -18,18 +20,26 @@ constexpr std::uint32_t reversed_bits(std::uint32_t v) {
   return v >> 16U | v << 16U;
 }
 
-/// A nested uniform scramble of v as a binary fraction: whether a bit is flipped depends on all
-/// higher bits, by a hash of its own for every seed. Source: Owen (1995); Burley, "Practical
-/// Hash-based Owen Scrambling", JCGT 9(4) (2020), section 3; the hash: Vegdahl, "Building a Better
-/// LK Hash" (2021), which mixes low bits better than Burley's.
-constexpr std::uint32_t owen_scrambled(std::uint32_t v, std::uint32_t seed) {
-  v = reversed_bits(v);
+namespace detail {
+
+/// owen_scrambled() of a fraction whose bits are in the reverse order, to such a one.
+constexpr std::uint32_t owen_mixed(std::uint32_t v, std::uint32_t seed) {
   v ^= v * 0x3D20ADEA;
   v += seed;
   v *= seed >> 16U | 1U;
   v ^= v * 0x05526C56;
   v ^= v * 0x53A22864;
-  return reversed_bits(v);
+  return v;
+}
+
+}  // namespace detail
+
+/// A nested uniform scramble of v as a binary fraction: whether a bit is flipped depends on all
+/// higher bits, by a hash of its own for every seed. Source: Owen (1995); Burley, "Practical
+/// Hash-based Owen Scrambling", JCGT 9(4) (2020), section 3; the hash: Vegdahl, "Building a Better
+/// LK Hash" (2021), which mixes low bits better than Burley's.
+constexpr std::uint32_t owen_scrambled(std::uint32_t v, std::uint32_t seed) {
+  return reversed_bits(detail::owen_mixed(reversed_bits(v), seed));
 }
 
 namespace detail {
@@ -61,6 +71,29 @@ inline constexpr auto sobol_directions = [] {
   return v;
 }();
 
+/// reversed_bits(sobol(index, dimension)), all bits in one expression.
+template <std::size_t dimension>
+constexpr std::uint32_t sobol_turned(std::uint32_t index) {
+  return [&]<std::size_t... bit>(std::index_sequence<bit...>) {
+    return ((std::integral_constant<std::uint32_t,
+                                    reversed_bits(sobol_directions[dimension][bit])>::value &
+             (0U - (index >> bit & 1U))) ^
+            ...);
+  }
+  (std::make_index_sequence<32>());
+}
+
+/// reversed_bits(sobol(index, 1)), whose directions are Pascal's triangle, in five steps.
+/// Source: Ahmed, "An implementation algorithm of 2D Sobol sequence fast, elegant, and compact"
+/// (2024).
+constexpr std::uint32_t pascal(std::uint32_t v) {
+  v ^= v >> 16U;
+  v ^= (v & 0xFF00FF00) >> 8U;
+  v ^= (v & 0xF0F0F0F0) >> 4U;
+  v ^= (v & 0xCCCCCCCC) >> 2U;
+  return v ^ (v & 0xAAAAAAAA) >> 1U;
+}
+
 }  // namespace detail
 
 /// Dimension 0 .. 3 of Sobol's point of that index, as a binary fraction.
@@ -72,18 +105,6 @@ constexpr std::uint32_t sobol(std::uint32_t index, std::size_t dimension) {
 }
 
 namespace detail {
-
-/// Dimension 1 of that index. Its matrix is Pascal's triangle modulo 2, five times the product of
-/// (1 1; 0 1) with itself. Source: Ahmed, "An implementation algorithm of 2D Sobol sequence fast,
-/// elegant, and compact", Eurographics Symposium on Rendering (2024).
-constexpr std::uint32_t sobol_of_pascal(std::uint32_t index) {
-  index ^= index >> 16U;
-  index ^= (index & 0xFF00FF00) >> 8U;
-  index ^= (index & 0xF0F0F0F0) >> 4U;
-  index ^= (index & 0xCCCCCCCC) >> 2U;
-  index ^= (index & 0xAAAAAAAA) >> 1U;
-  return reversed_bits(index);
-}
 
 /// What orders and scrambles the points of a block, in each pixel alike for all samples.
 template <std::size_t n>
@@ -111,13 +132,16 @@ RandomWords<n> sobol_words(const std::array<std::uint32_t, n>& x,
                            const std::array<std::uint32_t, n>& y, std::uint32_t sample,
                            std::uint32_t block, RandomKey key) {
   const RandomWords<n> seeds = detail::sobol_seeds(x, y, block, key);
+  // Fractions with their bits reversed, as the scramble has them, are turned back in the end. All
+  // bits' steps are one expression, so that compilers take the lanes together.
   RandomWords<n> words;
   for (std::size_t i = 0; i < n; ++i) {
     const std::uint32_t index = owen_scrambled(sample, seeds.a[i]);
-    words.a[i] = owen_scrambled(reversed_bits(index), seeds.b[i]);
-    words.b[i] = owen_scrambled(detail::sobol_of_pascal(index), seeds.c[i]);
-    words.c[i] = owen_scrambled(sobol(index, 2), seeds.d[i]);
-    words.d[i] = owen_scrambled(sobol(index, 3), seeds.a[i] ^ seeds.b[i]);
+    words.a[i] = reversed_bits(detail::owen_mixed(index, seeds.b[i]));
+    words.b[i] = reversed_bits(detail::owen_mixed(detail::pascal(index), seeds.c[i]));
+    const std::uint32_t c = detail::sobol_turned<2>(index), d = detail::sobol_turned<3>(index);
+    words.c[i] = reversed_bits(detail::owen_mixed(c, seeds.d[i]));
+    words.d[i] = reversed_bits(detail::owen_mixed(d, seeds.a[i] ^ seeds.b[i]));
   }
   return words;
 }
@@ -132,8 +156,8 @@ std::array<std::array<std::uint32_t, n>, 2> sobol_pairs(const std::array<std::ui
   std::array<std::array<std::uint32_t, n>, 2> words;
   for (std::size_t i = 0; i < n; ++i) {
     const std::uint32_t index = owen_scrambled(sample, seeds.a[i]);
-    words[0][i] = owen_scrambled(reversed_bits(index), seeds.b[i]);
-    words[1][i] = owen_scrambled(detail::sobol_of_pascal(index), seeds.c[i]);
+    words[0][i] = reversed_bits(detail::owen_mixed(index, seeds.b[i]));
+    words[1][i] = reversed_bits(detail::owen_mixed(detail::pascal(index), seeds.c[i]));
   }
   return words;
 }

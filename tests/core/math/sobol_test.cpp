@@ -32,6 +32,21 @@ TEST(Sobol, FirstPointsAreTheKnownOnes) {
   }
 }
 
+// The words as the method defines them, one point and one number after the other.
+TEST(SobolWords, AreScrambledPoints) {
+  Random random(83);
+  for (int round = 0; round < 2000; ++round) {
+    RandomWords<1> seeds{{any_word(random)}, {any_word(random)}, {0xFFFFFFFF}, {any_word(random)}};
+    const std::uint32_t sample = any_word(random) >> random.below(32);
+    const Words words = words_of(seeds.a[0], seeds.b[0], sample, seeds.d[0], round);
+    philox(seeds, RandomKey(round));
+    const std::uint32_t index = owen_scrambled(sample, seeds.a[0]);
+    const Words of_each{seeds.b[0], seeds.c[0], seeds.d[0], seeds.a[0] ^ seeds.b[0]};
+    for (std::size_t i = 0; i < 4; ++i)
+      EXPECT_EQ(words[i], owen_scrambled(sobol(index, i), of_each[i])) << sample << ", " << i;
+  }
+}
+
 // A nested scramble keeps how long the common start of two fractions is.
 TEST(OwenScramble, KeepsWhereTwoNumbersPart) {
   Random random(80);
