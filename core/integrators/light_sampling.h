@@ -140,7 +140,9 @@ class LightSampling {
     const V color = lift<Real>(light.color);
     LightDraw<Real> draw = std::visit(
         [&]<class Form>(const Form& form) -> LightDraw<Real> {
-          if constexpr (DrawsByArea<Form>) {
+          if constexpr (DrawsFromEight<Form> && lanes<Real> % Octet::size == 0) {
+            return sample_eights(form, color, share, p, u, v, here);
+          } else if constexpr (DrawsByArea<Form>) {
             return sample_lanes(form, color, share, p, u, v, here);
           } else if constexpr (AreaForm<Form>) {
             const LightSample<Real> at = sample_li(form, p, u, v);
@@ -173,6 +175,35 @@ class LightSampling {
             lit(color, density),
             load<Real>(distance.data()),
             density * share};
+  }
+  // The same, eight lanes at a time, those of `here` closed up.
+  template <DrawsFromEight Form>
+  static LightDraw<Real> sample_eights(const Form& form, const V& color, const Real& share,
+                                       const V& p, const Real& u, const Real& v, Mask<Real> here) {
+    constexpr auto all = static_cast<std::size_t>(lanes<Real>);
+    std::array<std::array<double, all>, 5> in{}, out{};
+    std::array<std::size_t, all> place{};
+    std::size_t count = 0;
+    each_lane(here, [&](int i, std::size_t at) {
+      std::size_t row = 0;
+      for (const Real* each : {&p.x, &p.y, &p.z, &u, &v}) in[row++][count] = tia::lane(*each, i);
+      place[count++] = at;
+    });
+    for (std::size_t first = 0; first < count; first += Octet::size) {
+      const auto eight = [&](std::size_t row) {
+        return Octet::load_unaligned(in[row].data() + first);
+      };
+      const AreaSamples<Octet> at =
+          sample_area(form, Vec3<Octet>{eight(0), eight(1), eight(2)}, eight(3), eight(4));
+      std::size_t row = 0;
+      for (const Octet* each : {&at.wi.x, &at.wi.y, &at.wi.z, &at.distance, &at.pdf})
+        each->store_unaligned(out[row++].data() + first);
+    }
+    std::array<Lanes, 5> drawn{};
+    for (std::size_t row = 0; row < drawn.size(); ++row)
+      for (std::size_t i = 0; i < count; ++i) drawn[row][place[i]] = static_cast<Lane>(out[row][i]);
+    const auto got = [&](std::size_t row) { return load<Real>(drawn[row].data()); };
+    return {{got(0), got(1), got(2)}, lit(color, got(4)), got(3), got(4) * share};
   }
   static V lit(const V& light, const Real& pdf) {
     return select(pdf > Real(0), light, {Real(0), Real(0), Real(0)});

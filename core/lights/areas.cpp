@@ -12,20 +12,32 @@
 namespace tia {
 namespace {
 
-// The density of points even over an area by solid angle. `facing`: the area times the cosine.
-double by_solid_angle(double distance, double facing) {
-  return facing > 0 ? distance * distance / facing : 0;
+template <class S>
+AreaSamples<S> chosen(const Mask<S>& mask, const AreaSamples<S>& a, const AreaSamples<S>& b) {
+  return {select(mask, a.wi, b.wi), select(mask, a.distance, b.distance),
+          select(mask, a.pdf, b.pdf)};
 }
-AreaSample towards(const Vec3d& p, const Vec3d& q) {
-  const Vec3d way = q - p;
-  const double distance = length(way);
-  if (!(distance > 0)) return {};
-  return {way * (1 / distance), distance, 0};
+
+// The density of points even over an area by solid angle. `facing`: the area times the cosine.
+template <class S>
+S by_solid_angle(const S& distance, const S& facing) {
+  return select(facing > S(0), distance * distance / facing, S(0));
+}
+template <class S>
+AreaSamples<S> towards(const Vec3<S>& p, const Vec3<S>& q) {
+  const Vec3<S> way = q - p;
+  const S distance = length(way);
+  const AreaSamples<S> none;
+  const Mask<S> apart = distance > S(0);
+  return {select(apart, way * (S(1) / distance), none.wi), select(apart, distance, S(0)), S(0)};
 }
 // To the point of a plane through q that lies in that direction.
-AreaSample along(const Vec3d& wi, const Vec3d& p, const Vec3d& q, const Vec3d& n, double pdf) {
-  const double distance = dot(n, q - p) / dot(n, wi);
-  return distance > 0 && distance < Aabb::far ? AreaSample{wi, distance, pdf} : AreaSample{};
+template <class S>
+AreaSamples<S> along(const Vec3<S>& wi, const Vec3<S>& p, const Vec3<S>& q, const Vec3<S>& n,
+                     const S& pdf) {
+  const S distance = dot(n, q - p) / dot(n, wi);
+  const Mask<S> before = distance > S(0) && distance < S(Aabb::far);
+  return chosen<S>(before, {wi, distance, pdf}, {});
 }
 
 bool is_right(const QuadArea& area) {
@@ -67,20 +79,37 @@ Extent extent_of(const TriangleArea& area) {
 
 // ---- quad -----------------------------------------------------------------------------------
 
-AreaSample sample_area(const QuadArea& area, const Vec3d& p, double u, double v) {
-  const Vec3d n = cross(area.u, area.v);
+namespace {
+
+template <class S>
+AreaSamples<S> sample_quad(const QuadArea& area, const Vec3<S>& p, const S& u, const S& v) {
+  const auto lifted = [](const Vec3d& each) { return static_cast<Vec3<S>>(each); };
+  const Vec3<S> n = lifted(cross(area.u, area.v)), corner = lifted(area.corner);
+  AreaSamples<S> evenly;
+  Mask<S> large = S(0) > S(1);
   if (is_right(area)) {
-    const SphericalRectangle seen(area.corner - p, area.u, area.v);
-    if (seen.solid_angle > least_solid_angle)
-      return along(seen.sample(u, v), p, area.corner, n, 1 / seen.solid_angle);
+    const SphericalRectangle<S> seen(corner - p, area.u, area.v);
+    large = seen.solid_angle > S(least_solid_angle);
+    if (any(large)) evenly = along(seen.sample(u, v), p, corner, n, S(1) / seen.solid_angle);
   }
-  AreaSample at = towards(p, area.corner + area.u * u + area.v * v);
-  at.pdf = by_solid_angle(at.distance, std::fabs(dot(n, at.wi)));
-  return at;
+  if (!any(!large)) return evenly;
+  AreaSamples<S> at = towards(p, corner + lifted(area.u) * u + lifted(area.v) * v);
+  at.pdf = by_solid_angle(at.distance, abs_of(dot(n, at.wi)));
+  return chosen<S>(large, evenly, at);
+}
+
+}  // namespace
+
+AreaSample sample_area(const QuadArea& area, const Vec3d& p, double u, double v) {
+  return sample_quad(area, p, u, v);
+}
+AreaSamples<Octet> sample_area(const QuadArea& area, const Vec3<Octet>& p, const Octet& u,
+                               const Octet& v) {
+  return sample_quad(area, p, u, v);
 }
 double pdf_area(const QuadArea& area, const Vec3d& p, const Vec3d& wi, double distance) {
   if (is_right(area)) {
-    const SphericalRectangle seen(area.corner - p, area.u, area.v);
+    const SphericalRectangle<double> seen(area.corner - p, area.u, area.v);
     if (seen.solid_angle > least_solid_angle) return 1 / seen.solid_angle;
   }
   return by_solid_angle(distance, std::fabs(dot(cross(area.u, area.v), wi)));
@@ -117,7 +146,7 @@ namespace {
 struct SeenFaces {
   struct Face {
     QuadArea quad;
-    SphericalRectangle seen;
+    SphericalRectangle<double> seen;
   };
   std::array<Face, 3> faces;
   std::size_t count = 0;
@@ -131,7 +160,7 @@ struct SeenFaces {
       // What rounding may have put beside the face that it is on is inside.
       if (std::fabs(aside) <= reach * (1 + 1e-5)) continue;
       const QuadArea quad{box.center + n * (aside > 0 ? 1.0 : -1.0) - u - v, u * 2.0, v * 2.0};
-      faces[count] = {quad, SphericalRectangle(quad.corner - p, quad.u, quad.v)};
+      faces[count] = {quad, SphericalRectangle<double>(quad.corner - p, quad.u, quad.v)};
       solid_angle += faces[count++].seen.solid_angle;
     }
   }

@@ -1,20 +1,22 @@
-// Luminous areas that directions are drawn to, one at a time and in double: by the solid angle that
+// Luminous areas that directions are drawn to, in double: by the solid angle that
 // they fill where that is known, else by area.
 #pragma once
 
 #include <concepts>
 
 #include "core/math/aabb.h"
-#include "core/math/vec3.h"
+#include "core/math/octet.h"
 
 namespace tia {
 
 /// AreaSample: a point of an area, seen from another point. Space/units: world space; wi is unit;
 /// the density is by solid angle; 0: none.
-struct AreaSample {
-  Vec3d wi{0, 1, 0};
-  double distance = 0, pdf = 0;
+template <class S>
+struct AreaSamples {
+  Vec3<S> wi{S(0), S(1), S(0)};
+  S distance = S(0), pdf = S(0);
 };
+using AreaSample = AreaSamples<double>;
 
 /// Below this solid angle areas are sampled by area: their cosines hardly change.
 inline constexpr double least_solid_angle = 3e-4;
@@ -48,6 +50,9 @@ struct CylinderArea {
 
 AreaSample sample_area(const TriangleArea& area, const Vec3d& p, double u, double v);
 AreaSample sample_area(const QuadArea& area, const Vec3d& p, double u, double v);
+/// From eight points at once; each lane the same bits as from one.
+AreaSamples<Octet> sample_area(const QuadArea& area, const Vec3<Octet>& p, const Octet& u,
+                               const Octet& v);
 AreaSample sample_area(const DiscArea& area, const Vec3d& p, double u, double v);
 AreaSample sample_area(const BoxArea& area, const Vec3d& p, double u, double v);
 AreaSample sample_area(const CylinderArea& area, const Vec3d& p, double u, double v);
@@ -77,6 +82,11 @@ concept DrawsByArea = requires(const Form& form, const Vec3d& p) {
   { sample_area(form, p, 0.5, 0.5) } -> std::same_as<AreaSample>;
   { pdf_area(form, p, p, 1.0) } -> std::same_as<double>;
   { extent_of(form) } -> std::same_as<Extent>;
+};
+
+template <class Form>
+concept DrawsFromEight = DrawsByArea<Form> && requires(const Form& form, const Octet& of_eight) {
+  sample_area(form, Vec3<Octet>{of_eight, of_eight, of_eight}, of_eight, of_eight);
 };
 
 }  // namespace tia

@@ -8,8 +8,22 @@
 namespace tia {
 namespace {
 
-double angle_between(const Vec3d& a, const Vec3d& b) {
+template <class S>
+S angle_between(const Vec3<S>& a, const Vec3<S>& b) {
   return atan2_of(length(cross(a, b)), dot(a, b));
+}
+// As std::clamp() and std::max(): x, where they do not compare.
+template <class S>
+S clamped(const S& x, const S& low, const S& high) {
+  return select(x < low, low, select(high < x, high, x));
+}
+template <class S>
+S at_least(const S& x, const S& low) {
+  return select(x < low, low, x);
+}
+double with_sign_of(double x, double sign) { return std::copysign(x, sign); }
+Octet with_sign_of(const Octet& x, const Octet& sign) {
+  return Octet::map([](const auto& a, const auto& b) { return xsimd::copysign(a, b); }, x, sign);
 }
 // The part of v across the unit vector w, unit.
 Vec3d across(const Vec3d& v, const Vec3d& w) { return normalize(v - w * dot(v, w)); }
@@ -44,35 +58,45 @@ Vec3d SphericalTriangle::sample(double u, double v) const {
   return normalize(b * height + across(third, b) * aside);
 }
 
-SphericalRectangle::SphericalRectangle(const Vec3d& to_corner, const Vec3d& u, const Vec3d& v)
+template <class S>
+SphericalRectangle<S>::SphericalRectangle(const Vec3<S>& to_corner, const Vec3d& u, const Vec3d& v)
     : x_(normalize(u)), y_(normalize(v)), z_(cross(x_, y_)) {
-  x0_ = dot(to_corner, x_), y0_ = dot(to_corner, y_), z0_ = dot(to_corner, z_);
-  if (z0_ > 0) z_ = -z_, z0_ = -z0_;
-  x1_ = x0_ + length(u), y1_ = y0_ + length(v);
+  using std::sqrt;
+  const auto along = [&](const Vec3d& axis) { return dot(to_corner, static_cast<Vec3<S>>(axis)); };
+  x0_ = along(x_), y0_ = along(y_), height_ = along(z_);
+  z0_ = select(height_ > S(0), -height_, height_);
+  x1_ = x0_ + S(length(u)), y1_ = y0_ + S(length(v));
   // The angles inside are those between the planes through the edges, whose normals these are.
-  const auto share = [&](double edge) { return edge / std::sqrt(edge * edge + z0_ * z0_); };
-  const auto rest = [&](double edge) { return z0_ / std::sqrt(edge * edge + z0_ * z0_); };
-  const Vec3d n0{0, rest(y0_), -share(y0_)}, n1{-rest(x1_), 0, share(x1_)};
-  const Vec3d n2{0, -rest(y1_), share(y1_)}, n3{rest(x0_), 0, -share(x0_)};
+  const S zero(0);
+  const auto share = [&](const S& edge) { return edge / sqrt(edge * edge + z0_ * z0_); };
+  const auto rest = [&](const S& edge) { return z0_ / sqrt(edge * edge + z0_ * z0_); };
+  const Vec3<S> n0{zero, rest(y0_), -share(y0_)}, n1{-rest(x1_), zero, share(x1_)};
+  const Vec3<S> n2{zero, -rest(y1_), share(y1_)}, n3{rest(x0_), zero, -share(x0_)};
   b0_ = n0.z, b1_ = n2.z;
-  const double g0 = angle_between(-n0, n1), g1 = angle_between(-n1, n2);
-  const double g2 = angle_between(-n2, n3), g3 = angle_between(-n3, n0);
-  k_ = 2 * pi - g2 - g3;
-  const double angle = g0 + g1 - k_;  // NaN: the point is in the plane of an edge
-  solid_angle = angle > 0 ? angle : 0;
+  const S g0 = angle_between(-n0, n1), g1 = angle_between(-n1, n2);
+  const S g2 = angle_between(-n2, n3), g3 = angle_between(-n3, n0);
+  k_ = S(2 * pi) - g2 - g3;
+  const S angle = g0 + g1 - k_;  // NaN: the point is in the plane of an edge
+  solid_angle = select(angle > zero, angle, zero);
 }
 
-Vec3d SphericalRectangle::sample(double u, double v) const {
-  const double angle = u * solid_angle + k_;
+template <class S>
+Vec3<S> SphericalRectangle<S>::sample(const S& u, const S& v) const {
+  using std::sqrt;
+  const S one(1), angle = u * solid_angle + k_;
   const auto [sine, cosine] = sincos_of(angle);
-  const double fu = (cosine * b0_ - b1_) / sine;
-  const double cu = std::clamp(std::copysign(1 / std::sqrt(fu * fu + b0_ * b0_), fu), -1.0, 1.0);
-  const double xu = std::clamp(-(cu * z0_) / std::sqrt(std::max(1 - cu * cu, 1e-300)), x0_, x1_);
-  const double d = std::sqrt(xu * xu + z0_ * z0_);
-  const double h0 = y0_ / std::sqrt(d * d + y0_ * y0_), h1 = y1_ / std::sqrt(d * d + y1_ * y1_);
-  const double hv = h0 + v * (h1 - h0), square = hv * hv;
-  const double yv = square < 1 - 1e-12 ? hv * d / std::sqrt(1 - square) : y1_;
-  return normalize(x_ * xu + y_ * yv + z_ * z0_);
+  const S fu = (cosine * b0_ - b1_) / sine;
+  const S cu = clamped(with_sign_of(one / sqrt(fu * fu + b0_ * b0_), fu), S(-1), one);
+  const S xu = clamped(-(cu * z0_) / sqrt(at_least(one - cu * cu, S(1e-300))), x0_, x1_);
+  const S d = sqrt(xu * xu + z0_ * z0_);
+  const S h0 = y0_ / sqrt(d * d + y0_ * y0_), h1 = y1_ / sqrt(d * d + y1_ * y1_);
+  const S hv = h0 + v * (h1 - h0), square = hv * hv;
+  const S yv = select(square < S(1 - 1e-12), hv * d / sqrt(one - square), y1_);
+  const auto out = [](const Vec3d& axis, const S& by) { return static_cast<Vec3<S>>(axis) * by; };
+  return normalize(out(x_, xu) + out(y_, yv) + out(z_, height_));
 }
+
+template struct SphericalRectangle<double>;
+template struct SphericalRectangle<Octet>;
 
 }  // namespace tia

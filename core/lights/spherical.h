@@ -1,7 +1,7 @@
 // Triangles and rectangles as a point sees them, and directions drawn evenly over what they fill.
 #pragma once
 
-#include "core/math/vec3.h"
+#include "core/math/octet.h"
 
 namespace tia {
 
@@ -18,21 +18,24 @@ struct SphericalTriangle {
   Vec3d sample(double u, double v) const;
 };
 
-/// SphericalRectangle. Domain: the corner relative to the point; perpendicular edges.
+/// SphericalRectangle, from one point or from eight. Domain: the corner relative to the point;
+/// perpendicular edges.
 /// Source: Urena, Fajardo, King, "An area-preserving parametrization for spherical rectangles",
 /// Computer Graphics Forum 32(4) (2013), algorithm 1 and 2.
+template <class S>
 struct SphericalRectangle {
-  double solid_angle = 0;
+  S solid_angle = S(0);
 
   SphericalRectangle() = default;
-  SphericalRectangle(const Vec3d& to_corner, const Vec3d& u, const Vec3d& v);
+  SphericalRectangle(const Vec3<S>& to_corner, const Vec3d& u, const Vec3d& v);
   /// Domain: solid_angle > 0.
-  Vec3d sample(double u, double v) const;
+  Vec3<S> sample(const S& u, const S& v) const;
 
  private:
   Vec3d x_{}, y_{}, z_{};
-  double x0_ = 0, x1_ = 0, y0_ = 0, y1_ = 0, z0_ = 0;
-  double b0_ = 0, b1_ = 0, k_ = 0;
+  S x0_ = S(0), x1_ = S(0), y0_ = S(0), y1_ = S(0);
+  S height_ = S(0), z0_ = S(0);  // along z_, and with a sign that is never positive
+  S b0_ = S(0), b1_ = S(0), k_ = S(0);
 };
 
 }  // namespace tia

@@ -3,7 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <variant>
 
 #include "core/lights/spherical.h"
@@ -221,9 +224,42 @@ TEST(Areas, DrawnDirectionsMeetWhatIsThereAsDenseAsTheySay) {
 }
 
 // The eighth of the sphere, and a face of a cube seen from its middle.
+// Points in the plane of the area, on its edges and behind it among them.
+TEST(Areas, EightPointsDrawAsEachDoes) {
+  Random random(153);
+  for (int round = 0; round < rounds(500, 50); ++round) {
+    const QuadArea area = std::get<QuadArea>(random_area(random, random.whole(1, 2)));
+    std::array<std::array<double, Octet::size>, 5> in;
+    for (std::size_t i = 0; i < Octet::size; ++i) {
+      const double far = random.below(3) == 0 ? 100 : 1;
+      Vec3d p = area.corner + random.vector(0.01, far);
+      if (i == 0) p = area.corner + area.u * random.in(-1, 2) + area.v * random.in(-1, 2);
+      if (i == 1) p = area.corner + area.v;
+      in[0][i] = p.x, in[1][i] = p.y, in[2][i] = p.z;
+      in[3][i] = random.in(0, 1), in[4][i] = random.in(0, 1);
+    }
+    const auto eight = [&](std::size_t row) { return Octet::load_unaligned(in[row].data()); };
+    const AreaSamples<Octet> at =
+        sample_area(area, Vec3<Octet>{eight(0), eight(1), eight(2)}, eight(3), eight(4));
+    for (std::size_t i = 0; i < Octet::size; ++i) {
+      const AreaSample one =
+          sample_area(area, Vec3d{in[0][i], in[1][i], in[2][i]}, in[3][i], in[4][i]);
+      const auto same = [&](const Octet& of_eight, double alone) {
+        const double own = lane(of_eight, static_cast<int>(i));
+        return std::bit_cast<std::uint64_t>(own) == std::bit_cast<std::uint64_t>(alone) ||
+               (std::isnan(own) && std::isnan(alone));
+      };
+      EXPECT_TRUE(same(at.wi.x, one.wi.x) && same(at.wi.y, one.wi.y) && same(at.wi.z, one.wi.z) &&
+                  same(at.distance, one.distance) && same(at.pdf, one.pdf))
+          << round << ", lane " << i;
+    }
+  }
+}
+
 TEST(Areas, SolidAnglesAreKnownOnes) {
   EXPECT_NEAR(SphericalTriangle({1, 0, 0}, {0, 2, 0}, {0, 0, 3}).solid_angle, pi / 2, 1e-12);
-  EXPECT_NEAR(SphericalRectangle({-1, -1, 1}, {2, 0, 0}, {0, 2, 0}).solid_angle, 4 * pi / 6, 1e-12);
+  EXPECT_NEAR(SphericalRectangle<double>({-1, -1, 1}, {2, 0, 0}, {0, 2, 0}).solid_angle, 4 * pi / 6,
+              1e-12);
   const BoxArea box{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   EXPECT_EQ(pdf_area(box, {0.5, 0.2, -0.7}, {1, 0, 0}, 1), 0) << "inside";
   EXPECT_NEAR(1 / pdf_area(box, {0, 0, 2}, {0, 0, -1}, 1), 4 * pi / 6, 1e-12);
