@@ -184,7 +184,7 @@ class LightSampling {
     std::array<std::array<double, all>, 5> in{}, out{};
     std::array<std::size_t, all> place{};
     std::size_t count = 0;
-    each_lane(here, [&](int i, std::size_t at) {
+    each_lane<Real>(here, [&](int i, std::size_t at) {
       std::size_t row = 0;
       for (const Real* each : {&p.x, &p.y, &p.z, &u, &v}) in[row++][count] = tia::lane(*each, i);
       place[count++] = at;
