@@ -85,13 +85,10 @@ class FogSampling {
     light.fill(-1);
     each_lane<Real>(here, [&](int i, std::size_t at) {
       const FogLine way = line(ray, span, i);
-      const auto [chosen, distance] =
-          drawn(way, tia::lane(numbers.choice, i), tia::lane(numbers.distance, i));
-      if (chosen < 0) return;
-      t[at] = static_cast<Lane>(distance);
-      light[at] = static_cast<Lane>(chosen);
-      share[at] = static_cast<Lane>(density(way, chosen, static_cast<double>(t[at])));
-      flown[at] = static_cast<Lane>(way.flight_pdf(static_cast<double>(t[at])));
+      const Drawn one = drawn(way, tia::lane(numbers.choice, i), tia::lane(numbers.distance, i));
+      light[at] = static_cast<Lane>(one.light), share[at] = static_cast<Lane>(one.density);
+      t[at] = one.t;
+      flown[at] = static_cast<Lane>(one.met / way.flight_weight());
     });
     const Real distance = load<Real>(t.data()), density = load<Real>(flown.data());
     all_.draw_of(load<Real>(light.data()), load<Real>(share.data()),
@@ -113,7 +110,10 @@ class FogSampling {
   double chance(const Vertex& vertex, int light, int i) const {
     const FogLine way = line(vertex.ray, vertex.span, i);
     const auto t = static_cast<double>(tia::lane(vertex.t, i));
-    return density(way, light, t) / way.flight_pdf(t);
+    const double met = way.met(t);
+    const double aimed = lights_.is_near(light) ? FogLine::View(way, lights_.middle(light)).pdf(t)
+                                                : met / way.taken();
+    return density(way, light, t, met, aimed) * way.flight_weight() / met;
   }
   /// The same of all that is infinitely far, over its chance_beyond(); 1 at surfaces.
   Real times_beyond(const Vertex& vertex) const {
@@ -135,30 +135,32 @@ class FogSampling {
             fog_.density,
             (bits(span.open) >> i & 1U) != 0};
   }
-  // Where a light is chosen for the whole line: a free flight on.
-  Vec3d outlook(const FogLine& way) const {
-    return way.point(way.near + std::min(way.far - way.near, 1 / way.density) / 2);
-  }
   struct Drawn {
     int light = -1;
-    double distance = 0;
+    Lane t = 0;
+    double met = 0, density = 0;  // of the line there, and of all that is drawn
   };
   Drawn drawn(const FogLine& way, double choice, double u) const {
-    if (choice < 0.5) {
-      const double distance = way.within(u);
-      return {lights_.choose(way.point(distance), {}, 2 * choice).light, distance};
-    }
-    const int light = lights_.choose(outlook(way), {}, 2 * choice - 1).light;
+    const bool aims = choice >= 0.5;
+    const double within = aims ? 0 : way.within(u);
+    const Vec3d from = aims ? way.outlook() : way.point(within);
+    const int light = lights_.choose(from, {}, aims ? 2 * choice - 1 : 2 * choice).light;
     if (light < 0) return {};
-    return {light,
-            lights_.is_near(light) ? way.equiangular(lights_.middle(light), u) : way.within(u)};
+    if (!lights_.is_near(light)) {
+      const auto t = static_cast<Lane>(aims ? way.within(u) : within);
+      const double met = way.met(static_cast<double>(t));
+      return {light, t, met, density(way, light, static_cast<double>(t), met, met / way.taken())};
+    }
+    const FogLine::View view(way, lights_.middle(light));
+    const auto t = static_cast<Lane>(aims ? view.draw(u) : within);
+    const auto at = static_cast<double>(t);
+    const double met = way.met(at);
+    return {light, t, met, density(way, light, at, met, view.pdf(at))};
   }
-  double density(const FogLine& way, int light, double t) const {
-    const double within = way.within_pdf(t);
-    const double aimed =
-        lights_.is_near(light) ? way.equiangular_pdf(lights_.middle(light), t) : within;
-    return (lights_.chance(light, way.point(t), {}) * within +
-            lights_.chance(light, outlook(way), {}) * aimed) /
+  // Of a light and a distance t: `aimed` is that of the distance where the light comes first.
+  double density(const FogLine& way, int light, double t, double met, double aimed) const {
+    return (lights_.chance(light, way.point(t), {}) * (met / way.taken()) +
+            lights_.chance(light, way.outlook(), {}) * aimed) /
            2;
   }
 

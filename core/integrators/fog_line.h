@@ -12,56 +12,69 @@ namespace tia {
 
 /// FogLine: the part of a ray that lies in homogeneous fog, from the distance `near` to `far`,
 /// which may be infinite. Domain: a unit direction; 0 <= near < far; density > 0.
-struct FogLine {
-  Vec3d origin, direction;
-  double near, far, density;
-  bool open = false;  ///< whether nothing lies behind it, and each path is scattered in it
+class FogLine {
+ public:
+  /// `open`: whether nothing lies behind it, and each path is scattered in it.
+  FogLine(const Vec3d& origin, const Vec3d& direction, double near, double far, double density,
+          bool open = false)
+      : origin_(origin),
+        direction_(direction),
+        near_(near),
+        far_(far),
+        density_(density),
+        taken_(share_of(density * (far - near))),
+        open_(open) {}
 
-  Vec3d point(double t) const { return origin + direction * t; }
+  Vec3d point(double t) const { return origin_ + direction_ * t; }
+  /// Half a free flight on, or half of it.
+  Vec3d outlook() const { return point(near_ + std::min(far_ - near_, 1 / density_) / 2); }
   /// The share of light that does not come through.
-  double taken() const { return share_of(density * (far - near)); }
+  double taken() const { return taken_; }
+  /// The density with which the fog meets light that comes from its beginning.
+  double met(double t) const { return density_ * exp_of(-density_ * (t - near_)); }
 
-  /// Where the fog meets light that does not come through.
-  double within(double u) const { return held(near + depth_of(u * taken()) / density); }
-  double within_pdf(double t) const { return met(t) / taken(); }
+  /// Where the fog meets light that does not come through: with density met(t) / taken().
+  double within(double u) const { return held(near_ + depth_of(u * taken_) / density_); }
   /// How far a path goes before the fog scatters it: beyond `far` where it comes through, which an
-  /// open line lets none.
-  double flight(double u) const { return open ? within(u) : near + depth_of(u) / density; }
-  double flight_pdf(double t) const { return open ? within_pdf(t) : met(t); }
+  /// open line lets none; met(t) / flight_weight() dense.
+  double flight(double u) const { return open_ ? within(u) : near_ + depth_of(u) / density_; }
   /// What a path counts that is scattered so.
-  double flight_weight() const { return open ? taken() : 1; }
+  double flight_weight() const { return open_ ? taken_ : 1; }
 
-  /// Evenly by the angle seen from a point, so that the square of the distance from it falls out.
+  /// View: of the line from a point. It draws evenly by the angle, so that the square of the
+  /// distance from the point falls out.
   /// Source: Kulla, Fajardo, "Importance sampling techniques for path tracing in participating
   /// media", Computer Graphics Forum 31(4) (2012).
-  double equiangular(const Vec3d& from, double u) const {
-    const Angles at = angles(from);
-    if (at.narrow()) return within(u);
-    return held(at.foot + at.away * tan_of(at.first + u * (at.last - at.first)));
-  }
-  double equiangular_pdf(const Vec3d& from, double t) const {
-    const Angles at = angles(from);
-    if (at.narrow()) return within_pdf(t);
-    const double aside = t - at.foot;
-    return at.away / ((at.last - at.first) * (at.away * at.away + aside * aside));
-  }
+  class View {
+   public:
+    View(const FogLine& line, const Vec3d& from) : line_(line) {
+      const Vec3d way = from - line.origin_;
+      foot_ = dot(way, line.direction_);
+      // A ray through the point itself is treated as one that passes it closely.
+      away_ = std::max(length(way - line.direction_ * foot_), 1e-4 * length(way) + 1e-30);
+      begin_ = line.near_ - foot_;
+      const double end = line.far_ - foot_;
+      angle_ = std::isinf(end) ? atan2_of(away_, begin_)
+                               : atan2_of(away_ * (end - begin_), away_ * away_ + begin_ * end);
+    }
+    double draw(double u) const {
+      const double turned = tan_of(u * angle_), first = begin_ / away_;
+      return line_.held(foot_ + away_ * ((first + turned) / (1 - first * turned)));
+    }
+    double pdf(double t) const {
+      const double aside = t - foot_;
+      return away_ / (angle_ * (away_ * away_ + aside * aside));
+    }
+
+   private:
+    const FogLine& line_;
+    double foot_, away_;  // where the line is nearest to the point, and how near
+    double begin_;        // from there to its beginning
+    double angle_;        // from its beginning to its end
+  };
 
  private:
-  double met(double t) const { return density * exp_of(-density * (t - near)); }
-  struct Angles {
-    double foot, away;   // where the ray is nearest to the point, and how near
-    double first, last;  // the angles of near and far, from there
-    // Whether so little is seen that the difference is made of roundings.
-    bool narrow() const { return last - first < 1e-9; }
-  };
-  Angles angles(const Vec3d& from) const {
-    const double foot = dot(from - origin, direction);
-    const Vec3d aside = from - point(foot);
-    // A ray through the point itself is treated as one that passes it closely.
-    const double away = std::max(length(aside), 1e-4 * length(from - origin) + 1e-30);
-    return {foot, away, atan2_of(near - foot, away), atan2_of(far - foot, away)};
-  }
-  double held(double t) const { return std::clamp(t, near, far); }
+  double held(double t) const { return std::clamp(t, near_, far_); }
   // 1 - e^-x and -log(1 - x), also where x is far below 1.
   static double share_of(double x) {
     return x < 1e-4 ? x * (1 - x / 2 * (1 - x / 3)) : 1 - exp_of(-x);
@@ -69,6 +82,10 @@ struct FogLine {
   static double depth_of(double x) {
     return x < 1e-4 ? x * (1 + x * (1.0 / 2 + x / 3)) : -log_of(1 - x);
   }
+
+  Vec3d origin_, direction_;
+  double near_, far_, density_, taken_;
+  bool open_;
 };
 
 }  // namespace tia

@@ -61,14 +61,13 @@ TEST(FogLine, DistancesAreDrawnAsDenseAsTheySay) {
   for (int round = 0; round < 60; ++round) {
     const double near = random.in(0, 3);
     const double far = round % 3 == 0 ? infinity : near + std::pow(10, random.in(-4, 2));
-    const FogLine line{random.point(5), random.direction(), near, far,
-                       std::pow(10, random.in(-3, 1))};
+    const double density = std::pow(10, random.in(-3, 1));
+    const FogLine line(random.point(5), random.direction(), near, far, density);
     const Vec3d lamp = round % 5 == 0 ? line.point(near + random.in(0.1, 1)) : random.point(5);
+    const FogLine::View view(line, lamp);
     for (const bool aimed : {false, true}) {
-      const auto at = [&](double u) { return aimed ? line.equiangular(lamp, u) : line.within(u); };
-      const auto pdf = [&](double t) {
-        return aimed ? line.equiangular_pdf(lamp, t) : line.within_pdf(t);
-      };
+      const auto at = [&](double u) { return aimed ? view.draw(u) : line.within(u); };
+      const auto pdf = [&](double t) { return aimed ? view.pdf(t) : line.met(t) / line.taken(); };
       // dt/du = 1 / pdf.
       for (const double u : {0.1, 0.37, 0.8, 0.95}) {
         const double step = 1e-5, slope = (at(u + step) - at(u - step)) / (2 * step);
@@ -79,10 +78,10 @@ TEST(FogLine, DistancesAreDrawnAsDenseAsTheySay) {
         EXPECT_NEAR(at(1 - 1e-12), far, 1e-4 * far);
       }
     }
-    const double passed = std::exp(-line.density * (far - near));
+    const double passed = std::exp(-density * (far - near));
     EXPECT_NEAR(line.taken(), 1 - passed, 1e-12);
-    EXPECT_NEAR(line.flight(0.5), near + std::log(2) / line.density, 1e-9 * line.flight(0.5));
-    EXPECT_NEAR(line.flight_pdf(near), line.density, 1e-12 * line.density);
+    EXPECT_NEAR(line.flight(0.5), near + std::log(2) / density, 1e-9 * line.flight(0.5));
+    EXPECT_NEAR(line.met(near), density, 1e-12 * density);
   }
 }
 
