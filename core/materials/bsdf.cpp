@@ -75,8 +75,8 @@ void Bsdf<Real>::add_reflected(const V& wi, Here here, BsdfValue<Real>& sum) con
     f = f + grey(select(coat, coat_fresnel(c) * density * coat_ggx().visible(wo_, wi), zero));
     pdf = pdf + select(coat, coat_ * density * coat_ggx().visible(wo_), zero);
   }
-  if (any(sheen_ > zero)) {
-    f = f + p_.sheen * (sheen_cos(wo_, wi, p_.sheen_alpha) * coat_cover_);
+  if (const Here cloth = sheen_ > zero; any(cloth)) {
+    f = f + p_.sheen * select(cloth, sheen_cos(wo_, wi, p_.sheen_alpha) * coat_cover_, zero);
     pdf = pdf + sheen_ * Real(uniform_pdf);
   }
   sum.f_cos = select(here, f, sum.f_cos);

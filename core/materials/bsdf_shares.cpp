@@ -75,8 +75,9 @@ void BsdfShares<Real>::set_frame() {
   if (!any(grained)) return;
   const Here leans = grained && n_.x * n_.x + n_.z * n_.z > Real(1e-8F);
   const V across = normalize(select(leans, V{n_.z, Real(0), -n_.x}, x_));
-  x_ = across * p_.grain_cos + cross(n_, across) * p_.grain_sin;
-  y_ = cross(n_, x_);
+  const V along = across * p_.grain_cos + cross(n_, across) * p_.grain_sin;
+  x_ = select(grained, along, x_);
+  y_ = select(grained, cross(n_, along), y_);
 }
 
 template <class Real>

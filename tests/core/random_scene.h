@@ -10,6 +10,20 @@ inline Color random_color(Random& random) {
   return {r, g, random.unit()};
 }
 
+/// A physical material of any kind.
+inline Principled random_principled(Random& random) {
+  Principled p;
+  p.base_color = random_color(random);
+  p.sheen_color = random.chance(0.3) ? random_color(random) : Color{};
+  p.thin = random.chance(0.2);
+  for (const auto number :
+       {&Principled::metallic, &Principled::roughness, &Principled::specular,
+        &Principled::transmission, &Principled::clearcoat, &Principled::clearcoat_roughness,
+        &Principled::sheen_roughness, &Principled::anisotropy})
+    p.*number = random.unit();
+  return p;
+}
+
 /// A camera near the origin that looks roughly along -z, spelled in one of the four ways.
 inline Camera random_camera(Random& random) {
   Camera camera;
