@@ -36,14 +36,15 @@ struct Finishes {
   }
 };
 
-template <class Real>
-Finishes<Real> finishes(const World& world, const Hit<Real>& hit, Mask<Real> active) {
+template <class Point, class Real>
+Finishes<Real> finishes(const World& world, const Hit<Real>& hit,
+                        const SurfaceInteraction<Point, Real>& isect) {
   Finishes<Real> all;
   bool first = true;
-  for_each_winner(hit, active, [&](int primitive, Mask<Real> here) {
-    all.take(world.shading_of(primitive), world.primitive(primitive).object, here,
-             std::exchange(first, false));
-  });
+  const auto take = [&](const ShadingParameters& shading, int primitive, Mask<Real> here) {
+    all.take(shading, world.primitive(primitive).object, here, std::exchange(first, false));
+  };
+  for_each_shading(world, hit, isect.numbers, isect.here, take);
   return all;
 }
 

@@ -23,13 +23,13 @@ Scatterers<Real> scatterers(const World& world, const Hit<Real>& hit,
                             const SurfaceInteraction<SurfacePoint<Real>, Real>& isect) {
   Scatterers<Real> all;
   bool first = true;
-  for_each_winner(hit, isect.here, [&](int primitive, Mask<Real> here) {
-    const ShadingParameters& shading = world.shading_of(primitive);
+  const auto take = [&](const ShadingParameters& shading, int primitive, Mask<Real> here) {
     all.bsdf.take(shading.bsdf, here, std::exchange(first, false));
     all.inside.absorption = select(here, lift<Real>(shading.absorption), all.inside.absorption);
     all.object =
         select(here, Real(static_cast<float>(world.primitive(primitive).object)), all.object);
-  });
+  };
+  for_each_shading(world, hit, isect.numbers, isect.here, take);
   all.inside.ior = all.bsdf.ior;
   // Turned the other way from behind, for the grain is the same lines there.
   all.bsdf.grain_sin = select(isect.at.front, all.bsdf.grain_sin, -all.bsdf.grain_sin);

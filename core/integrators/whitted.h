@@ -50,7 +50,7 @@ class Whitted {
       L = isect.emission;
       add_lights(L, ray, isect, {}, Real(1), path);
     } else {
-      const Finishes<Real> finish = finishes(world_view_.world, hit, isect.here);
+      const Finishes<Real> finish = finishes(world_view_.world, hit, isect);
       const Real keep = Real(1) - finish.transmission;  // of the surface's own light
       add(L, TermName::emission, keep, isect.emission);
       add(L, TermName::ambient, keep, finish.ambient * isect.tint);

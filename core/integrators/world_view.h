@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/accel/world/trace.h"
+#include "core/accel/world/winners.h"
 #include "core/integrators/ray_path.h"
 
 namespace tia {
@@ -98,8 +99,9 @@ struct SurfaceInteraction {
   Point at{};
   Vec3<Real> albedo{}, emission{};
   Vec3<Real> tint{Real(1), Real(1), Real(1)};  ///< a texture's colour
-  bool tinted = false;  ///< whether any lane has one, which albedo then includes
-  Real offset{};        ///< how far from the surface new rays start, along its normal (offset_of)
+  bool tinted = false;          ///< whether any lane has one, which albedo then includes
+  LaneNumbers<Real> numbers{};  ///< which albedo then follows, where textures give them
+  Real offset{};  ///< how far from the surface new rays start, along its normal (offset_of)
 
   Ray<Real> shadow_ray(const Vec3<Real>& wi) const { return {at.p + at.side() * offset, wi}; }
   /// A ray from the surface: where `below`, from behind it.
@@ -135,12 +137,20 @@ auto surfaces(const AnyWorldView& world_view, const Ray<Real>& ray, const Hit<Re
   } else {
     bool first = true;  // most packets hit a single primitive, and nothing has to be selected
     for_each_winner(hit, active, [&](int primitive, Mask<Real> here) {
-      isect.take(world_view.surface_of(ray, hit, primitive, here),
-                 world_view.world.shading_of(primitive), here, std::exchange(first, false));
-      if (world_view.world.shading_of(primitive).texture < 0) return;
+      const ShadingParameters& shading = world_view.world.shading_of(primitive);
+      isect.take(world_view.surface_of(ray, hit, primitive, here), shading, here,
+                 std::exchange(first, false));
+      if (shading.form >= 0)
+        take_numbers(world_view.world, ray, hit, primitive, here, isect.numbers);
+      if (shading.texture < 0) return;
       isect.tint = select(here, world_view.colors_of(ray, hit, primitive, here), isect.tint);
       isect.tinted = true;
     });
+    if (isect.numbers)
+      for_each_shading(world_view.world, hit, isect.numbers, isect.here,
+                       [&](const ShadingParameters& shading, int, Mask<Real> here) {
+                         isect.albedo = select(here, lift<Real>(shading.albedo), isect.albedo);
+                       });
     if (isect.tinted) isect.albedo = isect.albedo * isect.tint;
   }
   isect.offset = offset_of(hit.t, isect.at.p);

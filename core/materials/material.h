@@ -2,6 +2,7 @@
 #pragma once
 
 #include <concepts>
+#include <optional>
 #include <string_view>
 #include <type_traits>
 #include <variant>
@@ -20,6 +21,12 @@ template <class Kind>
 concept IsMaterial = IsKind<Kind> && requires(const Kind& kind, const Vec3d& ambient_light) {
   { shading_of(kind, ambient_light) } -> std::same_as<ShadingParameters>;
   { texture_of(kind) } -> std::same_as<const Texture*>;
+};
+
+/// What a kind may bring: prepare() makes a form of it, for numbers that are textured.
+template <class Kind>
+concept HasTexturedNumbers = requires(const Kind& kind) {
+  { prepare(kind) } -> std::same_as<PrincipledForm>;
 };
 
 /// MaterialList: checks each kind of the list against IsMaterial. Most materials are finishes, and
@@ -48,6 +55,19 @@ inline ShadingParameters shading_of(const Material& material, const Vec3d& ambie
 inline const Texture* texture_of(const Material& material) {
   return std::visit([](const auto& held) { return texture_of(detail::unboxed(held)); },
                     material.kind);
+}
+
+/// What tells its shading parameters at each point; none where they are the same everywhere.
+inline std::optional<PrincipledForm> textured_form_of(const Material& material) {
+  return std::visit(
+      []<class Held>(const Held& held) -> std::optional<PrincipledForm> {
+        if constexpr (HasTexturedNumbers<detail::KindOf<Held>>) {
+          PrincipledForm form = prepare(detail::unboxed(held));
+          if (!form.textured.empty()) return form;
+        }
+        return std::nullopt;
+      },
+      material.kind);
 }
 
 }  // namespace tia

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "core/input/codec.h"
-#include "core/materials/sheen.h"
 #include "core/math/deterministic.h"
 
 namespace tia {
@@ -39,36 +38,29 @@ Vec3d rgb_of(const BaseColor& color) {
   return tia::rgb_of(std::get<Color>(color));
 }
 
-// Source: Khronos, glTF 2.0 (2021), appendix B, and its extensions KHR_materials_*.
+// What its numbers have no say in.
 BsdfParameters<double> bsdf_of(const Principled& p, const Vec3d& base) {
   BsdfParameters<double> bsdf;
   bsdf.base = bsdf.tint = base;
   bsdf.tinted = true;
-  bsdf.metal = p.metallic;
-  bsdf.glass = (1 - p.metallic) * p.transmission;
-  bsdf.matt = (1 - p.metallic) * (1 - p.transmission);
   bsdf.ior = p.ior;
   bsdf.dispersion = p.dispersion;
   bsdf.fresnel = true;
   bsdf.thin = p.thin;
-  const double f0 = (p.ior - 1) * (p.ior - 1) / ((p.ior + 1) * (p.ior + 1));
-  const auto layer = [&](double color) { return std::min(f0 * color, 1.0) * p.specular; };
-  const Vec3d color = tia::rgb_of(p.specular_color);
-  bsdf.f0 = {layer(color.x), layer(color.y), layer(color.z)};
-  bsdf.f90 = p.specular;
-  const double alpha = p.roughness * p.roughness;
-  bsdf.alpha_x = alpha + (1 - alpha) * p.anisotropy * p.anisotropy;
-  bsdf.alpha_y = alpha;
   bsdf.grain_cos = cos_of(p.anisotropy_rotation);
   bsdf.grain_sin = sin_of(p.anisotropy_rotation);
-  bsdf.coat = p.clearcoat;
   bsdf.coat_f0 = 0.04, bsdf.coat_f90 = 1;
-  bsdf.coat_alpha = p.clearcoat_roughness * p.clearcoat_roughness;
   bsdf.covers = true;
   bsdf.sheen = tia::rgb_of(p.sheen_color);
-  bsdf.sheen_alpha =
-      std::max(p.sheen_roughness * p.sheen_roughness, static_cast<double>(least_sheen));
   return bsdf;
+}
+
+// What the layer over what is matt reflects straight on.
+Vec3d layer_of(const Principled& p) {
+  const double f0 = (p.ior - 1) * (p.ior - 1) / ((p.ior + 1) * (p.ior + 1));
+  const Vec3d color = tia::rgb_of(p.specular_color);
+  const auto layer = [&](double channel) { return std::min(f0 * channel, 1.0); };
+  return {layer(color.x), layer(color.y), layer(color.z)};
 }
 
 // What a unit of length absorbs where `color` is left after `distance`.
@@ -97,20 +89,34 @@ std::string Codec<BaseColor>::allowed(const Spec& spec) {
   return Codec<Color>::allowed(spec) + ", or " + Codec<Metal>::allowed(spec);
 }
 
-// In whitted a metal is a mirror as far as it is smooth, without a colour, and else matt.
-ShadingParameters shading_of(const Principled& p, const Vec3d&) {
-  const Vec3d base = p.texture ? Vec3d{1, 1, 1} : rgb_of(p.base_color);
-  ShadingParameters shading;
-  shading.bsdf = bsdf_of(p, base);
-  shading.albedo = base * (shading.bsdf.matt + p.metallic * p.roughness);
-  shading.reflection = p.metallic * (1 - p.roughness);
-  shading.transmission = shading.bsdf.glass;
-  shading.ior = p.thin ? 1 : p.ior;
-  shading.fresnel = true;
-  shading.emission = tia::rgb_of(p.emissive) * p.emissive_strength;
+PrincipledForm prepare(const Principled& p) {
+  PrincipledForm form;
+  form.base = p.texture ? Vec3d{1, 1, 1} : rgb_of(p.base_color);
+  form.layer = layer_of(p);
+  form.rest.bsdf = bsdf_of(p, form.base);
+  form.rest.ior = p.thin ? 1 : p.ior;
+  form.rest.fresnel = true;
+  form.rest.emission = tia::rgb_of(p.emissive) * p.emissive_strength;
   if (p.attenuation_distance && !p.thin)
-    shading.absorption = absorption_of(tia::rgb_of(p.attenuation_color), *p.attenuation_distance);
-  return shading;
+    form.rest.absorption = absorption_of(tia::rgb_of(p.attenuation_color), *p.attenuation_distance);
+  const auto put = [&](double PrincipledNumbers::*number, const NumberOrTexture& is) {
+    if (const auto* everywhere = std::get_if<double>(&is))
+      return void(form.numbers.*number = *everywhere);
+    const NumberTexture& texture = *std::get<Boxed<NumberTexture>>(is);
+    form.numbers.*number = (texture.range[0] + texture.range[1]) / 2;
+    form.textured.push_back({number, prepare(texture)});
+  };
+  using At = PrincipledNumbers;
+  put(&At::metallic, p.metallic), put(&At::roughness, p.roughness);
+  put(&At::specular, p.specular), put(&At::transmission, p.transmission);
+  put(&At::clearcoat, p.clearcoat), put(&At::clearcoat_roughness, p.clearcoat_roughness);
+  put(&At::sheen_roughness, p.sheen_roughness), put(&At::anisotropy, p.anisotropy);
+  return form;
+}
+
+ShadingParameters shading_of(const Principled& p, const Vec3d&) {
+  const PrincipledForm form = prepare(p);
+  return shading_at(form, form.numbers);
 }
 
 }  // namespace tia

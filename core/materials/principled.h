@@ -10,6 +10,8 @@
 #include "core/input/containers.h"
 #include "core/input/fields.h"
 #include "core/input/value_codecs.h"
+#include "core/materials/number_texture.h"
+#include "core/materials/principled_form.h"
 #include "core/materials/shading_parameters.h"
 #include "core/materials/texture.h"
 
@@ -35,24 +37,23 @@ struct Codec<BaseColor> {
 };
 
 /// Principled: metallic-roughness, with what the extensions KHR_materials_ior, specular,
-/// transmission, volume, clearcoat, sheen, anisotropy, dispersion and emissive_strength
-/// add. How it scatters
-/// light is defined in bsdf.h; whitted shows the finish that comes nearest.
+/// transmission, volume, clearcoat, sheen, anisotropy, dispersion and emissive_strength add. How it
+/// scatters light is defined in bsdf.h; whitted shows the finish that comes nearest.
 struct Principled {
   static constexpr std::string_view type = "principled";
   BaseColor base_color = Color{1, 1, 1};
-  double metallic = 0, roughness = 0.5, ior = 1.5;
-  double specular = 1;
+  NumberOrTexture metallic = 0, roughness = 0.5;
+  double ior = 1.5;
+  NumberOrTexture specular = 1;
   Color specular_color{1, 1, 1};
-  double transmission = 0;
+  NumberOrTexture transmission = 0;
   Color attenuation_color{1, 1, 1};
   std::optional<double> attenuation_distance{};
   bool thin = false;
-  double clearcoat = 0, clearcoat_roughness = 0;
+  NumberOrTexture clearcoat = 0, clearcoat_roughness = 0;
   Color sheen_color{};
-  double sheen_roughness = 0;
-  double anisotropy = 0, anisotropy_rotation = 0;
-  double dispersion = 0;
+  NumberOrTexture sheen_roughness = 0, anisotropy = 0;
+  double anisotropy_rotation = 0, dispersion = 0;
   Color emissive{};
   double emissive_strength = 1;
   std::optional<Texture> texture{};  ///< replaces the base colour
@@ -60,7 +61,7 @@ struct Principled {
   template <class Visitor>
   static void fields(Visitor&& visit) {
     using P = Principled;
-    const auto share = [&](const char* name, double P::*field, const char* about) {
+    const auto share = [&](const char* name, NumberOrTexture P::*field, const char* about) {
       visit(name, field, Spec{.about = about, .min = 0, .max = 1});
     };
     const auto color = [&](const char* name, Color P::*field, const char* about) {
@@ -110,7 +111,8 @@ struct Principled {
   bool operator==(const Principled&) const = default;
 };
 
-/// Its shading parameters, without the texture, for ambient light of that linear RGB.
+PrincipledForm prepare(const Principled& principled);
+/// Its shading parameters, without textures, for ambient light of that linear RGB.
 ShadingParameters shading_of(const Principled& principled, const Vec3d& ambient_light);
 inline const Texture* texture_of(const Principled& principled) {
   return principled.texture ? &*principled.texture : nullptr;

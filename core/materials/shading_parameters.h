@@ -21,6 +21,7 @@ struct ShadingParameters {
   double reflection = 0, transmission = 0, ior = 1;
   bool fresnel = false;
   int texture = -1;  ///< the index of its texture in the geometry; -1: none
+  int form = -1;     ///< the index of what tells them at each point, likewise; -1: all are the same
 
   BsdfParameters<double> bsdf{};
 

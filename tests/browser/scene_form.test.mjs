@@ -42,9 +42,14 @@ test('ranges, defaults and descriptions are the server\u2019s schema\u2019s', ()
     }
     const ior = field(page, 'ior').locator('[type=range]');
     assert.deepEqual([await ior.getAttribute('min'), await ior.getAttribute('max')], ['0.1', '10']);
-    const metal = (base_color) => fieldsOf(schema, { materials: { it: { type: 'principled', base_color } } }, '/materials/it')
-      .find(({ name }) => name === 'base_color')?.kind;
+    const ofPrincipled = (field, value) =>
+      fieldsOf(schema, { materials: { it: { type: 'principled', [field]: value } } }, '/materials/it')
+        .find(({ name }) => name === field);
+    const metal = (value) => ofPrincipled('base_color', value)?.kind;
     assert.deepEqual([metal(0.5), metal([1, 0, 0]), metal('gold')], ['color', 'color', undefined]);
+    const { min, max } = ofPrincipled('roughness', 0.5).range;
+    assert.deepEqual([min, max], [0, 1]);
+    assert.equal(ofPrincipled('roughness', { type: 'noise', range: [0, 1] }), undefined);
   }));
 
 test('a material that an object names is changed where it stands; a missing field is added there', () =>

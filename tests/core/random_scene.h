@@ -10,6 +10,20 @@ inline Color random_color(Random& random) {
   return {r, g, random.unit()};
 }
 
+/// A number 0 .. 1, the same everywhere or by a texture of any kind that needs no surface
+/// coordinates.
+inline NumberOrTexture random_share(Random& random) {
+  if (random.chance(0.7)) return random.unit();
+  NumberTexture texture;
+  switch (random.below(3)) {
+    case 0: texture.kind = OfNumbers<Checker>{}; break;
+    case 1: texture.kind = OfNumbers<Noise>{}; break;
+    default: texture.kind = OfNumbers<Marble>{}; break;
+  }
+  const double black = random.unit();
+  texture.range = {black, random.unit()};
+  return texture;
+}
 /// A physical material of any kind.
 inline Principled random_principled(Random& random) {
   Principled p;
@@ -20,7 +34,7 @@ inline Principled random_principled(Random& random) {
        {&Principled::metallic, &Principled::roughness, &Principled::specular,
         &Principled::transmission, &Principled::clearcoat, &Principled::clearcoat_roughness,
         &Principled::sheen_roughness, &Principled::anisotropy})
-    p.*number = random.unit();
+    p.*number = random_share(random);
   return p;
 }
 

@@ -71,7 +71,8 @@ export function fieldsOf(schema, scene, pointer) {
   const thing = objectOf(valueAt(scene, pointer));
   const own = schemaOf(schema, scene, pointer);
   const rank = ([name]) => (ORDER.includes(name) ? ORDER.indexOf(name) : ORDER.length);
-  return Object.entries(own?.properties ?? {}).sort((a, b) => rank(a) - rank(b)).flatMap(([name, field]) => {
+  return Object.entries(own?.properties ?? {}).sort((a, b) => rank(a) - rank(b)).flatMap(([name, whole]) => {
+    const field = { ...whole, ...whole.anyOf?.[0] };
     const given = Object.hasOwn(thing, name);
     const value = given ? thing[name] : field.default;
     const kind = kindOf(field);
@@ -81,8 +82,7 @@ export function fieldsOf(schema, scene, pointer) {
   });
 }
 
-function kindOf({ type, items, maxItems, oneOf, anyOf, enum: choices }) {
-  if (anyOf) return kindOf(anyOf[0]);
+function kindOf({ type, items, maxItems, oneOf, enum: choices }) {
   if (choices) return 'choice';
   if (type === 'number' || type === 'integer') return 'number';
   if (type === 'boolean') return 'truth';

@@ -31,6 +31,8 @@ class Compiler {
     ShadingParameters shading = tia::shading_of(material, rgb_of(scene_.ambient_light));
     if (const Texture* texture = texture_of(material))
       shading.texture = pushed(geometry_.textures, prepare(*texture));
+    if (auto form = textured_form_of(material))
+      shading.form = pushed(geometry_.forms, std::move(*form));
     return shading;
   }
   int shading_index(const MaterialRef& material) {

@@ -25,7 +25,8 @@ bool is_plain_point(const WorldLight& light) {
 // Whether the surface has a diffuse term alone.
 bool is_plain(const ShadingParameters& shading) {
   return !emits(shading.ambient.exact) && shading.brilliance == 1 && shading.specular == 0 &&
-         shading.reflection == 0 && shading.transmission == 0 && shading.texture < 0;
+         shading.reflection == 0 && shading.transmission == 0 && shading.texture < 0 &&
+         shading.form < 0;
 }
 
 bool is_plain_balls(const Geometry& geometry) {

@@ -85,12 +85,13 @@ struct Geometry {
   std::vector<InstanceGrid> grids;
   std::vector<ShadingParameters> shadings;
   std::vector<TextureForm> textures;
-  std::vector<WorldLight> lights;  ///< of its luminous balls
-  std::vector<PathLight> areas;    ///< of its luminous objects
-  Vec3d origin{};                  ///< the world's, in the scene's coordinates
-  int first_primitive = 0;         ///< the number of its first primitive, which is the world's
-  int objects = 0;                 ///< how many, those of the primitives before it included
-  std::size_t degenerate = 0;      ///< triangles without area, which nothing meets
+  std::vector<PrincipledForm> forms;  ///< of materials whose numbers are textured
+  std::vector<WorldLight> lights;     ///< of its luminous balls
+  std::vector<PathLight> areas;       ///< of its luminous objects
+  Vec3d origin{};                     ///< the world's, in the scene's coordinates
+  int first_primitive = 0;            ///< the number of its first primitive, which is the world's
+  int objects = 0;                    ///< how many, those of the primitives before it included
+  std::size_t degenerate = 0;         ///< triangles without area, which nothing meets
 
   /// Domain: one of its own, by the number that the world has for it.
   const Primitive& primitive(int i) const {

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 
 #include "core/accel/world/search.h"
+#include "core/accel/world/winners.h"
 
 namespace tia {
 
@@ -94,31 +96,36 @@ Mask<Real> occluded(const World& world, const Ray<Real>& ray, const Real& t_max,
 
 namespace {
 
-// Calls visit(hit, lanes) for each surface between the ray's origin and t_max, the light's own left
-// out; it returns the lanes that go on. Each next ray starts behind the surface by the same offset
-// as shadow rays start in front of theirs.
+// Calls visit(ray, hit, lanes) for each surface between the ray's origin and t_max, the light's own
+// left out; it returns the lanes that go on. Each next ray starts behind the surface by the same
+// offset as shadow rays start in front of theirs.
 template <class Real, class Visit>
 void walk(const World& world, const Ray<Real>& ray, const Real& t_max, const WorldLight& light,
           Mask<Real> going, WorkCounter& work, Visit visit) {
   Real done(0);
   while (any(going)) {
-    const Vec3<Real> from = ray.at(done);
+    const Ray<Real> step{ray.at(done), ray.direction};
     const Nearest<Real> query{{}, light.primitive, light.instance};
-    const Hit<Real> hit = nearest<Real>(world, {from, ray.direction}, going, query, work);
+    const Hit<Real> hit = nearest<Real>(world, step, going, query, work);
     const Real t = done + hit.t;
-    going = visit(hit, going && t < t_max);
+    going = visit(step, hit, going && t < t_max);
     done = select(going, t + offset_of(t, ray.at(t)), done);
   }
 }
 
-// The transmissions of the surfaces that the lanes have hit.
-template <class Real>
-Real transmissions(const World& world, const Hit<Real>& hit, Mask<Real> met) {
-  Real share(0);
+// Calls f(transmission, lanes) for what the lanes have met.
+template <class Real, class F>
+void each_transmission(const World& world, const Ray<Real>& ray, const Hit<Real>& hit,
+                       Mask<Real> met, F f) {
+  LaneNumbers<Real> numbers;
   for_each_winner(hit, met, [&](int primitive, Mask<Real> here) {
-    share = select(here, lift<Real>(world.shading_of(primitive).transmission), share);
+    if (world.shading_of(primitive).form >= 0)
+      take_numbers(world, ray, hit, primitive, here, numbers);
   });
-  return share;
+  for_each_shading(world, hit, numbers, met,
+                   [&](const ShadingParameters& shading, int, Mask<Real> here) {
+                     f(shading.transmission, here);
+                   });
 }
 
 }  // namespace
@@ -127,8 +134,12 @@ template <class Real>
 Real transmitted(const World& world, const Ray<Real>& ray, const Real& t_max,
                  const WorldLight& light, Mask<Real> active, WorkCounter& work) {
   Real share(1);
-  const auto take = [&](const Hit<Real>& hit, Mask<Real> met) -> Mask<Real> {
-    share = select(met, share * transmissions(world, hit, met), share);
+  const auto take = [&](const Ray<Real>& step, const Hit<Real>& hit, Mask<Real> met) -> Mask<Real> {
+    Real passed(0);
+    each_transmission(world, step, hit, met, [&](double transmission, Mask<Real> here) {
+      passed = select(here, lift<Real>(transmission), passed);
+    });
+    share = select(met, share * passed, share);
     return met && share > Real(0);
   };
   walk(world, ray, t_max, light, active, work, take);
@@ -138,13 +149,16 @@ Real transmitted(const World& world, const Ray<Real>& ray, const Real& t_max,
 Blocker first_blocker(const World& world, const Ray<float>& ray, float t_max,
                       const WorldLight& light, bool transparent, WorkCounter& work) {
   Blocker blocking;
-  walk(world, ray, t_max, light, true, work, [&](const Hit<float>& hit, bool met) {
-    if (!met) return false;
-    const int primitive = static_cast<int>(hit.primitive);
-    if (transparent && world.shading_of(primitive).transmission == 1) return true;
-    blocking = {primitive, static_cast<std::int64_t>(hit.instance)};
-    return false;
-  });
+  const auto take = [&](const Ray<float>& step, const Hit<float>& hit, bool met) {
+    bool passes = false;
+    if (transparent)
+      each_transmission(world, step, hit, met,
+                        [&](double transmission, bool) { passes = transmission == 1; });
+    if (met && !passes)
+      blocking = {static_cast<int>(hit.primitive), static_cast<std::int64_t>(hit.instance)};
+    return passes;
+  };
+  walk(world, ray, t_max, light, true, work, take);
   return blocking;
 }
 

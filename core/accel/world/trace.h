@@ -2,8 +2,6 @@
 // the surface at a hit.
 #pragma once
 
-#include <bit>
-
 #include "core/accel/world/world.h"
 
 namespace tia {
@@ -210,19 +208,6 @@ SurfacePoint<Real> surface(const World& world, const Ray<Real>& ray, const Hit<R
   at.ng = turned(at.ng, cosine, ray.direction);
   at.front = cosine <= Real(0);
   return at;
-}
-
-/// Calls f(primitive, mask) once for each primitive that lanes have hit: a packet rarely sees more
-/// than two, so what depends on the primitive alone is found once for all lanes.
-template <class Real, class F>
-void for_each_winner(const Hit<Real>& hit, Mask<Real> active, F f) {
-  Mask<Real> left = active && hit.t < Real(infinity);
-  while (const unsigned lanes_left = bits(left)) {
-    const auto primitive = static_cast<int>(lane(hit.primitive, std::countr_zero(lanes_left)));
-    const Mask<Real> here = left && hit.primitive == Real(static_cast<float>(primitive));
-    f(primitive, here);
-    left = left && !here;
-  }
 }
 
 }  // namespace tia

@@ -297,9 +297,9 @@ TEST(Bsdf, TableIsTheIntegralOverTheLight) {
 TEST(Bsdf, MirrorOfFacetsIsAsBrightAsItsPeak) {
   Random random(843);
   for (int i = 0; i < 20; ++i) {
-    Principled metal = white(random.in(0.3, 0.6));
+    const double roughness = random.in(0.3, 0.6), alpha = roughness * roughness;
+    Principled metal = white(roughness);
     metal.metallic = 1;
-    const double alpha = metal.roughness * metal.roughness;
     const Vec3d value = value_of(parameters_of(metal), {0, 0, 1}, {0, 0, 1}, 1.5);
     const double peak = 1 / (4 * pi * alpha * alpha);
     EXPECT_NEAR(value.x, peak, 0.003 * peak + 0.2 * alpha);

@@ -26,6 +26,60 @@ TEST(PrincipledFaults, EveryWordIsReadAndWrittenBack) {
   EXPECT_EQ(to_json(write_value(read_principled(json))), json);
 }
 
+TEST(PrincipledFaults, TexturesOfNumbersAreReadAndWrittenBack) {
+  const char* json =
+      R"({"anisotropy":{"range":[0,1],"type":"wood"},"clearcoat":{"range":[0,1],"type":"noise"},)"
+      R"("clearcoat_roughness":{"range":[0.5,0.5],"scale":2,"type":"stripes"},)"
+      R"("metallic":{"channel":"b","data":"iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAAAAAA6fptVAAAACklEQVR42mP4)"
+      R"(DwABAQEAHLCMmQAAAABJRU5ErkJggg==","range":[0,1],"transfer":"srgb","type":"image"},)"
+      R"("roughness":{"colors":[[0,0,0],[1,0.5,0.25]],"range":[0.75,0.25],"type":"checker"},)"
+      R"("sheen_roughness":{"range":[1,0],"type":"marble"},)"
+      R"("specular":{"channel":"g","range":[0,1],"type":"gradient"},)"
+      R"("transmission":{"range":[0,1],"turbulence":3,"type":"marble"},"type":"principled"})";
+  EXPECT_EQ(to_json(write_value(read_principled(json))), json);
+}
+
+TEST(PrincipledFaults, TexturesOfNumbersSayWhatTheyMean) {
+  const auto refused = [](const std::string& texture, const std::vector<test::Expected>& faults) {
+    expect_principled_refused(R"({"type":"principled","roughness":)" + texture + "}", faults);
+  };
+  const char* two = "2 numbers, each a number from 0 to 1";
+  refused(R"({"type":"checker"})", {{missing, "/roughness/range", "", two}});
+  refused(R"({"range":[0,1]})", {{missing, "/roughness/type", "", "one of checker, stripes"}});
+  refused(R"({"type":"noise","range":0.5})", {{wrong_type, "/roughness/range", "0.5", two}});
+  refused(R"({"type":"noise","range":[0,1,1]})",
+          {{wrong_type, "/roughness/range", "[0,1,1]", two}});
+  refused(R"({"type":"noise","range":[-0.5,1.5]})",
+          {{out_of_range, "/roughness/range/0", "-0.5", "a number from 0 to 1"},
+           {out_of_range, "/roughness/range/1", "1.5", "a number from 0 to 1"}});
+  refused(R"({"type":"checker","range":[0,1],"colors":[0,[1,2,0]]})",
+          {{out_of_range, "/roughness/colors/1/1", "2", "a number from 0 to 1"}});
+  refused(R"({"type":"gradient","range":[0,1],"colors":[0,2]})",
+          {{out_of_range, "/roughness/colors/1", "2", "a number from 0 to 1"}});
+  refused(R"({"type":"noise","range":[0,1],"channel":"red"})",
+          {{unknown_name, "/roughness/channel", R"("red")", "one of r, g, b", "r"}});
+  refused(R"({"type":"noise","rang":[0,1]})",
+          {{missing, "/roughness/range", "", two},
+           {unknown_name, "/roughness/rang", R"("rang")", "range", "range"}});
+  refused(R"({"type":"image","range":[0,1]})", {{missing, "/roughness/data", "", "PNG or JPEG"}});
+  for (const char* wrong : {R"("rough")", "[0.5]", "true", "null"})
+    refused(wrong,
+            {{wrong_type, "/roughness", wrong, "a number from 0 to 1, or a texture with a range"}});
+}
+
+// Those that are no shares, and those of finishes.
+TEST(PrincipledFaults, OtherNumbersAreNotTextured) {
+  const std::string texture = R"({"range":[0,1],"type":"checker"})";
+  for (const std::string word :
+       {"ior", "attenuation_distance", "anisotropy_rotation", "dispersion"}) {
+    std::string json = R"({"type":"principled",")";
+    json.append(word).append("\":").append(texture).append("}");
+    expect_principled_refused(json, {{wrong_type, "/" + word, texture, "a number"}});
+  }
+  expect_principled_refused(R"({"roughness":)" + texture + "}",
+                            {{wrong_type, "/roughness", texture, "a number from 0.00001 to 1"}});
+}
+
 TEST(PrincipledFaults, NumbersAndColoursHaveTheirRanges) {
   const auto refused = [](const std::string& word, const std::string& value, FaultKind kind,
                           const std::string& allowed) {

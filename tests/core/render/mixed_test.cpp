@@ -17,7 +17,9 @@ Scene mixed(std::uint64_t seed) {
   Random random(seed);
   Scene scene = test::mixed_scene(random, 150, 1);
   for (Object& object : scene.objects.edit())
-    if (random.chance(0.8)) object.material = test::matte(test::random_color(random));
+    if (random.chance(0.8))
+      object.material = random.chance(0.3) ? Material{test::random_principled(random)}
+                                           : test::matte(test::random_color(random));
   scene.background = {0.1, 0.2, 0.3};
   scene.camera.location = {3, 4, 25};
   scene.camera.look_at = Vec3d{0, -1, 0};

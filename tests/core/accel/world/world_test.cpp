@@ -4,6 +4,7 @@
 
 #include <numeric>
 
+#include "core/accel/world/winners.h"
 #include "tests/core/random_scene.h"
 
 namespace tia {

@@ -1,0 +1,59 @@
+#include "core/materials/principled_form.h"
+
+#include <algorithm>
+
+#include "core/materials/sheen.h"
+
+namespace tia {
+
+std::size_t heap_bytes(const PrincipledForm& form) {
+  std::size_t bytes = heap_bytes(form.textured);
+  for (const PrincipledForm::Textured& each : form.textured)
+    bytes +=
+        std::visit([](const auto& kind) { return heap_bytes(kind); }, each.texture.texture.kind);
+  return bytes;
+}
+
+bool wants_uv(const PrincipledForm& form) {
+  return std::any_of(form.textured.begin(), form.textured.end(), [](const auto& each) {
+    return std::holds_alternative<ImageForm>(each.texture.texture.kind);
+  });
+}
+
+PrincipledNumbers numbers_at(const PrincipledForm& form, const Vec3d& p, const Vec2d& uv,
+                             double blur) {
+  PrincipledNumbers at = form.numbers;
+  for (const auto& [number, texture] : form.textured) at.*number = number_at(texture, p, uv, blur);
+  return at;
+}
+
+namespace {
+
+void set_numbers(BsdfParameters<double>& bsdf, const PrincipledNumbers& at, const Vec3d& layer) {
+  bsdf.metal = at.metallic;
+  bsdf.glass = (1 - at.metallic) * at.transmission;
+  bsdf.matt = (1 - at.metallic) * (1 - at.transmission);
+  bsdf.f0 = layer * at.specular;
+  bsdf.f90 = at.specular;
+  const double alpha = at.roughness * at.roughness;
+  bsdf.alpha_x = alpha + (1 - alpha) * at.anisotropy * at.anisotropy;
+  bsdf.alpha_y = alpha;
+  bsdf.coat = at.clearcoat;
+  bsdf.coat_alpha = at.clearcoat_roughness * at.clearcoat_roughness;
+  bsdf.sheen_alpha =
+      std::max(at.sheen_roughness * at.sheen_roughness, static_cast<double>(least_sheen));
+}
+
+}  // namespace
+
+// In whitted a metal is a mirror as far as it is smooth, without a colour, and else matt.
+ShadingParameters shading_at(const PrincipledForm& form, const PrincipledNumbers& at) {
+  ShadingParameters shading = form.rest;
+  set_numbers(shading.bsdf, at, form.layer);
+  shading.albedo = form.base * (shading.bsdf.matt + at.metallic * at.roughness);
+  shading.reflection = at.metallic * (1 - at.roughness);
+  shading.transmission = shading.bsdf.glass;
+  return shading;
+}
+
+}  // namespace tia
