@@ -87,7 +87,10 @@ const WhiteKind white_kinds[] = {
     {"glass", 256, [](Principled& p) { p.transmission = 1; }},
     {"prism", 512, [](Principled& p) { p.transmission = 1, p.dispersion = 0.5; }},
     {"pane", 128, [](Principled& p) { p.transmission = 1, p.thin = true; }},
-    {"coated", 64, [](Principled& p) { p.clearcoat = 1, p.clearcoat_roughness = p.roughness / 2; }},
+    {"coated", 64,
+     [](Principled& p) {
+       p.clearcoat = 1, p.clearcoat_roughness = std::get<double>(p.roughness) / 2;
+     }},
     {"cloth", 128,
      [](Principled& p) {
        p.sheen_color = {1, 1, 1}, p.sheen_roughness = p.roughness;
