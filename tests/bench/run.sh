@@ -4,18 +4,22 @@
 # Embree, where it is installed (apt-get install libembree-dev), traces the same rays beside Tia's
 # index, and gnuplot (gnuplot-nox) draws that, into build/release/rays.svg: two minutes. POV-Ray and
 # Tachyon (povray tachyon) trace the scenes of peers/ beside it, which takes ten minutes more, and
-# POV-Ray surfaces from formulas: three minutes.
-# Options: --quick: fewer repetitions, smaller pictures; --no-peers: Tia alone.
+# POV-Ray surfaces from formulas: three minutes. Blender's Cycles (blender) follows the same paths
+# as Tia: an hour, with --cycles only.
+# Options: --quick: fewer repetitions, smaller pictures; --no-peers: Tia alone; --cycles.
 set -euo pipefail
 rounds=9
 peers=(tests/bench/peers/compare.py)
 formulas=(tests/bench/peers/formulas.py)
 rays=(tests/bench/peers/rays.py --svg build/release/rays.svg)
+cycles=(true)
+quick=()
 for option in "$@"; do
   case $option in
-    --quick) rounds=3 peers+=(--quick) formulas+=(--quick) rays+=(--quick) ;;
+    --quick) rounds=3 quick=(--quick) peers+=(--quick) formulas+=(--quick) rays+=(--quick) ;;
     --no-peers) peers=(true) formulas=(true) rays=(true) ;;
-    *) echo "unknown option $option; there are --quick and --no-peers" >&2 && exit 2 ;;
+    --cycles) cycles=(tests/bench/peers/cycles.py --svg build/release/cycles.svg) ;;
+    *) echo "unknown option $option; there are --quick, --no-peers and --cycles" >&2 && exit 2 ;;
   esac
 done
 ROOT=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
@@ -129,3 +133,5 @@ echo
 "${peers[@]}" || echo "No comparison with POV-Ray and Tachyon, or not with equal pictures."
 echo
 "${formulas[@]}" || echo "No comparison of formulas, or unequal pictures, or a target missed."
+echo
+"${cycles[@]}" "${quick[@]}" || echo "No comparison with Cycles, or not with equal light."

@@ -103,21 +103,27 @@ def copies(group):
                                                    zip((i, j, k), repeat["step"])]}])
 
 
-def flatten(objects, materials, material=None, m=IDENTITY):
-    """Yields every primitive of a list of objects; a repeated group yields all of its copies."""
+def placed(objects, materials, material=None, m=IDENTITY):
+    """Yields every object that is no group, the fields of its material, and its place; of a
+    repeated group those of all copies."""
     for item in objects:
         own = item.get("material", material)
         here = after(m, transform_of(item.get("transform", [])))
         if item["type"] == "group":
             for place in copies(item):
-                yield from flatten(item["children"], materials, own, after(here, place))
+                yield from placed(item["children"], materials, own, after(here, place))
         else:
-            whole = materials.get(own, {}) if isinstance(own, str) else own or {}
-            strange = set(whole) - set(DEFAULT_MATERIAL) - {"type"}
-            if strange:
-                raise CannotExpress(", ".join(sorted(strange)))
-            yield Primitive(item["type"], moved(item["type"], item, here),
-                            {**DEFAULT_MATERIAL, **whole})
+            yield item, materials.get(own, {}) if isinstance(own, str) else own or {}, here
+
+
+def flatten(objects, materials):
+    """Yields every primitive of a list of objects; a repeated group yields all of its copies."""
+    for item, whole, here in placed(objects, materials):
+        strange = set(whole) - set(DEFAULT_MATERIAL) - {"type"}
+        if strange:
+            raise CannotExpress(", ".join(sorted(strange)))
+        yield Primitive(item["type"], moved(item["type"], item, here),
+                        {**DEFAULT_MATERIAL, **whole})
 
 
 def primitives(scene):
