@@ -122,8 +122,10 @@ class BudgetOfRequest {
   }
   [[noreturn]] void refuse(const BudgetSpent& spent) const {
     if (spent.of() == BudgetSpent::Of::rays)
-      throw InputError({FaultKind::limit, "/max_rays", write_value(*asked_.max_rays),
-                        "rays for a first round of 16 samples a pixel"});
+      throw InputError(
+          {FaultKind::limit, "/max_rays", write_value(*asked_.max_rays),
+           "the rays of a first round of 16 samples a pixel, at least " +
+               std::to_string(16LL * asked_.window().width() * asked_.window().height())});
     throw HttpError("budget",
                     "budget_ms of " + std::to_string(*asked_.budget_ms) +
                         " was over before each pixel had the 16 samples of a first round; ask for "
