@@ -55,6 +55,10 @@ class Collector {
       case Item::mesh: return meet_mesh(item.index, packet);
       case Item::solid: return meet(geometry_.solids[at], packet);
       case Item::grid: return meet(geometry_.grids[at], packet);
+      case Item::instance: {
+        const InstanceGrid& grid = geometry_.grids[at];
+        return meet(grid, item.number, packet.seen_through(grid.to_group));
+      }
     }
   }
   void add(double t, int primitive, int element, const Packet<double>& packet,
@@ -111,12 +115,14 @@ class Collector {
   }
   void meet(const InstanceGrid& grid, Packet<double>& packet) {
     const Packet<double> outside = packet.seen_through(grid.to_group);
-    const int before = packet.instance * static_cast<int>(grid.repeat.copies());
-    const Space& space = geometry_.spaces[static_cast<std::size_t>(grid.inside)];
-    traverse(grid, outside.box, true, endless_, work_, [&](int instance, bool) {
-      Packet<double> inside = outside.inside_instance(grid.offset(instance), before + instance);
-      through(space, inside);
-    });
+    traverse(grid, outside.box, true, endless_, work_,
+             [&](int number, bool) { meet(grid, number, outside); });
+  }
+  // One instance of the grid, in whose own space `outside` is.
+  void meet(const InstanceGrid& grid, int number, const Packet<double>& outside) {
+    const int before = outside.instance * static_cast<int>(grid.repeat.copies());
+    Packet<double> packet = outside.inside_instance(grid.offset(number), before + number);
+    through(geometry_.spaces[static_cast<std::size_t>(grid.inside)], packet);
   }
 
   const Geometry& geometry_;

@@ -52,9 +52,11 @@ struct BallIndex {
 
 /// Item: a thing in a space other than a ball: what the leaves of the space's tree refer to.
 struct Item {
-  enum Kind { flat, primitive, mesh, solid, grid };
+  enum Kind { flat, primitive, mesh, solid, grid, instance };
   Kind kind = primitive;
-  int index = 0;  ///< into the geometry's list of that kind; of a mesh: its primitive
+  int index = 0;   ///< into the geometry's list of that kind; of a mesh: its primitive; of an
+                   ///< instance: its grid
+  int number = 0;  ///< of an instance: which one of its grid
 };
 
 /// Space: a part of the geometry with a tree of its own: the world, or the inside of a repeated

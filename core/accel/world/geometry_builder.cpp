@@ -128,18 +128,32 @@ int GeometryBuilder::begin_grid(const Repeat& repeat, const Aabb& box, const Set
 
 void GeometryBuilder::end_grid(int number, const Setting& at) {
   const InstanceGrid& grid = geometry_.grids[static_cast<std::size_t>(number)];
+  const Space& inside = geometry_.space(grid.inside);
+  const std::int64_t copies = grid.repeat.copies();
+  const auto balls = static_cast<std::int64_t>(inside.balls.balls.size());
   const auto scale = similarity(at.place);
-  if (at.space == 0 && scale && is_small(grid)) return put_balls(number, at.place, *scale);
+  if (at.space == 0 && scale && inside.items.empty() && takes(balls * copies))
+    return put_balls(number, at.place, *scale);
+  if (grid.box.bounded() && takes(copies)) return put_instances(number, at.place, at.space);
   put({Item::grid, number}, bounds_of(at.place, grid.repeat.swept(grid.box)), at.space);
 }
 
-// The balls of a small grid are found faster in the world's own tree than through the grid. All of
-// them together stay few, because a short text may have many such grids.
-bool GeometryBuilder::is_small(const InstanceGrid& grid) const {
+// Whether so many copies are entered in a tree one by one, where they are found faster than through
+// their grid. All of them together stay few, because a short text may have many such grids.
+bool GeometryBuilder::takes(std::int64_t copies) {
   constexpr std::int64_t most = 8192, most_together = 65536;
-  const Space& inside = geometry_.space(grid.inside);
-  const auto balls = static_cast<std::int64_t>(inside.balls.balls.size()) * grid.repeat.copies();
-  return inside.items.empty() && balls <= most && copied_balls_ + balls <= most_together;
+  if (copies > most || copies_ + copies > most_together) return false;
+  copies_ += copies;
+  return true;
+}
+
+void GeometryBuilder::put_instances(int number, const Affine& place, int space) {
+  const InstanceGrid& grid = geometry_.grids[static_cast<std::size_t>(number)];
+  for (int instance = 0; instance < grid.repeat.copies(); ++instance) {
+    const Vec3d offset = grid.offset(instance);
+    const Aabb box{grid.box.min + offset, grid.box.max + offset};
+    put({Item::instance, number, instance}, bounds_of(place, box), space);
+  }
 }
 
 void GeometryBuilder::put_balls(int grid_number, const Affine& place, double scale) {
@@ -151,7 +165,6 @@ void GeometryBuilder::put_balls(int grid_number, const Affine& place, double sca
       const Sphere round{center, one.sphere.radius * scale};
       put(Ball{round, one.primitive, grid_number, instance}, 0);
     }
-    copied_balls_ += grid.repeat.copies();
   }
 }
 

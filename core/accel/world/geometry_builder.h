@@ -59,7 +59,8 @@ class GeometryBuilder {
   void put(const Sphere& sphere, int primitive, const Setting& at);
   void put(const Ball& ball, int space);
   void put_balls(int grid, const Affine& place, double scale);
-  bool is_small(const InstanceGrid& grid) const;
+  void put_instances(int grid, const Affine& place, int space);
+  bool takes(std::int64_t copies);
   void index(BallIndex& index) const;
   void index(Space& space, const std::vector<Aabb>& boxes) const;
 
@@ -68,7 +69,7 @@ class GeometryBuilder {
   Geometry& geometry_;
   const Workers& workers_;
   std::size_t forms_bytes_ = 0;
-  std::int64_t copied_balls_ = 0;           // of small grids
+  std::int64_t copies_ = 0;                 // of what is in small grids, one by one in trees
   std::map<int, std::vector<Aabb>> boxes_;  // one an item, space by space
 };
 

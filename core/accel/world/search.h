@@ -142,6 +142,10 @@ class Search {
       case Item::mesh: return meet_mesh(item.index, packet, here);
       case Item::solid: return meet(geometry_.solids[at(item)], packet, here);
       case Item::grid: return meet(geometry_.grids[at(item)], packet, here);
+      case Item::instance: {
+        const InstanceGrid& grid = geometry_.grids[at(item)];
+        return meet(grid, item.number, packet.seen_through(grid.to_group), here);
+      }
     }
   }
   static std::size_t at(const Item& item) { return static_cast<std::size_t>(item.index); }
@@ -212,15 +216,18 @@ class Search {
 
   void meet(const InstanceGrid& grid, Packet<Real>& packet, Mask<Real> here) {
     const Packet<Real> outside = packet.seen_through(grid.to_group);
-    const int before = packet.instance * static_cast<int>(grid.repeat.copies());
+    traverse(grid, outside.box, here, query_.limit(), work_,
+             [&](int number, Mask<Real> entered) { meet(grid, number, outside, entered); });
+  }
+  // One instance of the grid, in whose own space `outside` is.
+  void meet(const InstanceGrid& grid, int number, const Packet<Real>& outside, Mask<Real> here) {
+    const int before = outside.instance * static_cast<int>(grid.repeat.copies());
+    Packet<Real> packet = outside.inside_instance(grid.offset(number), before + number);
     const Space& space = geometry_.spaces[static_cast<std::size_t>(grid.inside)];
-    traverse(grid, outside.box, here, query_.limit(), work_, [&](int instance, Mask<Real> entered) {
-      Packet<Real> inside = outside.inside_instance(grid.offset(instance), before + instance);
-      // If the group has a single thing, the instance's box is its box and has been tried already.
-      if (space.items.size() == 1 && space.balls.balls.empty())
-        meet(space.items.front(), inside, entered);
-      else through(space, inside, entered);
-    });
+    // If the group has a single thing, the instance's box is its box and has been tried already.
+    if (space.items.size() == 1 && space.balls.balls.empty())
+      meet(space.items.front(), packet, here);
+    else through(space, packet, here);
   }
 
   const Geometry& geometry_;

@@ -179,6 +179,17 @@ TEST(Repeat, OfRepeatsIsItsCopiesWrittenOut) {
   EXPECT_EQ(instances.of_objects->primitives.size(), 5U);
 }
 
+// More copies than are entered in a tree one by one, beside the same as a row of rows, which are.
+TEST(Repeat, OfManyIsARowOfRows) {
+  const TransformSteps place = steps({Scale{Vec3d{1, -0.8, 1.2}}, RotateDegrees{{40, 10, -20}}});
+  const World grid = world_of({repeated(motif(), {{91, 91, 1}, {1.5, 1.7, 0}}, place)});
+  const World rows = world_of(
+      {repeated({repeated(motif(), {{91, 1, 1}, {1.5, 0, 0}})}, {{1, 91, 1}, {0, 1.7, 0}}, place)});
+  EXPECT_EQ(grid.of_objects->spaces[0].items.size(), 1U);
+  EXPECT_EQ(rows.of_objects->spaces[0].items.size(), 91U);
+  expect_same_hits(grid, rows, 60);
+}
+
 TEST(Repeat, CopiesOfOneAreNumberedInTheOrderOfXThenYThenZ) {
   const World world = world_of({repeated({ball({}, 0.2)}, {{4, 3, 2}, {1, 10, 100}})});
   for (int i = 0; i < 4; ++i)
@@ -202,15 +213,21 @@ TEST(Repeat, OfAMillionHitsTheCopyThatStandsThere) {
   }
 }
 
-// A short text with many small grids is not compiled to many balls, and those that stay grids are
+// A short text with many small grids is not compiled to many things, and those that stay grids are
 // hit alike: in the other order others do.
-TEST(Repeat, OfManySmallGridsHasFewBallsOfItsOwn) {
+TEST(Repeat, OfManySmallGridsHasFewThingsOfItsOwn) {
   constexpr int grids = 12;
   std::vector<Object> all;
-  for (int i = 0; i < grids; ++i)
-    all.push_back(repeated({ball({40.0 * i, 0, 0}, 0.4)}, {{20, 20, 20}, {1, 1, 1}}));
+  for (int i = 0; i < grids; ++i) {
+    const Vec3d at{40.0 * i, 0, 0};
+    const Object thing = i % 2 == 0 ? ball(at, 0.4) : object_of(Box{at, at + Vec3d{.5, .5, .5}});
+    all.push_back(repeated({thing}, {{20, 20, 20}, {1, 1, 1}}));
+  }
   const World world = world_of(all), backwards = world_of({all.rbegin(), all.rend()});
-  EXPECT_LE(world.balls.size(), 65'536U + grids);
+  const Geometry& geometry = *world.of_objects;
+  const std::size_t things = geometry.balls.size() + geometry.spaces[0].items.size();
+  EXPECT_GT(things, 60'000U);
+  EXPECT_LE(things, 65'536U + grids);
   Random random(504);
   int hits = 0;
   for (int n = 0; n < 2000; ++n) {
