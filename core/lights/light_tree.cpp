@@ -4,36 +4,11 @@
 #include <array>
 #include <cmath>
 
+#include "core/lights/light_importance.h"
 #include "core/math/deterministic.h"
-#include "core/math/onb.h"
 
 namespace tia {
 namespace {
-
-double sine_of(double cosine) { return std::sqrt(std::max(0.0, 1 - cosine * cosine)); }
-// The cosine of max(0, a - b).
-double cos_of_rest(double sin_a, double cos_a, double sin_b, double cos_b) {
-  return cos_a > cos_b ? 1 : cos_a * cos_b + sin_a * sin_b;
-}
-double clamped(double cosine) { return std::clamp(cosine, -1.0, 1.0); }
-
-/// DirectionCone: directions within an angle of an axis. The smallest around two.
-struct DirectionCone {
-  Vec3d axis;
-  double cosine;
-};
-DirectionCone around(const DirectionCone& a, const DirectionCone& b) {
-  const double of_a = acos_of(clamped(a.cosine)), of_b = acos_of(clamped(b.cosine));
-  const double between = acos_of(clamped(dot(a.axis, b.axis)));
-  if (std::min(between + of_b, pi) <= of_a) return a;
-  if (std::min(between + of_a, pi) <= of_b) return b;
-  const double whole = (of_a + between + of_b) / 2;
-  const Vec3d across = cross(a.axis, b.axis);
-  if (whole >= pi || dot(across, across) == 0) return {a.axis, -1};
-  const auto [sine, cosine] = sincos_of(whole - of_a);
-  const Vec3d aside = cross(unit(across), a.axis);
-  return {normalize(a.axis * cosine + aside * sine), cos_of(whole)};
-}
 
 // How much two halves cost by surface, power and the directions that they shine in.
 // Source: Conty Estevez, Kulla (2018), 4.1.
@@ -98,51 +73,23 @@ Split best_split(const std::vector<LightBounds>& lights, std::vector<int>::itera
 
 }  // namespace
 
-double LightBounds::importance(const Vec3d& p, const Vec3d& n) const {
-  const Vec3d half = box.size() * 0.5, way = p - box.center();
-  const double radius_square = dot(half, half), square = dot(way, way);
-  const double distance_square = std::max(square, radius_square);
-  if (!(distance_square > 0)) return power;
-  // From within the ball around the box the lights may be anywhere.
-  const bool inside = square <= radius_square;
-  const Vec3d wi = square > 0 ? way * (1 / std::sqrt(square)) : Vec3d{0, 0, 1};
-  const double cos_b = inside ? -1 : std::sqrt(1 - radius_square / square);
-  const double sin_b = sine_of(cos_b);
-  double cos_w = clamped(dot(axis, wi));
-  if (two_sided) cos_w = std::fabs(cos_w);
-  const double sin_w = sine_of(cos_w), sin_o = sine_of(cos_o);
-  const double cos_x = cos_of_rest(sin_w, cos_w, sin_o, cos_o);
-  const double sin_x = cos_w > cos_o ? 0 : std::max(0.0, sin_w * cos_o - cos_w * sin_o);
-  const double facing = inside ? 1 : cos_of_rest(sin_x, cos_x, sin_b, cos_b);
-  if (facing <= cos_e) return 0;
-  const double cos_i = std::fabs(clamped(dot(wi, n)));
-  const double lit = inside || n == Vec3d{} ? 1 : cos_of_rest(sine_of(cos_i), cos_i, sin_b, cos_b);
-  return std::max(0.0, power * facing * lit / distance_square);
-}
+struct LightTree::Node {
+  LightBounds bounds;
+  int left = -1, right = -1;
+  int light = -1;  // of a leaf
 
-LightBounds around(const LightBounds& a, const LightBounds& b) {
-  if (a.power == 0) return b;
-  if (b.power == 0) return a;
-  const DirectionCone cone = around(DirectionCone{a.axis, a.cos_o}, DirectionCone{b.axis, b.cos_o});
-  return {around(a.box, b.box), a.power + b.power,          cone.axis,
-          cone.cosine,          std::min(a.cos_e, b.cos_e), a.two_sided || b.two_sided};
-}
+  using Range = std::vector<int>::iterator;
+  static int build(const std::vector<LightBounds>& lights, Range from, Range to,
+                   std::vector<Node>& nodes);
+};
 
-LightTree::LightTree(const std::vector<LightBounds>& lights) : leaf_of_(lights.size(), -1) {
-  std::vector<int> order;
-  for (std::size_t i = 0; i < lights.size(); ++i)
-    if (lights[i].power > 0) order.push_back(static_cast<int>(i));
-  nodes_.reserve(2 * order.size());
-  if (!order.empty()) build(lights, order.begin(), order.end(), -1);
-}
-
-int LightTree::build(const std::vector<LightBounds>& lights, Range from, Range to, int parent) {
+int LightTree::Node::build(const std::vector<LightBounds>& lights, Range from, Range to,
+                           std::vector<Node>& nodes) {
   const auto of = [&](int i) -> const LightBounds& { return lights[static_cast<std::size_t>(i)]; };
-  const auto at = nodes_.size();
-  nodes_.emplace_back().parent = parent;
+  const auto at = nodes.size();
+  nodes.emplace_back();
   if (to - from == 1) {
-    leaf_of_[static_cast<std::size_t>(*from)] = static_cast<int>(at);
-    nodes_[at].bounds = of(*from), nodes_[at].light = *from;
+    nodes[at].bounds = of(*from), nodes[at].light = *from;
     return static_cast<int>(at);
   }
   Aabb middles, box;
@@ -154,46 +101,122 @@ int LightTree::build(const std::vector<LightBounds>& lights, Range from, Range t
     middle = std::stable_partition(
         from, to, [&](int i) { return bucket_of(of(i), middles, best.axis) < best.bucket; });
   if (middle == from || middle == to) middle = from + (to - from) / 2;
-  const int left = build(lights, from, middle, static_cast<int>(at));
-  const int right = build(lights, middle, to, static_cast<int>(at));
-  nodes_[at].left = left, nodes_[at].right = right;
-  nodes_[at].bounds = around(nodes_[static_cast<std::size_t>(left)].bounds,
-                             nodes_[static_cast<std::size_t>(right)].bounds);
+  const int left = build(lights, from, middle, nodes), right = build(lights, middle, to, nodes);
+  nodes[at].left = left, nodes[at].right = right;
+  nodes[at].bounds = around(nodes[static_cast<std::size_t>(left)].bounds,
+                            nodes[static_cast<std::size_t>(right)].bounds);
   return static_cast<int>(at);
 }
 
+LightTree::LightTree(const std::vector<LightBounds>& lights) : leaf_of_(lights.size(), -1) {
+  std::vector<int> order;
+  for (std::size_t i = 0; i < lights.size(); ++i)
+    if (lights[i].power > 0) order.push_back(static_cast<int>(i));
+  if (order.empty()) return;
+  std::vector<Node> nodes;
+  nodes.reserve(2 * order.size());
+  Node::build(lights, order.begin(), order.end(), nodes);
+  pack(nodes, 0, -1);
+}
+
+// Returns: the family below a node. A light that is alone has nothing beside it.
+int LightTree::pack(const std::vector<Node>& nodes, int node, int parent) {
+  const int family = static_cast<int>(families_.size());
+  families_.emplace_back().parent = parent;
+  const Node& above = nodes[static_cast<std::size_t>(node)];
+  if (above.light >= 0) return put(nodes, node, family, 0), family;
+  put(nodes, above.left, family, 0);
+  put(nodes, above.right, family, 1);
+  return family;
+}
+
+void LightTree::put(const std::vector<Node>& nodes, int number, int family, std::size_t lane) {
+  const Node& node = nodes[static_cast<std::size_t>(number)];
+  const auto of = [&]() -> Family& { return families_[static_cast<std::size_t>(family)]; };
+  const auto words = words_of(node.bounds);
+  for (std::size_t k = 0; k < Family::words; ++k) of().word[k][lane] = words[k];
+  const int place = static_cast<int>(Family::lanes) * family + static_cast<int>(lane);
+  if (node.light >= 0) {
+    leaf_of_[static_cast<std::size_t>(node.light)] = place;
+    of().children[lane] = {Child::light, node.light};
+  } else if (lane < 2) {
+    const std::size_t pair = 2 * lane + 2;
+    of().children[lane] = {Child::pair, static_cast<int>(pair)};
+    put(nodes, node.left, family, pair);
+    put(nodes, node.right, family, pair + 1);
+  } else {
+    const int below = pack(nodes, number, place);
+    of().children[lane] = {Child::family, below};
+  }
+}
+
+/// Weights: how much the lanes of a family may give a point. They are computed when they are asked
+/// for, all that are in one register together.
+class LightTree::Weights {
+ public:
+  Weights(const Family& family, const Vec3d& p, const Vec3d& n) : family_(family), p_(p), n_(n) {}
+
+  double operator[](std::size_t lane) {
+    const std::size_t first = lane / size * size;
+    if (first != first_) weigh(first);
+    return each_[lane - first];
+  }
+
+ private:
+  static constexpr std::size_t size = DoubleRegister::size;
+  static_assert(size % 2 == 0 && Family::lanes % size == 0);
+
+  void weigh(std::size_t first) {
+    const auto load = [&](std::size_t k) {
+      return DoubleRegister::load_unaligned(&family_.word[k][first]);
+    };
+    importance_of(Shine<DoubleRegister>::of(load), p_, n_).store_unaligned(each_.data());
+    first_ = first;
+  }
+
+  const Family& family_;
+  const Vec3d &p_, &n_;
+  std::size_t first_ = Family::lanes;  // of those in each_; lanes: none yet
+  std::array<double, size> each_;
+};
+
 LightTree::Choice LightTree::choose(const Vec3d& p, const Vec3d& n, double u) const {
-  if (nodes_.empty()) return {};
+  if (families_.empty()) return {};
   double chance = 1;
-  const Node* node = nodes_.data();
-  while (node->light < 0) {
-    const Node &left = nodes_[static_cast<std::size_t>(node->left)],
-               &right = nodes_[static_cast<std::size_t>(node->right)];
-    const double a = left.bounds.importance(p, n), b = right.bounds.importance(p, n);
-    if (!(a + b > 0)) return {};
-    const double share = a / (a + b);
-    if (u < share) {
-      node = &left, u /= share, chance *= share;
-    } else {
-      node = &right, u = (u - share) / (1 - share), chance *= b / (a + b);
+  Child child{Child::family, 0};
+  while (child.kind == Child::family) {
+    const Family& family = families_[static_cast<std::size_t>(child.index)];
+    Weights each(family, p, n);
+    child = {Child::pair, 0};
+    while (child.kind == Child::pair) {
+      auto lane = static_cast<std::size_t>(child.index);
+      const double a = each[lane], b = each[lane + 1];
+      if (!(a + b > 0)) return {};
+      const double share = a / (a + b);
+      if (u < share) {
+        u /= share, chance *= share;
+      } else {
+        u = (u - share) / (1 - share), chance *= b / (a + b), ++lane;
+      }
+      child = family.children[lane];
     }
   }
-  if (node == nodes_.data() && !(node->bounds.importance(p, n) > 0)) return {};
-  return {node->light, chance};
+  return {child.index, chance};
 }
 
 double LightTree::chance(int light, const Vec3d& p, const Vec3d& n) const {
-  const int leaf = leaf_of_[static_cast<std::size_t>(light)];
-  if (leaf < 0) return 0;
-  const Node* node = &nodes_[static_cast<std::size_t>(leaf)];
-  double chance = node->parent < 0 && !(node->bounds.importance(p, n) > 0) ? 0 : 1;
-  while (node->parent >= 0 && chance > 0) {
-    const Node& above = nodes_[static_cast<std::size_t>(node->parent)];
-    const bool is_left = &nodes_[static_cast<std::size_t>(above.left)] == node;
-    const Node& other = nodes_[static_cast<std::size_t>(is_left ? above.right : above.left)];
-    const double own = node->bounds.importance(p, n), rest = other.bounds.importance(p, n);
-    chance *= own + rest > 0 ? own / (own + rest) : 0;
-    node = &above;
+  int at = leaf_of_[static_cast<std::size_t>(light)];
+  double chance = at < 0 ? 0 : 1;
+  while (at >= 0 && chance > 0) {
+    const Family& family = families_[static_cast<std::size_t>(at) / Family::lanes];
+    Weights each(family, p, n);
+    // The pair of the lane, and then the pair above it.
+    for (std::size_t lane = static_cast<std::size_t>(at) % Family::lanes;; lane = lane / 2 - 1) {
+      const double own = each[lane], rest = each[lane ^ 1];
+      chance *= own + rest > 0 ? own / (own + rest) : 0;
+      if (lane < 2 || !(chance > 0)) break;
+    }
+    at = family.parent;
   }
   return chance;
 }

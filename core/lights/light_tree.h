@@ -2,26 +2,12 @@
 // deep.
 #pragma once
 
+#include <array>
 #include <vector>
 
-#include "core/math/aabb.h"
+#include "core/lights/light_bounds.h"
 
 namespace tia {
-
-/// LightBounds: where one or several lights are and how much they shine whereto: within `cos_o` of
-/// the axis are all directions that they face, and within cos_e of those all that they shine in.
-struct LightBounds {
-  Aabb box{};
-  double power = 0;
-  Vec3d axis{0, 0, 1};
-  double cos_o = -1, cos_e = 0;
-  bool two_sided = false;
-
-  /// About how much a surface at p with the normal n, to either side, may get; 0 where it gets
-  /// none; of n = 0, a point within a medium. Domain: else a unit normal.
-  double importance(const Vec3d& p, const Vec3d& n) const;
-};
-LightBounds around(const LightBounds& a, const LightBounds& b);
 
 /// Source: Conty Estevez, Kulla, "Importance sampling of many lights with adaptive tree splitting",
 /// Proc. ACM Comput. Graph. Interact. Tech. 1(2) (2018), without the splitting; Pharr, Jakob,
@@ -41,17 +27,28 @@ class LightTree {
   double chance(int light, const Vec3d& p, const Vec3d& n) const;
 
  private:
-  struct Node {
-    LightBounds bounds;
-    int parent = -1;
-    int left = -1, right = -1;
-    int light = -1;  ///< of a leaf
+  struct Node;  // of the binary tree while it is built
+  /// What follows where a lane of a family is chosen: one of the family's own pairs, another
+  /// family, or the light that it is.
+  struct Child {
+    enum Kind { pair, family, light };
+    Kind kind = light;
+    int index = -1;
   };
-  using Range = std::vector<int>::iterator;
-  int build(const std::vector<LightBounds>& lights, Range from, Range to, int parent);
+  /// Family: the two children of a node of the binary tree in lanes 0 and 1, and theirs in lanes 2
+  /// and 3, 4 and 5, so that a register holds whole pairs.
+  struct Family {
+    static constexpr std::size_t words = 12, lanes = 8;
+    std::array<std::array<double, lanes>, words> word{};  ///< light_importance.h: words_of
+    std::array<Child, 6> children{};
+    int parent = -1;  ///< lanes * that family + the lane in it; -1: of the root
+  };
+  class Weights;
+  int pack(const std::vector<Node>& nodes, int node, int parent);
+  void put(const std::vector<Node>& nodes, int node, int family, std::size_t lane);
 
-  std::vector<Node> nodes_;
-  std::vector<int> leaf_of_;  // each light's node; -1: none
+  std::vector<Family> families_;
+  std::vector<int> leaf_of_;  // lanes * each light's family + its lane; -1: none
 };
 
 }  // namespace tia

@@ -3,8 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
+#include "core/lights/light_importance.h"
 #include "core/math/deterministic.h"
 #include "core/math/onb.h"
 #include "tests/core/support.h"
@@ -61,6 +63,43 @@ TEST(LightTree, ChancesAddUpToOne) {
     }
   }
   EXPECT_GT(lit, rounds(1500, 100));
+}
+
+// A register of them at once, at points within their boxes and far from them.
+TEST(LightTree, SeveralAreWeighedAsEachAlone) {
+  constexpr std::size_t size = DoubleRegister::size;
+  Random random(944);
+  for (int i = 0; i < rounds(1000, 50); ++i) {
+    std::array<LightBounds, size> lights;
+    std::array<std::array<double, size>, 12> words{};
+    for (std::size_t k = 0; k < size; ++k) {
+      lights[k] = random_lights(random).back();
+      for (std::size_t word = 0; word < 12; ++word) words[word][k] = words_of(lights[k])[word];
+    }
+    const Vec3d p = random.chance(0.2) ? lights[1].box.center() : random.point(8);
+    const Vec3d n = random.chance(0.2) ? Vec3d{} : random.direction();
+    const auto load = [&](std::size_t k) {
+      return DoubleRegister::load_unaligned(words[k].data());
+    };
+    std::array<double, size> all;
+    importance_of(Shine<DoubleRegister>::of(load), p, n).store_unaligned(all.data());
+    for (std::size_t k = 0; k < size; ++k) ASSERT_EQ(all[k], lights[k].importance(p, n));
+  }
+}
+
+// A light that is alone, and one whose sister gives nothing.
+TEST(LightTree, OfOneChoosesItWhereItShines) {
+  const LightBounds down{{{0, 1, 0}, {0, 1, 0}}, 2, {0, -1, 0}, 1, 0};
+  for (const std::vector<LightBounds>& lights :
+       {std::vector{down}, std::vector{down, LightBounds{down.box, 0}}}) {
+    const LightTree tree(lights);
+    const Vec3d up{0, 1, 0};
+    EXPECT_EQ(tree.choose({0, 0, 0}, up, 0.999).light, 0);
+    EXPECT_EQ(tree.choose({0, 0, 0}, up, 0).chance, 1);
+    EXPECT_EQ(tree.chance(0, {0, 0, 0}, up), 1);
+    EXPECT_EQ(tree.choose({0, 2, 0}, up, 0.5).light, -1);
+    EXPECT_EQ(tree.chance(0, {0, 2, 0}, up), 0);
+  }
 }
 
 TEST(LightTree, ChancesOfPointsAddUpToExactlyOne) {
