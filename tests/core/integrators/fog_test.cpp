@@ -1,21 +1,12 @@
 // Fog, by closed forms and by integrals along the ray that the tests sum up themselves.
-#include "core/integrators/fog_line.h"
-#include "core/integrators/phase.h"
 #include "tests/core/integrators/paths.h"
+#include "tests/core/integrators/quadrature.h"
 
 namespace tia {
 namespace {
 
 using namespace test;
 
-// Simpson's rule.
-template <class F>
-double simpson(double from, double to, int halves, F f) {
-  const double h = (to - from) / (2 * halves);
-  double sum = f(from) + f(to);
-  for (int i = 1; i < 2 * halves; ++i) sum += f(from + i * h) * (i % 2 == 1 ? 4 : 2);
-  return sum * h / 3;
-}
 double phase_of(double g, double cosine) {
   return (1 - g * g) / (4 * pi * std::pow(1 + g * g - 2 * g * cosine, 1.5));
 }
@@ -26,65 +17,6 @@ Fog in_box(Fog fog, const Vec3d& min, const Vec3d& max) {
   fog.bounds = Bounds{min, max, {}, {}};
   return fog;
 }
-TEST(Phase, IsDrawnAsDenseAsItSays) {
-  Random random(910);
-  for (int round = 0; round < 20; ++round) {
-    const double g = round == 0 ? 0 : random.in(-0.95, 0.95);
-    const HenyeyGreenstein<double> phase{g};
-    const Vec3d w = random.direction();
-    EXPECT_NEAR(simpson(-1, 1, 4000, [&](double c) { return 2 * pi * phase.value(c); }), 1, 1e-6);
-    // The cosine's cumulative distribution, by integration of the definition.
-    const auto below = [&](double c) {
-      if (g == 0) return (1 + c) / 2;
-      return (1 - g * g) / (2 * g) *
-             (1 / std::sqrt(1 + g * g - 2 * g * c) - 1 / std::sqrt(1 + g * g + 2 * g));
-    };
-    constexpr int n = 4096, bins = 16;
-    std::array<int, bins> found{};
-    Vec3d sum{};
-    for (int i = 0; i < n; ++i) {
-      const Vec3d wi = phase.sample(w, random.in(0, 1), random.in(0, 1));
-      EXPECT_NEAR(length(wi), 1, 1e-9);
-      sum = sum + wi;
-      const double share = below(std::clamp(dot(w, wi), -1.0, 1.0));
-      ++found[static_cast<std::size_t>(std::clamp(share, 0.0, 1 - 1e-12) * bins)];
-    }
-    double chi = 0;
-    for (const int each : found) chi += std::pow(each - n / bins, 2) / (n / bins);
-    EXPECT_LT(chi, 15 + 5 * std::sqrt(2 * 15)) << g;
-    EXPECT_LT(length(sum * (1.0 / n) - w * g), 5 / std::sqrt(n)) << g;
-  }
-}
-
-TEST(FogLine, DistancesAreDrawnAsDenseAsTheySay) {
-  Random random(911);
-  for (int round = 0; round < 60; ++round) {
-    const double near = random.in(0, 3);
-    const double far = round % 3 == 0 ? infinity : near + std::pow(10, random.in(-4, 2));
-    const double density = std::pow(10, random.in(-3, 1));
-    const FogLine line(random.point(5), random.direction(), near, far, density);
-    const Vec3d lamp = round % 5 == 0 ? line.point(near + random.in(0.1, 1)) : random.point(5);
-    const FogLine::View view(line, lamp);
-    for (const bool aimed : {false, true}) {
-      const auto at = [&](double u) { return aimed ? view.draw(u) : line.within(u); };
-      const auto pdf = [&](double t) { return aimed ? view.pdf(t) : line.met(t) / line.taken(); };
-      // dt/du = 1 / pdf.
-      for (const double u : {0.1, 0.37, 0.8, 0.95}) {
-        const double step = 1e-5, slope = (at(u + step) - at(u - step)) / (2 * step);
-        EXPECT_NEAR(slope * pdf(at(u)), 1, 1e-3) << round << ' ' << aimed << ' ' << u;
-      }
-      EXPECT_NEAR(at(0), near, 1e-6 * (near + 1));
-      if (far < infinity && (aimed || line.taken() < 0.99)) {
-        EXPECT_NEAR(at(1 - 1e-12), far, 1e-4 * far);
-      }
-    }
-    const double passed = std::exp(-density * (far - near));
-    EXPECT_NEAR(line.taken(), 1 - passed, 1e-12);
-    EXPECT_NEAR(line.flight(0.5), near + std::log(2) / density, 1e-9 * line.flight(0.5));
-    EXPECT_NEAR(line.met(near), density, 1e-12 * density);
-  }
-}
-
 // Bouguer's law, which needs no chance where nothing is scattered: of a lamp seen, and of a wall
 // that a point light lights.
 TEST(Fog, LetsLightThroughByItsLength) {
