@@ -74,28 +74,31 @@ class FogSampling {
     return {distance, span.open || (span.here && distance < span.far), load<Real>(weight.data())};
   }
 
-  /// Calls f(t, flown, draw, mask) for what the lanes of `here` ask for: at distance t, what one
-  /// light sends there; `draw.pdf` is by distance, too, and `flown` the density with which flight()
-  /// leads there.
+  /// Where light is asked for: at a distance where the fog meets light from the ray's beginning
+  /// with density `met`, and where flight() leads with density `flown`.
+  struct Meeting {
+    Real t, met, flown;
+  };
+  /// Calls f(meeting, draw, mask) for what the lanes of `here` ask for, what one light sends there;
+  /// `draw.pdf` is by distance, too.
   template <class F>
   void draw(const Ray<Real>& ray, const FogSpan<Real>& span,
             const typename PathNumbers<Real>::InFog& numbers, Mask<Real> here, F f) const {
     if (lights_.empty()) return;
-    Lanes light, share{}, t{}, flown{};
+    Lanes light, share{}, t{}, met{}, flown{};
     light.fill(-1);
     each_lane<Real>(here, [&](int i, std::size_t at) {
       const FogLine way = line(ray, span, i);
       const Drawn one = drawn(way, tia::lane(numbers.choice, i), tia::lane(numbers.distance, i));
       light[at] = static_cast<Lane>(one.light), share[at] = static_cast<Lane>(one.density);
-      t[at] = one.t;
+      t[at] = static_cast<Lane>(one.t);
+      met[at] = static_cast<Lane>(one.met);
       flown[at] = static_cast<Lane>(one.met / way.flight_weight());
     });
-    const Real distance = load<Real>(t.data()), density = load<Real>(flown.data());
+    const Meeting meeting{load<Real>(t.data()), load<Real>(met.data()), load<Real>(flown.data())};
     all_.draw_of(load<Real>(light.data()), load<Real>(share.data()),
-                 ray.origin + ray.direction * distance, numbers.u, numbers.v, here,
-                 [&](const LightDraw<Real>& drawn, Mask<Real> those) {
-                   f(distance, density, drawn, those);
-                 });
+                 ray.origin + ray.direction * meeting.t, numbers.u, numbers.v, here,
+                 [&](const LightDraw<Real>& drawn, Mask<Real> those) { f(meeting, drawn, those); });
   }
 
   /// FogVertex: where a path has scattered in fog, for what it then meets.
@@ -137,8 +140,7 @@ class FogSampling {
   }
   struct Drawn {
     int light = -1;
-    Lane t = 0;
-    double met = 0, density = 0;  // of the line there, and of all that is drawn
+    double t = 0, met = 0, density = 0;  // of the line there, and of all that is drawn
   };
   Drawn drawn(const FogLine& way, double choice, double u) const {
     const bool aims = choice >= 0.5;
@@ -147,15 +149,12 @@ class FogSampling {
     const int light = lights_.choose(from, {}, aims ? 2 * choice - 1 : 2 * choice).light;
     if (light < 0) return {};
     if (!lights_.is_near(light)) {
-      const auto t = static_cast<Lane>(aims ? way.within(u) : within);
-      const double met = way.met(static_cast<double>(t));
-      return {light, t, met, density(way, light, static_cast<double>(t), met, met / way.taken())};
+      const double t = aims ? way.within(u) : within, met = way.met(t);
+      return {light, t, met, density(way, light, t, met, met / way.taken())};
     }
     const FogLine::View view(way, lights_.middle(light));
-    const auto t = static_cast<Lane>(aims ? view.draw(u) : within);
-    const auto at = static_cast<double>(t);
-    const double met = way.met(at);
-    return {light, t, met, density(way, light, at, met, view.pdf(at))};
+    const double t = aims ? view.draw(u) : within, met = way.met(t);
+    return {light, t, met, density(way, light, t, met, view.pdf(t))};
   }
   // Of a light and a distance t: `aimed` is that of the distance where the light comes first.
   double density(const FogLine& way, int light, double t, double met, double aimed) const {

@@ -64,17 +64,16 @@ class LightGatherer {
                      const typename PathNumbers<Real>::InFog& draws) {
     const WorldFog& fog = world_view_.world.fog;
     fog_.draw(ray, span, draws, span.here,
-              [&](const Real& t, const Real& flown, const LightDraw<Real>& draw, Mask<Real> here) {
+              [&](const auto& meeting, const LightDraw<Real>& draw, Mask<Real> here) {
                 world_view_.work.test();
                 const Real density = lift<Real>(fog.density);
-                const Real met = density * exp_of(-density * (t - span.near));
                 const Real phase = phase_.value(dot(ray.direction, draw.wi));
-                const V p = ray.origin + ray.direction * t;
-                const V scattered = lift<Real>(fog.albedo) * draw.light * (met * phase);
+                const V p = ray.origin + ray.direction * meeting.t;
+                const V scattered = lift<Real>(fog.albedo) * draw.light * (meeting.met * phase);
                 const Mask<Real> lit = here && shines(scattered) && is_finite(scattered);
                 if (!any(lit)) return;
                 const Mask<Real> dark = hidden(draw, p, {p, draw.wi}, Real(0), lit);
-                add(lit && !dark, scattered * (asked_weight(draw, flown * phase) *
+                add(lit && !dark, scattered * (asked_weight(draw, meeting.flown * phase) *
                                                fog_between(p, draw, density)));
               });
   }

@@ -124,7 +124,7 @@ class BudgetOfRequest {
     if (spent.of() == BudgetSpent::Of::rays)
       throw InputError(
           {FaultKind::limit, "/max_rays", write_value(*asked_.max_rays),
-           "the rays of a first round of 16 samples a pixel, at least " +
+           "more than a first round of 16 samples a pixel takes: from the eye alone " +
                std::to_string(16LL * asked_.window().width() * asked_.window().height())});
     throw HttpError("budget",
                     "budget_ms of " + std::to_string(*asked_.budget_ms) +

@@ -88,7 +88,8 @@ function figuresOf(shown) {
   const { timing, rays, noise, blob, ms, request } = shown;
   const { width, height } = windowOf(request);
   const phases = timing.filter(({ name }) => name !== 'total');
-  const all = rays.reduce((sum, { count }) => sum + count, 0);
+  const traced = rays.filter(({ name }) => name !== 'cut'); // which counts paths
+  const all = traced.reduce((sum, { count }) => sum + count, 0);
   return [
     element('h2', {}, t('numbers.server')),
     element('p', { class: 'figure' }, phases.length ? msWords(totalMs(timing)) : t('numbers.untold')),
@@ -97,7 +98,7 @@ function figuresOf(shown) {
     element('p', { class: 'note from' }, t(`numbers.${sourceOf(shown)}`)),
     element('h2', {}, t('numbers.rays')),
     element('p', { class: 'figure' }, rays.length ? countWords(all) : t('numbers.untold')),
-    bar(rays.map(({ name, count }) => ({ name, value: count }))),
+    bar(traced.map(({ name, count }) => ({ name, value: count }))),
     list('kinds', rays.map(({ name, count }) => [name, countWords(count)])),
     element('h2', {}, t('numbers.picture')),
     list('whole', [
