@@ -155,22 +155,6 @@ TEST(Fog, OfABoxScattersParallelLight) {
   expect_mean(light_from(scene, {0, 0, 0}, {0, 0, -1}, 256, 1), expected, 1e-4);
 }
 
-// Far away, where the steps of float are as long as free flights, the light is still that of the
-// exact distances: of parallel light that comes along the ray, the share that is scattered back.
-TEST(Fog, IsAsBrightFarAway) {
-  for (const double distance : {10.0, 1e3}) {
-    const double density = 0.2 / (distance * 0x1p-24);
-    Scene scene;
-    scene.fog = in_box(fog_of(density, 0.9), {-1, -1, -2 * distance}, {1, 1, -distance});
-    Light lamp;
-    lamp.kind = DirectionalLight{.direction = Vec3d{0, 0, -1}};
-    lamp.intensity = 10;
-    scene.lights = {lamp};
-    const Mean mean = light_from(scene, {0, 0, 0}, {0, 0, -1}, 256, 1);
-    EXPECT_NEAR(mean.value, 10 * 0.9 / (4 * pi) / 2, 0.01 * mean.value) << distance;
-  }
-}
-
 // Where all is equally bright, white fog cannot be seen, whatever way it scatters.
 TEST(Fog, WhiteInAWhiteSkyCannotBeSeen) {
   for (const double g : {-0.5, 0.0, 0.9}) {
