@@ -27,7 +27,7 @@ TOLERANCE = 2  # of 255, in any channel
 TARGETS = {"algebraic": 8, "implicit": 4, "explicit": 4, "parametric": 20}
 # How shares of max_gradient are settled: by which factor they shrink, how accurate the picture for
 # comparison is, and which share of the pixels may differ from it by more than TORN. Only outlines
-# may: POV-Ray sampler_state parametric surfaces up to their accuracy too wide, the wider the greater
+# may: POV-Ray samples parametric surfaces up to their accuracy too wide, the wider the greater
 # max_gradient, so that their picture at its steepest would not do.
 STEPS = {"implicit": (2 ** -0.125, ACCURACY, 0.00005), "explicit": (2 ** -0.125, ACCURACY, 0.00005),
          "parametric": (0.5, ACCURACY / 100, 0.001)}

@@ -3,7 +3,7 @@
 
 The work is that of tia_rays (tests/bench/rays), which measures Embree where it was installed when
 Tia was built. Of all rounds the least time counts, for whatever else the machine does only adds.
-With --svg also sampler_state what a ray costs against the number of primitives.
+With --svg also plots what a ray costs against the number of primitives.
 """
 
 import argparse

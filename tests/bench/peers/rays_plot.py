@@ -1,4 +1,4 @@
-"""SamplerState what a ray costs against the number of primitives: small multiples, by gnuplot."""
+"""Plots what a ray costs against the number of primitives: small multiples, by gnuplot."""
 
 import re
 import subprocess
