@@ -55,18 +55,23 @@ Real faded(const Real& light, const Real& share) {
   return select(light > Real(0), light * share, Real(0));
 }
 
-/// The i-th sample of the light: all of a pixel's together are Sobol's points of the area that p
+/// The points of a light's samples: all of a pixel's together are Sobol's of the area that a point
 /// sees, so that soft shadows are smooth at few.
 template <class Real>
-LightSample<Real> sample_area(const WorldLight& light, int number, int i, const Vec3<Real>& p,
-                              const RayPath<Real>& path) {
+auto points_of_light(int number, const RayPath<Real>& path) {
   constexpr std::uint32_t of_lights = 0x80000000;  // blocks from here on are the lights' alone
   const SamplerState<Real>& state = path.sampler_state;
-  const std::uint32_t sample =
-      state.sample * static_cast<std::uint32_t>(light.samples) + static_cast<std::uint32_t>(i);
-  const auto [u, v] = sobol_pairs(
-      state.x, state.y, sample,
-      of_lights | (path.node * 0x01000193U ^ static_cast<std::uint32_t>(number) << 13U), state.key);
+  const std::uint32_t block =
+      of_lights | (path.node * 0x01000193U ^ static_cast<std::uint32_t>(number) << 13U);
+  return SobolPairs<static_cast<std::size_t>(lanes<Real>)>(state.x, state.y, block, state.key);
+}
+
+/// The i-th sample of the light, at its point of those.
+template <class Real, class Points>
+LightSample<Real> sample_area(const WorldLight& light, int i, const Vec3<Real>& p,
+                              const RayPath<Real>& path, const Points& points) {
+  const auto [u, v] = points(path.sampler_state.sample * static_cast<std::uint32_t>(light.samples) +
+                             static_cast<std::uint32_t>(i));
   const Real at_u = unit_lanes<Real>(u), at_v = unit_lanes<Real>(v);
   return std::visit(
       [&]<class Form>(const Form& form) -> LightSample<Real> {
@@ -120,8 +125,9 @@ DirectLighting<Real> average_direct(WorldView& world_view, int number,
   if (!world_view.rules.area_lights || light.samples == 1)
     return estimate_direct(world_view, light, middle, isect, direction, phong);
   DirectLighting<Real> sum;
+  const auto points = points_of_light(number, path);
   for (int i = 0; i < light.samples; ++i) {
-    const LightSample<Real> sample = sample_area(light, number, i, isect.at.p, path);
+    const LightSample<Real> sample = sample_area(light, i, isect.at.p, path, points);
     const DirectLighting<Real> one =
         estimate_direct(world_view, light, sample, isect, direction, phong);
     sum.diffuse = sum.diffuse + one.diffuse;

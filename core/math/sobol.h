@@ -146,20 +146,26 @@ RandomWords<n> sobol_words(const std::array<std::uint32_t, n>& x,
   return words;
 }
 
-/// The first two of them, for less.
+/// SobolPairs: the first two of them, of one block, for less.
 template <std::size_t n>
-std::array<std::array<std::uint32_t, n>, 2> sobol_pairs(const std::array<std::uint32_t, n>& x,
-                                                        const std::array<std::uint32_t, n>& y,
-                                                        std::uint32_t sample, std::uint32_t block,
-                                                        RandomKey key) {
-  const RandomWords<n> seeds = detail::sobol_seeds(x, y, block, key);
-  std::array<std::array<std::uint32_t, n>, 2> words;
-  for (std::size_t i = 0; i < n; ++i) {
-    const std::uint32_t index = owen_scrambled(sample, seeds.a[i]);
-    words[0][i] = reversed_bits(detail::owen_mixed(index, seeds.b[i]));
-    words[1][i] = reversed_bits(detail::owen_mixed(detail::pascal(index), seeds.c[i]));
+class SobolPairs {
+ public:
+  using Words = std::array<std::uint32_t, n>;
+  SobolPairs(const Words& x, const Words& y, std::uint32_t block, RandomKey key)
+      : seeds_(detail::sobol_seeds(x, y, block, key)) {}
+
+  std::array<Words, 2> operator()(std::uint32_t sample) const {
+    std::array<Words, 2> words;
+    for (std::size_t i = 0; i < n; ++i) {
+      const std::uint32_t index = owen_scrambled(sample, seeds_.a[i]);
+      words[0][i] = reversed_bits(detail::owen_mixed(index, seeds_.b[i]));
+      words[1][i] = reversed_bits(detail::owen_mixed(detail::pascal(index), seeds_.c[i]));
+    }
+    return words;
   }
-  return words;
-}
+
+ private:
+  RandomWords<n> seeds_;
+};
 
 }  // namespace tia

@@ -129,7 +129,7 @@ class Aims {
   }
   static Real units(const Pixels& words) { return unit_lanes<Real>(words); }
   void aim_on_lens(std::uint32_t sample, Aim<Real>& aim) const {
-    const auto [u, v] = sobol_pairs(x_, y_, sample, of_lens, key_);
+    const auto [u, v] = SobolPairs<n>(x_, y_, of_lens, key_)(sample);
     put_on_lens(u, v, aim);
   }
   static void put_on_lens(const Pixels& u, const Pixels& v, Aim<Real>& aim) {
