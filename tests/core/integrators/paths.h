@@ -51,17 +51,15 @@ inline RenderOptions by_paths(int samples, int max_depth) {
   RenderOptions options;
   options.integrator = IntegratorName::path;
   options.max_depth = max_depth;
-  options.samples = rounds(samples, 16);
+  options.samples = rounds(samples, 4);
   return options;
 }
 inline Mean light_from(const Scene& scene, const Vec3d& eye, const Vec3d& to, int samples,
                        int max_depth, int seeds = 2) {
   return colors_from(scene, eye, to, by_paths(samples, max_depth), seeds)[0];
 }
-/// Of the few paths that there are where sanitizers watch, the error itself is not well known.
-inline double unknown_error() { return sanitized() ? 0.01 : 0; }
 inline void expect_mean(const Mean& mean, double expected, double rounding = 2e-5) {
-  EXPECT_NEAR(mean.value, expected, 4 * mean.error + (rounding + unknown_error()) * expected);
+  EXPECT_NEAR(mean.value, expected, 4 * mean.error + rounding * expected);
   if (!sanitized()) {
     EXPECT_LT(mean.error, 0.0025 * expected);
   }
@@ -69,7 +67,7 @@ inline void expect_mean(const Mean& mean, double expected, double rounding = 2e-
 /// That two are estimates of the same.
 inline void expect_equal(const Mean& a, const Mean& b, double rounding = 2e-5) {
   const double error = std::hypot(a.error, b.error);
-  EXPECT_NEAR(a.value, b.value, 4 * error + (rounding + unknown_error()) * a.value);
+  EXPECT_NEAR(a.value, b.value, 4 * error + rounding * a.value);
   if (!sanitized()) {
     EXPECT_LT(error, 0.0025 * a.value);
   }
