@@ -44,7 +44,7 @@ inline Vec3f trace(const Vec3f& origin, const Vec3f& direction, const std::vecto
   if (hit == nullptr) return {0.8F, 0.8F, 0.8F};
   const Vec3f p = origin + direction * nearest;
   const Vec3f n = normalize(p - hit->center);
-  Vec3f light{};
+  Vec3f diffuse{};
   for (const Ball& light : balls) {
     if (light.emission.x <= 0) continue;
     const Vec3f l = normalize(light.center - p);
@@ -55,9 +55,9 @@ inline Vec3f trace(const Vec3f& origin, const Vec3f& direction, const std::vecto
       lit = false;
       break;
     }
-    if (lit) light = light + hit->color * light.emission * std::max(0.0F, dot(n, l));
+    if (lit) diffuse = diffuse + hit->color * light.emission * std::max(0.0F, dot(n, l));
   }
-  return light + hit->emission;
+  return diffuse + hit->emission;
 }
 
 inline void render(const std::vector<Ball>& balls, int width, int height, std::vector<Vec3f>& out) {

@@ -9,17 +9,13 @@
 #include "core/scene/keys.h"
 #include "core/scene/read_scene.h"
 #include "server/stores/gallery.h"
+#include "tests/bench/pool.h"
 #include "tests/bench/rays/geometry.h"
 
 namespace tia::bench {
 namespace {
 
 using benchmark::State;
-
-Pool& pool() {
-  static Pool two(2);
-  return two;
-}
 
 // n balls that fill a ninth of a cube, whatever n.
 Scene balls(int n) {

@@ -12,8 +12,10 @@
 
 #include "core/film/film.h"
 #include "server/handlers/backend.h"
+#include "server/handlers/dispatch.h"
 #include "server/http/http_server.h"
 #include "tests/bench/baseline.h"
+#include "tests/bench/pool.h"
 #include "tests/bench/stb_png.h"
 
 namespace tia::bench {
@@ -24,11 +26,6 @@ using benchmark::State;
 Scene lit_scene() {
   static const server::Gallery gallery;
   return press(*gallery.find("thesis"), "a");
-}
-
-Pool& pool() {
-  static Pool two(2);
-  return two;
 }
 
 // A film with the picture on it.

@@ -16,12 +16,12 @@ constexpr int width = 640, height = 480;
 // Calls visit(x, y) for the pixels in the order in which the tracer packs them.
 template <class Visit>
 void for_each_pixel(Visit visit) {
-  using Patch = tia::Patch<Wide>;
+  using Pixels = PacketPixels<Wide>;
   for (int top = 0; top < height; top += FilmTile::size)
     for (int left = 0; left < width; left += FilmTile::size)
-      for (int y = top; y < top + FilmTile::size; y += Patch::height)
-        for (int x = left; x < left + FilmTile::size; x += Patch::width)
-          for (int i = 0; i < lanes<Wide>; ++i) visit(x + i % Patch::width, y + i / Patch::width);
+      for (int y = top; y < top + FilmTile::size; y += Pixels::height)
+        for (int x = left; x < left + FilmTile::size; x += Pixels::width)
+          for (int i = 0; i < lanes<Wide>; ++i) visit(x + i % Pixels::width, y + i / Pixels::width);
 }
 
 // From z = 4 through a window that the cube's front side, at z = 1, just fills.
