@@ -5,7 +5,7 @@
 # name | in which run | which come first | what it protects
 steps=(
   'style      | change |                  | the layout of the text; and lint in what is not committed yet'
-  'release    | change |                  | what ships, and all tests, compile without a warning'
+  'release    | change |                  | what ships, all tests and the measurements compile without a warning'
   'core       | change | release          | the tracer: closed forms, statistics, the gallery to the byte, the architecture'
   'server     | change | release          | HTTP, limits, fairness, overload, restarts: the program over real sockets'
   'memory     | change | release          | every allocation may fail'
@@ -140,7 +140,10 @@ node_count() {
 
 # ---- what a change needs --------------------------------------------------------------------------
 
-step_release() { build release -DTIA_WERROR=ON -DTIA_TESTS=ON -- all || true; }
+step_release() {
+  install_missing bench || fail "installing the measurements' packages"
+  build release -DTIA_WERROR=ON -DTIA_TESTS=ON -DTIA_BENCH=ON -- all || true
+}
 step_core() { googletest release core_tests; }
 step_server() { googletest release server_tests "$waiting"; }
 waiting='Timeouts.*:Body.*:Drain.*:*Ending.*:Connections.*:Serve.*'  # for limits of time to pass
