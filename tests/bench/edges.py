@@ -1,9 +1,8 @@
 #!/usr/bin/env python3
 """What a larger first round of an adaptive picture costs and gives: pixels that are off by more than
 16 of 255 from 600 rays a pixel. A minute.
-
-  tests/bench/edges.py [SAMPLES...]
 """
+import argparse
 import array
 import re
 import subprocess
@@ -41,11 +40,18 @@ def measure(base, counts):
 
 
 def main():
-    server = subprocess.Popen([TIA, "serve", "--port", "0"], stdout=subprocess.PIPE,
-                              stderr=subprocess.DEVNULL, text=True)
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("samples", nargs="*", type=int, default=[4, 8, 16],
+                        help="of the first round (4 8 16)")
+    samples = parser.parse_args().samples
+    if not TIA.exists():
+        sys.exit("build it first: server/run.sh, or cmake --build --preset release --target tia")
+    # However little of the processors is left for the 600 rays.
+    server = subprocess.Popen([TIA, "serve", "--port", "0", "--deadline-ms", "3600000"],
+                              stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
     try:
         base = re.search(r"http://\S+", server.stdout.readline())[0]
-        measure(base, [int(word) for word in sys.argv[1:]] or [4, 8, 16])
+        measure(base, samples)
     finally:
         server.terminate()
 

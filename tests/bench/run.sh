@@ -69,7 +69,7 @@ benchmarks() {
 start() {
   local from url pid
   from=$(date +%s%N)
-  coproc build/release/tia serve --port 0
+  coproc build/release/tia serve --port 0 2> "$scratch/log"
   pid=$COPROC_PID
   read -r url <&"${COPROC[0]}"
   curl -s -o /dev/null "${url##* }/render?key=a"
@@ -81,7 +81,7 @@ start() {
 
 row() {  # row WHAT VALUE UNIT RATIO-OF TO TARGET
   awk -v what="$1" -v value="$2" -v unit="$3" -v yard="$4" -v name="$5" -v target="$6" 'BEGIN {
-    if (value == "" || yard == "") exit
+    if (value == "" || yard == "") { printf "| %s | not measured | | %s |\n", what, target; exit }
     printf "| %s | %.4g %s | %.3g x %s | %s |\n", what, value, unit, value / yard, name, target }'
 }
 
@@ -122,7 +122,7 @@ table() {
   row "memory after it" "$(value rss)" MiB 30 "30 MiB" "1"
 }
 
-benchmarks
+benchmarks || { cat "$scratch/log"; exit 1; }
 note start "$(repeat start)"
 note rss "$(cat "$scratch/rss")"
 grep -m 1 'model name' /proc/cpuinfo | sed 's/.*: //'
