@@ -28,7 +28,7 @@ std::vector<Box32> boxes(int n) {
 
 void index_build(State& state) {
   const std::vector<Box32> all = boxes(static_cast<int>(state.range(0)));
-  for (auto _ : state) benchmark::DoNotOptimize(build_bvh(all));
+  for ([[maybe_unused]] auto _ : state) benchmark::DoNotOptimize(build_bvh(all));
   state.SetItemsProcessed(state.iterations() * state.range(0));
 }
 BENCHMARK(index_build)
@@ -63,7 +63,7 @@ void index_trace(State& state) {
   WorkCounter work;
   std::int64_t traced = 0;
   std::size_t i = 0;
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     Mask<Real> active(false);
     do {
       i = (i + lanes<Real>) % rays.size();

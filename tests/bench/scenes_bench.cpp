@@ -36,7 +36,7 @@ void many_balls(State& state) {
   const Scene scene = balls(static_cast<int>(state.range(0)));
   const World world = compile(scene);
   RayCounts rays;
-  for (auto _ : state) rays = draw(scene, world, {.threads = 1});
+  for ([[maybe_unused]] auto _ : state) rays = draw(scene, world, {.threads = 1});
   state.counters["rays"] = static_cast<double>(rays.primary + rays.shadow);
 }
 BENCHMARK(many_balls)->ArgName("n")->Arg(100)->Arg(10'000)->UseRealTime();
@@ -47,7 +47,7 @@ void every_shape(State& state) {
   const World world = compile(scene);
   const int samples = static_cast<int>(state.range(0));
   double processors = 0;
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     const std::clock_t before = std::clock();
     const auto start = std::chrono::steady_clock::now();
     draw(scene, world, {.threads = 2, .samples = samples});

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/film/film.h"
+#include "core/film/png.h"
 #include "server/handlers/backend.h"
 #include "server/handlers/dispatch.h"
 #include "server/http/http_server.h"
@@ -48,8 +49,8 @@ void baseline(State& state) {
       {{0, -10004, -20}, 10000, 1e8F, {0.2F, 0.2F, 0.2F}, {}},
       {{-20, 20, -10}, 3, 9, {}, {1, 1, 1}},
   };
-  std::vector<Vec3f> picture(640 * 480);
-  for (auto _ : state) {
+  std::vector<Vec3f> picture(std::size_t{640} * 480);
+  for ([[maybe_unused]] auto _ : state) {
     render(balls, 640, 480, picture);
     benchmark::DoNotOptimize(picture.data());
   }
@@ -63,7 +64,7 @@ void trace(State& state) {
   const World world = compile(scene);
   const View view = view_of(scene.camera, width, height);
   DisplayFilm film(width, height, Transfer::linear);
-  for (auto _ : state)
+  for ([[maybe_unused]] auto _ : state)
     render(world, view, {0, 0, width, height}, {.threads = threads}, pool(), {},
            [&](const FilmTile& tile) { film.put(tile); });
 }
@@ -80,7 +81,7 @@ void png(State& state) {
   const auto film =
       traced<DisplayFilm>(static_cast<int>(state.range(0)), static_cast<int>(state.range(1)));
   std::size_t bytes = 0;
-  for (auto _ : state) bytes = encode_png(film.image()).size();
+  for ([[maybe_unused]] auto _ : state) bytes = encode_png(film.image()).size();
   state.counters["bytes"] = static_cast<double>(bytes);
 }
 BENCHMARK(png)->ArgNames({"width", "height"})->Args({640, 480})->Args({1920, 1080})->UseRealTime();
@@ -90,7 +91,7 @@ void png_in_strips(State& state) {
   const int threads = static_cast<int>(state.range(0));
   const Workers workers = pool().workers(threads);
   std::size_t bytes = 0;
-  for (auto _ : state) bytes = encode_png(film.scanlines(), workers).size();
+  for ([[maybe_unused]] auto _ : state) bytes = encode_png(film.scanlines(), workers).size();
   state.counters["bytes"] = static_cast<double>(bytes);
 }
 BENCHMARK(png_in_strips)->ArgName("threads")->Arg(1)->Arg(2)->UseRealTime();
@@ -98,7 +99,7 @@ BENCHMARK(png_in_strips)->ArgName("threads")->Arg(1)->Arg(2)->UseRealTime();
 void png_of_stb(State& state) {
   const auto film = traced<DisplayFilm>(640, 480);
   std::size_t bytes = 0;
-  for (auto _ : state) bytes = stb_png_bytes(film.image());
+  for ([[maybe_unused]] auto _ : state) bytes = stb_png_bytes(film.image());
   state.counters["bytes"] = static_cast<double>(bytes);
 }
 BENCHMARK(png_of_stb)->UseRealTime();
@@ -138,7 +139,7 @@ void key_to_png(State& state) {
 
   std::vector<double> total, work;
   std::size_t next = 0;
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     const auto start = std::chrono::steady_clock::now();
     const auto answer = client.Get(std::string("/render?key=") + "adsw"[next++ % 4]);
     const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - start;
