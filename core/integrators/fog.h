@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 
 #include "core/integrators/fog_line.h"
 #include "core/integrators/light_sampling.h"
@@ -44,8 +45,10 @@ struct FogSpan {
 };
 
 /// FogSampling: where along their ways rays scatter in fog, and which light they are given there.
-/// A distance and a light are drawn together, by two ways alike: the distance by what comes through
-/// and then the light, or the light and then the distance by the angle seen from its middle.
+/// A distance and a light are drawn together, by two ways alike: the light, and then the distance
+/// by the angle seen from its middle, or by what comes through. Both keep to where the light
+/// shines. Among many lights, that which may give much depends on the place: there, what comes
+/// through decides on the distance first.
 template <class Real>
 class FogSampling {
   using V = Vec3<Real>;
@@ -113,10 +116,7 @@ class FogSampling {
   double chance(const Vertex& vertex, int light, int i) const {
     const FogLine way = line(vertex.ray, vertex.span, i);
     const auto t = static_cast<double>(tia::lane(vertex.t, i));
-    const double met = way.met(t);
-    const double aimed = lights_.is_near(light) ? FogLine::View(way, lights_.middle(light)).pdf(t)
-                                                : met / way.taken();
-    return density(way, light, t, met, aimed) * way.flight_weight() / met;
+    return density(way, Aim(way, lights_, light), t) * way.flight_weight() / way.met(t);
   }
   /// The same of all that is infinitely far, over its chance_beyond(); 1 at surfaces.
   Real times_beyond(const Vertex& vertex) const {
@@ -138,29 +138,54 @@ class FogSampling {
             fog_.density,
             (bits(span.open) >> i & 1U) != 0};
   }
+  // Aim: the distances at which one light is asked for that is chosen first.
+  class Aim {
+   public:
+    Aim(const FogLine& way, const PathLights& lights, int light)
+        : light_(light), lit_(way.lit_by(spans(way, lights, light))) {
+      if (lights.is_near(light)) view_.emplace(lit_, lights.middle(light));
+    }
+    Aim(const Aim&) = delete;
+    Aim& operator=(const Aim&) = delete;
+    int light() const { return light_; }
+    bool is_dark() const { return !(lit_.taken() > 0); }
+    double by_angle(double u) const { return view_ ? view_->draw(u) : lit_.within(u); }
+    double by_way(double u) const { return lit_.within(u); }
+    double pdf_by_angle(double t) const { return view_ ? view_->pdf(t) : pdf_by_way(t); }
+    double pdf_by_way(double t) const { return lit_.has(t) ? lit_.met(t) / lit_.taken() : 0; }
+
+   private:
+    static LitSpans spans(const FogLine& way, const PathLights& lights, int light) {
+      return light < lights.size() ? lit_spans(lights[light], way.origin(), way.direction())
+                                   : LitSpans::whole();
+    }
+    int light_;
+    FogLine lit_;
+    std::optional<FogLine::View> view_;  // of what is near
+  };
   struct Drawn {
     int light = -1;
     double t = 0, met = 0, density = 0;  // of the line there, and of all that is drawn
   };
   Drawn drawn(const FogLine& way, double choice, double u) const {
-    const bool aims = choice >= 0.5;
-    const double within = aims ? 0 : way.within(u);
-    const Vec3d from = aims ? way.outlook() : way.point(within);
-    const int light = lights_.choose(from, {}, aims ? 2 * choice - 1 : 2 * choice).light;
+    const bool by_angle = choice >= 0.5;
+    const bool place_first = !by_angle && lights_.knows_places();
+    const double place = place_first ? way.within(u) : 0;
+    const Vec3d from = place_first ? way.point(place) : way.outlook();
+    const int light = lights_.choose(from, {}, by_angle ? 2 * choice - 1 : 2 * choice).light;
     if (light < 0) return {};
-    if (!lights_.is_near(light)) {
-      const double t = aims ? way.within(u) : within, met = way.met(t);
-      return {light, t, met, density(way, light, t, met, met / way.taken())};
-    }
-    const FogLine::View view(way, lights_.middle(light));
-    const double t = aims ? view.draw(u) : within, met = way.met(t);
-    return {light, t, met, density(way, light, t, met, view.pdf(t))};
+    const Aim aim(way, lights_, light);
+    if (aim.is_dark()) return {};
+    const double t = place_first ? place : by_angle ? aim.by_angle(u) : aim.by_way(u);
+    return {light, t, way.met(t), density(way, aim, t)};
   }
-  // Of a light and a distance t: `aimed` is that of the distance where the light comes first.
-  double density(const FogLine& way, int light, double t, double met, double aimed) const {
-    return (lights_.chance(light, way.point(t), {}) * (met / way.taken()) +
-            lights_.chance(light, way.outlook(), {}) * aimed) /
-           2;
+  // Of a light and a distance t.
+  double density(const FogLine& way, const Aim& aim, double t) const {
+    const double first = lights_.chance(aim.light(), way.outlook(), {});
+    const double by_way = lights_.knows_places() ? lights_.chance(aim.light(), way.point(t), {}) *
+                                                       (way.met(t) / way.taken())
+                                                 : first * aim.pdf_by_way(t);
+    return (by_way + first * aim.pdf_by_angle(t)) / 2;
   }
 
   const WorldFog& fog_;

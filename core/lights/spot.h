@@ -7,6 +7,7 @@
 #include "core/input/errors.h"
 #include "core/input/fields.h"
 #include "core/lights/light_sample.h"
+#include "core/lights/lit_spans.h"
 #include "core/math/onb.h"
 #include "core/math/powers.h"
 
@@ -69,5 +70,7 @@ LightSample<Real> sample_li(const SpotForm& light, const Vec3<Real>& p) {
   return sample;
 }
 static_assert(LitForm<SpotForm>);
+/// What its cone holds of a line.
+LitSpans lit_spans(const SpotForm& light, const Vec3d& origin, const Vec3d& direction);
 
 }  // namespace tia

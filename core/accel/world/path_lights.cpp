@@ -161,6 +161,15 @@ void move_by(PathLight& light, const Vec3d& way) {
   std::visit([&](auto& form) { move_by(form, way); }, light.form);
 }
 
+LitSpans lit_spans(const PathLight& light, const Vec3d& origin, const Vec3d& direction) {
+  return std::visit(
+      [&]<class Form>(const Form& form) {
+        if constexpr (LeavesDark<Form>) return lit_spans(form, origin, direction);
+        else return LitSpans::whole();
+      },
+      light.form);
+}
+
 PathLights::PathLights(const std::vector<WorldLight>& lights, const std::vector<PathLight>& areas,
                        std::size_t skies)
     : lights_(areas) {
@@ -178,7 +187,7 @@ PathLights::PathLights(const std::vector<WorldLight>& lights, const std::vector<
     power += bounds.emplace_back(bounds_of((*this)[i])).power;
     middles_.push_back(bounds.back().box.center());
   }
-  if (near_ > few) tree_ = LightTree(bounds);
+  if (knows_places()) tree_ = LightTree(bounds);
   else
     for (const LightBounds& each : bounds)
       shares_.push_back(power > 0 ? each.power / power : 1.0 / near_);
@@ -192,7 +201,7 @@ PathChoice PathLights::choose(const Vec3d& p, const Vec3d& n, double u) const {
   if (near_ == 0) return {group, chance};
   if (group > 0) return {near_ + group - 1, chance};
   double left = scaled - group;
-  if (near_ > few) {
+  if (knows_places()) {
     const LightTree::Choice chosen = tree_.choose(p, n, left);
     return {chosen.light, chosen.chance * chance};
   }
@@ -204,7 +213,7 @@ PathChoice PathLights::choose(const Vec3d& p, const Vec3d& n, double u) const {
 double PathLights::chance(int light, const Vec3d& p, const Vec3d& n) const {
   const double chance = 1.0 / groups_;
   if (light >= near_) return chance;
-  return chance * (near_ > few ? tree_.chance(light, p, n) : share(light));
+  return chance * (knows_places() ? tree_.chance(light, p, n) : share(light));
 }
 
 int PathLights::at(int primitive, int instance, int element) const {

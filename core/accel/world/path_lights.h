@@ -8,6 +8,7 @@
 #include "core/accel/world/world_light.h"
 #include "core/lights/areas.h"
 #include "core/lights/light_tree.h"
+#include "core/lights/lit_spans.h"
 #include "core/math/transform.h"
 #include "core/shapes/shape.h"
 
@@ -35,6 +36,8 @@ void add_areas(const Shape& shape, const Affine& place, const PathLight& light,
                std::vector<PathLight>& lights);
 /// Translates a light.
 void move_by(PathLight& light, const Vec3d& way);
+/// Where along a line it shines. Domain: a unit direction.
+LitSpans lit_spans(const PathLight& light, const Vec3d& origin, const Vec3d& direction);
 
 /// Choice: a light, and the chance that it had; light -1: none.
 struct PathChoice {
@@ -61,6 +64,8 @@ class PathLights {
   /// The first that is infinitely far; all after it are too.
   int first_endless() const { return near_; }
   bool is_near(int light) const { return light < near_; }
+  /// Whether what chances near lights have depends on the place.
+  bool knows_places() const { return near_ > few; }
   /// Domain: a near one.
   const Vec3d& middle(int light) const { return middles_[static_cast<std::size_t>(light)]; }
   bool empty() const { return groups_ == 0; }

@@ -68,5 +68,42 @@ TEST(FogLine, DistancesAreDrawnAsDenseAsTheySay) {
     EXPECT_NEAR(line.met(near), density, 1e-12 * density);
   }
 }
+
+// Two parts of a line, and what is drawn of them: how much of it lies before a distance, by
+// summing up the densities that the whole line tells.
+TEST(FogLine, KeepsToWhereALightShines) {
+  Random random(915);
+  for (int round = 0; round < 40; ++round) {
+    const FogLine line(random.point(5), random.direction(), 1, round % 2 == 0 ? 9 : infinity,
+                       std::pow(10, random.in(-2, 0.3)));
+    const double a = random.in(-1, 3), b = random.in(3, 4), c = random.in(4, 6);
+    LitSpans spans;
+    spans.add(a, b), spans.add(c, round % 3 == 0 ? LitSpans::endless : c + 2);
+    const FogLine lit = line.lit_by(spans);
+    const Vec3d lamp = random.point(5);
+    const FogLine::View whole(line, lamp), view(lit, lamp);
+    for (const bool aimed : {false, true}) {
+      const auto at = [&](double u) { return aimed ? view.draw(u) : lit.within(u); };
+      const auto pdf = [&](double t) { return aimed ? view.pdf(t) : lit.met(t) / lit.taken(); };
+      const auto before = [&](double t) { return aimed ? 1 / whole.pdf(t) : 1 / line.met(t); };
+      double last = 0;
+      for (int i = 0; i <= 64; ++i) {
+        const double u = i / 64.0 * (1 - 1e-9), t = at(u);
+        EXPECT_TRUE(lit.has(t) && t >= last) << round << ' ' << t;
+        // The densities are those of the whole line over one share of it.
+        EXPECT_NEAR(pdf(t) * before(t), pdf(at(0.5)) * before(at(0.5)), 1e-9 * pdf(t) * before(t));
+        last = t;
+      }
+      for (const double u : {0.1, 0.37, 0.8, 0.95}) {
+        const double step = 1e-6, slope = (at(u + step) - at(u - step)) / (2 * step);
+        if (at(u + step) - at(u - step) < 0.5) {
+          EXPECT_NEAR(slope * pdf(at(u)), 1, 1e-3) << round << ' ' << aimed << ' ' << u;
+        }
+      }
+    }
+    EXPECT_FALSE(lit.has((b + c) / 2));
+    EXPECT_EQ(view.pdf((b + c) / 2), 0);
+  }
+}
 }  // namespace
 }  // namespace tia

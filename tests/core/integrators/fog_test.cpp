@@ -60,18 +60,22 @@ TEST(Fog, IsNotWithinBodies) {
 }
 
 // Light that is scattered once: along the ray, by the angle at which the light sees it, so that the
-// inverse square falls out of the integral.
+// inverse square falls out of the integral. `strength`: that of a direction from the lamp.
+double evenly(const Vec3d&) { return 1; }
+template <class F = decltype(evenly)>
 double scattered_once(const Fog& fog, double intensity, const Vec3d& lamp, const Vec3d& eye,
-                      const Vec3d& w, double near, double far) {
+                      const Vec3d& w, double near, double far, F strength = evenly,
+                      int halves = 2000) {
   const double foot = dot(lamp - eye, w), away = length(eye + w * foot - lamp);
   const auto at = [&](double angle) {
     const double t = foot + away * std::tan(angle), r = away / std::cos(angle);
-    const double cosine = dot(w, lamp - (eye + w * t)) / r;
-    return std::exp(-fog.density * ((t - near) + r)) * phase_of(fog.g, cosine);
+    const Vec3d to_lamp = (lamp - (eye + w * t)) * (1 / r);
+    return std::exp(-fog.density * ((t - near) + r)) * phase_of(fog.g, dot(w, to_lamp)) *
+           strength(-to_lamp);
   };
   const double end = far < infinity ? std::atan2(far - foot, away) : pi / 2 - 1e-9;
   return fog.density * rgb_of(fog.albedo).x * intensity / away *
-         simpson(std::atan2(near - foot, away), end, 2000, at);
+         simpson(std::atan2(near - foot, away), end, halves, at);
 }
 TEST(Fog, ScattersAPointLightsLightOnce) {
   Random random(913);
@@ -90,6 +94,46 @@ TEST(Fog, ScattersAPointLightsLightOnce) {
     if (dot(lamp - eye, w) < far - 0.1)
       expect_mean(light_from(scene, eye, eye + w, 1024, 1, 1),
                   scattered_once(fog, 10, lamp, eye, w, 0, far), 1e-4);
+  }
+}
+
+// A spot's cone, narrow or wider than half of space.
+SpotLight random_spot(Random& random, const Vec3d& lamp, const Vec3d& seen, bool wide) {
+  SpotLight spot;
+  spot.position = lamp, spot.point_at = seen;
+  spot.falloff_degrees = wide ? random.in(95, 150) : std::pow(10, random.in(0.3, 1.6));
+  spot.radius_degrees = random.in(0.2, 0.9) * spot.falloff_degrees;
+  return spot;
+}
+double strength_of_spot(const SpotLight& spot, const Vec3d& wi) {
+  const double cosine = dot(normalize(spot.point_at - *spot.position), wi);
+  const double inner = std::cos(spot.radius_degrees * pi / 180),
+               outer = std::cos(spot.falloff_degrees * pi / 180);
+  const double x = std::clamp((cosine - outer) / (inner - outer), 0.0, 1.0);
+  return x * x * (3 - 2 * x);
+}
+TEST(Fog, ScattersASpotsLightOnce) {
+  Random random(916);
+  for (int round = 0; round < 6; ++round) {
+    const Fog fog = fog_of(std::pow(10, random.in(-2, 0)), random.in(0.3, 1), random.in(-0.7, 0.7));
+    Scene scene;
+    scene.fog = fog;
+    const Vec3d eye = random.point(1), w = random.direction();
+    const Vec3d seen = eye + w * random.in(1, 3);
+    const Vec3d lamp = seen + cross(w, random.direction()) * random.in(1, 3);
+    const SpotLight spot = random_spot(random, lamp, seen, round % 3 == 2);
+    Light light = light_of(spot);
+    light.intensity = 10;
+    scene.lights = {light};
+    const double expected = scattered_once(
+        fog, 10, lamp, eye, w, 0, infinity,
+        [&](const Vec3d& wi) { return strength_of_spot(spot, wi); }, 40000);
+    expect_mean(light_from(scene, eye, eye + w, 1024, 1, 1), expected, 1e-4);
+    // A pixel that has just enough samples has met the beam, however narrow.
+    RenderOptions options = by_paths(4096, 1);
+    options.noise = 0.004;
+    options.tone = {Transfer::linear, std::log2(0.3 / expected)};
+    expect_mean(colors_from(scene, eye, eye + w, options, 4)[0], expected, 1e-4);
   }
 }
 
