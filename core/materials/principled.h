@@ -92,7 +92,8 @@ struct Principled {
     color("sheen_color", &P::sheen_color, "linear RGB of the fibres of cloth, seen at its rims");
     share("sheen_roughness", &P::sheen_roughness, "how far they lean apart");
     share("anisotropy", &P::anisotropy,
-          "how much rougher it is along the horizontal than across it");
+          "how much rougher it is along the horizontal than across it; where roughness is 0, lines "
+          "as fine as alpha 0.001");
     visit("anisotropy_rotation", &P::anisotropy_rotation,
           Spec{.about = "by which angle, in radians, that direction is turned from the "
                         "horizontal (+y is up), counter-clockwise",

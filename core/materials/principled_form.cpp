@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/materials/microfacet.h"
 #include "core/materials/sheen.h"
 
 namespace tia {
@@ -29,6 +30,8 @@ PrincipledNumbers numbers_at(const PrincipledForm& form, const Vec3d& p, const V
 
 namespace {
 
+constexpr double least_alpha = static_cast<double>(smooth_alpha);
+
 void set_numbers(BsdfParameters<double>& bsdf, const PrincipledNumbers& at, const Vec3d& layer) {
   bsdf.metal = at.metallic;
   bsdf.glass = (1 - at.metallic) * at.transmission;
@@ -37,7 +40,10 @@ void set_numbers(BsdfParameters<double>& bsdf, const PrincipledNumbers& at, cons
   bsdf.f90 = at.specular;
   const double alpha = at.roughness * at.roughness;
   bsdf.alpha_x = alpha + (1 - alpha) * at.anisotropy * at.anisotropy;
-  bsdf.alpha_y = alpha;
+  // What is stretched is never smooth, though it be so across its lines, which are of some width:
+  // glTF (KHR_materials_anisotropy) would have a light's reflection without any. pbrt-v4 keeps the
+  // smaller alpha from 0, too, where the larger one is not (TrowbridgeReitzDistribution).
+  bsdf.alpha_y = bsdf.alpha_x < least_alpha ? alpha : std::max(alpha, least_alpha);
   bsdf.coat = at.clearcoat;
   bsdf.coat_alpha = at.clearcoat_roughness * at.clearcoat_roughness;
   bsdf.sheen_alpha =

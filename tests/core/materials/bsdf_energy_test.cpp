@@ -45,7 +45,7 @@ TEST(Bsdf, WhiteSurfacesLoseNothing) {
 // What stretched facets send on is the mean of few of them.
 TEST(Bsdf, WhiteGrainLosesLittle) {
   for (const double anisotropy : {0.3, 0.6, 1.0})
-    for (const double roughness : {0.1, 0.3, 0.6})
+    for (const double roughness : {0.0, 0.1, 0.3, 0.6})
       for (const double mu : {0.05, 0.25, 0.5, 0.75, 1.0})
         for (const double turn : {0.03, 0.22}) {
           const auto expect_white = [&](const char* what, const Principled& p, double eta,
