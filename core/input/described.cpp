@@ -57,6 +57,16 @@ void ObjectSchema::add_kind(std::string_view type, ObjectSchema kind, bool asked
   alternatives.push_back(std::move(kind));
 }
 
+void ObjectSchema::add_spelling(std::span<const std::string_view> names) {
+  ObjectSchema spelling;
+  for (const auto& property : properties)
+    if (std::find(names.begin(), names.end(), property.first) != names.end()) {
+      spelling.properties.push_back(property);
+      spelling.required.emplace_back(property.first);
+    }
+  alternatives.push_back(std::move(spelling));
+}
+
 Value ObjectSchema::finish() const {
   Value::Array each;
   for (const ObjectSchema& alternative : alternatives) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <span>
 #include <utility>
 
 #include "core/input/value_codecs.h"
@@ -27,6 +28,13 @@ concept Linked = requires(const T& t, const Place& at, Faults& faults) {
 
 template <class T>
 class Boxed;
+
+/// Spelled: a described type that has several spellings: `spellings` has the names of the fields of
+/// each, of which an object gives one whole and no other. Its check must see to that.
+template <class T>
+concept Spelled = requires {
+  T::spellings;
+};
 
 namespace detail {
 
@@ -166,6 +174,8 @@ struct ObjectSchema {
   void add(std::string_view name, const Value& schema, const Spec& spec,
            const std::optional<Value>& standard);
   void add_kind(std::string_view type, ObjectSchema kind, bool asked_for);
+  /// Makes an alternative of the fields of that spelling.
+  void add_spelling(std::span<const std::string_view> names);
   /// One object schema, or one for each alternative with the common fields in each.
   Value finish() const;
 };
@@ -240,6 +250,10 @@ template <class T>
 Value FieldsCodec<T>::schema(const Spec&, Definitions& named) {
   detail::ObjectSchema schema;
   T::fields(detail::FieldSchema<T>(schema, named));
+  if constexpr (Spelled<T>) {
+    for (const auto& spelling : T::spellings) schema.add_spelling(spelling);
+    schema.properties.clear();
+  }
   return schema.finish();
 }
 

@@ -6,13 +6,13 @@ namespace tia {
 namespace {
 
 // What a spelling gives: the view but for its size, and the lens' axes.
-struct Spelled {
+struct SpelledCamera {
   Vec3d forward, right, up;
   Vec3d across, upwards;  // unit, perpendicular, in the plane of right and up
 };
 
 // At distance 1 before the eye, lest a plane of 1e-30 vanish from float.
-Spelled of_view_plane(const Camera& camera) {
+SpelledCamera of_view_plane(const Camera& camera) {
   const Vec3d forward = axis_of(camera);
   const double near = 1 / length(forward);
   const double scale = camera.projection == Projection::orthographic ? 1 : near;
@@ -23,14 +23,14 @@ Spelled of_view_plane(const Camera& camera) {
 
 // Source: AlgoWiki's ray tracing article; pixel (i, j) from the bottom left looks along
 // (s (j - w/2 + 1/2), s (i - h/2 + 1/2), -d) in the basis.
-Spelled of_grid(const Camera& camera, int width, int height) {
+SpelledCamera of_grid(const Camera& camera, int width, int height) {
   const Basis& basis = *camera.basis;
   const double side = *camera.pixel_size / camera.distance.value_or(1);
   return {normalize(-basis.w), basis.u * (side * width / 2), basis.v * (side * height / 2), basis.u,
           basis.v};
 }
 
-Spelled of_angle(const Camera& camera, int width, int height) {
+SpelledCamera of_angle(const Camera& camera, int width, int height) {
   const Vec3d w = normalize(axis_of(camera));
   const Vec3d u = normalize(cross(w, camera.up));
   const Vec3d v = cross(u, w);
@@ -44,9 +44,9 @@ Spelled of_angle(const Camera& camera, int width, int height) {
 }  // namespace
 
 View view_of(const Camera& camera, int width, int height) {
-  const Spelled spelled = camera.right   ? of_view_plane(camera)
-                          : camera.basis ? of_grid(camera, width, height)
-                                         : of_angle(camera, width, height);
+  const SpelledCamera spelled = camera.right   ? of_view_plane(camera)
+                                : camera.basis ? of_grid(camera, width, height)
+                                               : of_angle(camera, width, height);
   View view{camera.location, spelled.forward, spelled.right,    spelled.up,
             width,           height,          camera.projection};
   view.lens_right = spelled.across * (camera.aperture / 2);

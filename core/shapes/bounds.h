@@ -1,7 +1,9 @@
 // The bounds that a formula's surface is clipped to: a box or a ball.
 #pragma once
 
+#include <array>
 #include <optional>
+#include <string_view>
 #include <variant>
 
 #include "core/math/octet.h"
@@ -13,6 +15,8 @@ namespace tia {
 
 /// Bounds: `min` and `max`, or `center` and `radius`. Space/units: scene units, object space.
 struct Bounds {
+  static constexpr std::array<std::array<std::string_view, 2>, 2> spellings{
+      {{"min", "max"}, {"center", "radius"}}};
   std::optional<Vec3d> min, max, center;
   std::optional<double> radius;
 

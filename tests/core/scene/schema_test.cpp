@@ -80,6 +80,8 @@ TEST(SceneSchema, AcceptsWhatTheReaderAccepts) {
       R"({"camera":{"aperture":1,"focus_distance":3}})",
       R"({"camera":{"distance":1,"pixel_size":1,
           "basis":{"u":[1,0,0],"v":[0,1,0],"w":[0,0,1]}}})",
+      R"({"fog":{"density":1,"bounds":{"min":[0,0,0],"max":[1,1,1]}}})",
+      R"({"fog":{"density":1,"bounds":{"center":[0,0,0],"radius":1}}})",
       R"({"options":{"samples":65536,"threshold":0}})",
       R"({"objects":[{"type":"sphere","center":[0,0,0],"radius":1e9,"material":{"color":2}}]})",
       R"({"lights":[{"type":"sphere","position":[0,0,0],"radius":1,"color":[1,1,1]}]})",
@@ -136,6 +138,10 @@ TEST(SceneSchema, RefusesWhatTheReaderRefuses) {
         R"({"materials":{"m":{"type":"principled","roughness":{"type":"noise","range":[0,2]}}}})",
         R"({"materials":{"m":{"type":"principled","ior":{"type":"noise","range":[0,1]}}}})",
         R"({"materials":{"m":{"roughness":{"type":"noise","range":[0,1]}}}})",
+        R"({"fog":{"density":1,"bounds":{}}})",
+        R"({"fog":{"density":1,"bounds":{"min":[0,0,0]}}})",
+        R"({"fog":{"density":1,"bounds":{"center":[0,0,0],"max":[1,1,1]}}})",
+        R"({"fog":{"density":1,"bounds":{"min":[0,0,0],"max":[1,1,1],"radius":1}}})",
         R"({"keys":{"a":{"light":[1,2]}}})",
         R"({"keys":{"a":5}})",
         R"({"options":{"seed":-1}})",
@@ -165,7 +171,6 @@ const std::vector<std::string> beyond_scene_schema = {
     // shapes
     "above min in every component", "a point other than base", "above 0 where base_radius is 0",
     "more than a constant", "total degree", "below major_radius", "not on the line through a and b",
-    "min and max, or", "or center and radius",
     // the sun
     "either elevation_degrees", "longitude_degrees together", "a day that its month has",
     "at most 4 suns",
