@@ -4,7 +4,7 @@ import math
 from dataclasses import dataclass
 
 from primitives import CannotExpress, rgb
-from vectors import cross, scaled, subtract, unit
+from vectors import cross, dot, scaled, subtract, unit
 
 
 @dataclass
@@ -16,12 +16,16 @@ class WorldLight:
 
 
 def lights(scene):
-    """All of a scene's lights."""
+    """All of a scene's lights. To `path` colours are intensities: what they give a white matt
+    surface at the origin, near which all of such a scene is, beside the light's own distance."""
     found = []
+    by_path = scene.get("options", {}).get("integrator") == "path"
     for light in scene.get("lights", []):
         if light["type"] not in ("point", "sphere") or set(light) & {"fade_distance", "samples"}:
             raise CannotExpress(f"a light like {light}")
         color = scaled(rgb(light.get("color", 1)), light.get("intensity", 1))
+        if by_path:
+            color = scaled(color, 1 / (math.pi * dot(light["position"], light["position"])))
         found.append(WorldLight(tuple(light["position"]), color, light.get("radius", 0)))
     return found
 
