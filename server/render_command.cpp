@@ -7,6 +7,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "core/scene/left_out.h"
 #include "server/contract/text_form.h"
 #include "server/requests/draw.h"
 
@@ -52,6 +53,19 @@ const FormatRow* format_named_by(const std::string& file) {
   return row != formats.end() ? row : nullptr;
 }
 
+// What the picture is not, on standard error: what a server tells in headers and in its log.
+void tell(const Picture& picture, const Plan& plan) {
+  const auto tell_of = [](std::size_t count, const char* what) {
+    if (count > 0) std::cerr << "tia: " << count << what << '\n';
+  };
+  tell_of(picture.degenerate, " triangles without area are ignored");
+  tell_of(picture.unasked, " luminous objects are met by chance alone");
+  tell_of(static_cast<std::size_t>(picture.rays.cut), " paths are cut by max_depth");
+  if (plan.in_effect.clamp) std::cerr << "tia: /options/clamp: bright samples may be darkened\n";
+  for (const auto& [pointer, about] : left_out_by(plan.in_effect.integrator, *plan.scene))
+    std::cerr << "tia: " << pointer << " is ignored: " << about << '\n';
+}
+
 }  // namespace
 
 std::string picture_files() {
@@ -94,8 +108,7 @@ void render_to_file(const std::string& scene, const std::string& file,
   Plan plan = plan_of(request, context, {});
   if (plain) plan.options.scalar = Scalar::narrow;
   const Picture picture = draw(plan, context, {});
-  if (picture.degenerate > 0)
-    std::cerr << "tia: " << picture.degenerate << " triangles without area are ignored\n";
+  tell(picture, plan);
   write_file(file, picture.bytes);
 }
 

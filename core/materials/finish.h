@@ -46,7 +46,11 @@ struct Finish {
           Spec{.about = "what a unit of length inside absorbs: it leaves exp(-absorption * length)",
                .max = 1e6});
     visit("emission", &Finish::emission,
-          Spec{.about = "light of its own; a luminous sphere is a light too", .max = 1e6});
+          Spec{.about =
+                   "light of its own; a luminous sphere is a light too, and by path all that "
+                   "glows: of spheres, discs, triangles, meshes, boxes and cylinders it asks "
+                   "points for light, 32768 areas of a scene at most; the rest it meets by chance",
+               .max = 1e6});
     visit("texture", &Finish::texture, Spec{.about = "what gives each point its colour instead"});
   }
   bool operator==(const Finish&) const = default;

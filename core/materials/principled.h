@@ -104,7 +104,7 @@ struct Principled {
                    "how far glass parts colours: 20 over Abbe's number; diamond 0.36, flint 0.55",
                .min = 0,
                .max = 10});
-    color("emissive", &P::emissive, "light of its own");
+    color("emissive", &P::emissive, "light of its own, which path asks for as a finish's emission");
     visit("emissive_strength", &P::emissive_strength,
           Spec{.about = "what that is multiplied with", .min = 0, .max = 1e6});
     visit("texture", &P::texture, Spec{.about = "what gives each point its base_color instead"});

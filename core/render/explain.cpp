@@ -4,6 +4,7 @@
 #include "core/integrators/whitted.h"
 #include "core/render/meter.h"
 #include "core/render/sampler.h"
+#include "core/scene/left_out.h"
 
 namespace tia {
 namespace {
@@ -21,6 +22,16 @@ std::unique_ptr<RayNode> tree_of(const World& world, const Ray<float>& ray,
   return explain_whitted(world_view, ray, sampler_state, limit);
 }
 
+std::vector<Note> notes_of(const Scene& scene, const World& world, IntegratorName integrator) {
+  std::vector<Note> notes;
+  for (const LeftOut& each : left_out_by(integrator, scene))
+    notes.push_back({each.pointer, each.about});
+  const std::vector<int>& unasked = world.of_objects->unasked.first;
+  for (const auto& [number, pointer] : object_pointers(scene, {unasked.begin(), unasked.end()}))
+    notes.push_back({pointer, "path meets its light by chance alone, and asks it for none"});
+  return notes;
+}
+
 // What the ray meets, in double, and the tree of `rounded`, which is the same in float, in the
 // world.
 void explain_rays(Explanation& all, const Scene& scene, const Ray<float>& rounded,
@@ -34,6 +45,8 @@ void explain_rays(Explanation& all, const Scene& scene, const Ray<float>& rounde
     size.hit(each);
   }
   all.tree = tree_of(all.world, rounded, sampler_state, options, size, stop);
+  all.notes = notes_of(scene, all.world, options.integrator);
+  for (const Note& each : all.notes) size.note(each.pointer, each.about);
   all.pointers = object_pointers(scene, size.objects());
   all.most_bytes = size.bytes();
 }

@@ -23,6 +23,11 @@ struct ExplainedPixel {
   Vec2d raster{}, ndc{}, screen{};  ///< where its ray goes through: in pixels, [0,1], [-1,1]
 };
 
+/// Note: what a part of the scene, by its JSON Pointer, is not as it may be thought to be.
+struct Note {
+  std::string pointer, about;
+};
+
 /// Explanation. Space/units: the scene's, the tree's rays and points in the world's; the ray's
 /// direction is unit.
 struct Explanation {
@@ -33,7 +38,8 @@ struct Explanation {
   std::vector<Meeting> hits;  ///< all along the ray, the nearest first
   std::unique_ptr<RayNode> tree;
   std::map<int, std::string> pointers{};  ///< into the scene, of all objects that are told of
-  std::size_t most_bytes = 0;             ///< an upper bound of its JSON's length
+  std::vector<Note> notes{};
+  std::size_t most_bytes = 0;  ///< an upper bound of its JSON's length
 };
 
 /// A ray that belongs to no picture. Domain: the scene's world; a unit direction; an integrator
@@ -50,7 +56,8 @@ Explanation explain(const Scene& scene, World world, const View& view, int x, in
 /// of a copy "copy": [[i, j, k], ...], one of each group around it that is repeated, and of an
 /// equation's root "root": {"bracket": [from, to], "how", "degree"}}],
 /// "tree": {"ray", "depth", "winner", "winner_id", "winner_copy", "point", "normal", "terms",
-/// "color"}, "objects": [{"id", "name", "pointer", "type"}]}. An object's id is its number in the
+/// "color"}, "objects": [{"id", "name", "pointer", "type"}], and, where there is something to note,
+/// "notes": [{"pointer", "about"}]}. An object's id is its number in the
 /// image of the integrator `object`; it tells those apart that have one name.
 Value::Object value_of(const Explanation& explanation);
 /// The schema of that.

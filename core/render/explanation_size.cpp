@@ -10,7 +10,7 @@ std::size_t text_bytes(std::string_view text) { return to_json(Value(text)).size
 
 // Names and quotes of members, brackets, commas; `true` and short words such as a type's.
 constexpr std::size_t hit_frame = 120, bracket_frame = 80, ray_frame = 140, term_frame = 70,
-                      light_frame = 90, id_member = 32, object_frame = 80;
+                      light_frame = 90, id_member = 32, object_frame = 80, note_frame = 30;
 
 }  // namespace
 
@@ -62,6 +62,10 @@ void ExplanationSize::term(TermName, const LightRecord& record) {
     if (record.blocker) bytes += naming(*record.blocker);
   }
   take(bytes, "/max_depth", "fewer lights, or a lower max_depth, make fewer terms");
+}
+
+void ExplanationSize::note(std::string_view pointer, std::string_view about) {
+  take(note_frame + text_bytes(pointer) + text_bytes(about), "", "there is much to note of it");
 }
 
 }  // namespace tia

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/accel/world/all_hits.h"
@@ -26,6 +27,7 @@ class ExplanationSize {
   void hit(const Meeting& at);
   void ray(const Hit<float>& hit);
   void term(TermName name, const LightRecord& record);
+  void note(std::string_view pointer, std::string_view about);
 
   std::size_t bytes() const { return bytes_; }
   /// The numbers of all objects that are told of.

@@ -45,12 +45,13 @@ Response picture_response(const PictureStore::Found& found, double parse_ms, dou
                                 {"Tia-Rays", ray_counts(picture.rays)},
                                 {"Cache-Status", cache_status(found)}},
                     .shared = {found.picture, &picture.bytes}};
-  if (picture.is_clamped) response.headers.emplace_back("Tia-Biased", "clamp");
   if (picture.reached) tell_reached(*picture.reached, response.headers);
   for (const auto& [name, value] : response.headers) response.log.emplace_back(name, value);
   // What a client need not know, but whoever runs the server may.
   if (picture.degenerate > 0)
     response.log.emplace_back("triangles without area", static_cast<double>(picture.degenerate));
+  if (picture.unasked > 0)
+    response.log.emplace_back("lights met by chance", static_cast<double>(picture.unasked));
   return response;
 }
 

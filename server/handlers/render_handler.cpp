@@ -1,6 +1,7 @@
 // /render: parameters in, picture out.
 #include <algorithm>
 
+#include "core/scene/left_out.h"
 #include "server/contract/answers.h"
 #include "server/contract/parameters.h"
 #include "server/contract/query_parameters.h"
@@ -59,6 +60,17 @@ Headers validators(const std::string& etag, const Asked& asked) {
   return headers;
 }
 
+/// What is said of a picture that is sent, or would be, and not of how it was drawn.
+Headers told_of(const Plan& plan) {
+  Headers headers;
+  if (plan.in_effect.clamp) headers.emplace_back("Tia-Biased", "clamp");
+  std::string ignored;
+  for (const LeftOut& each : left_out_by(plan.in_effect.integrator, *plan.scene))
+    ignored.append(ignored.empty() ? "" : ", ").append(each.pointer);
+  if (!ignored.empty()) headers.emplace_back("Tia-Ignored", ignored);
+  return headers;
+}
+
 Response not_modified() {
   return {.status = 304,
           .content_type = "",
@@ -75,11 +87,13 @@ Response with(Response response, const Headers& headers) {
 Response rendered_within(const Asked& asked, Plan& plan, double parse_ms, Stopwatch watch,
                          const Request& request, Service& service) {
   const std::string type(media_type_of(plan.format));
-  if (request.is_head())
-    return {.content_type = type,
-            .body = "",
-            .headers = {{"Cache-Control", "no-cache"}},
-            .unsized = true};
+  const Headers beside = told_of(plan);
+  if (request.is_head()) {
+    Response response{.content_type = type, .body = "", .headers = beside, .unsized = true};
+    response.headers.emplace_back("Cache-Control", "no-cache");
+    if (asked.accepted) add_vary(response.headers, "Accept");
+    return response;
+  }
   const PictureRequest& picture = asked.picture;
   const std::string wish =
       etag_of(plan.recipe + " " + std::to_string(picture.budget_ms.value_or(0)) + " " +
@@ -90,7 +104,7 @@ Response rendered_within(const Asked& asked, Plan& plan, double parse_ms, Stopwa
     headers.emplace_back("Content-Location", std::move(to));
   if (request.method != "POST" && has_already(request, found.picture->etag))
     return with(not_modified(), headers);
-  return with(picture_response(found, parse_ms, watch.lap_ms()), headers);
+  return with(with(picture_response(found, parse_ms, watch.lap_ms()), headers), beside);
 }
 
 // HEAD and If-None-Match need no ray: what the picture is called is known.
@@ -101,17 +115,18 @@ Response rendered(const Asked& asked, Stopwatch watch, const Request& request, S
   const double parse_ms = watch.lap_ms();
   if (asked.picture.has_budget())
     return rendered_within(asked, plan, parse_ms, watch, request, service);
-  const Headers headers = validators(etag, asked);
+  const Headers headers = validators(etag, asked), beside = told_of(plan);
   const std::string type(media_type_of(plan.format));
   if (request.method != "POST") {
     const auto* name = std::get_if<std::string>(&asked.picture.scene);
     if (name != nullptr)
-      service.targets.keep(KnownTargets::name_of(request), {etag, *name, type, headers});
+      service.targets.keep(KnownTargets::name_of(request), {etag, *name, type, headers, beside});
     if (has_already(request, etag)) return with(not_modified(), headers);
   }
-  if (request.is_head()) return with({.content_type = type, .body = "", .unsized = true}, headers);
+  if (request.is_head())
+    return with({.content_type = type, .body = "", .headers = beside, .unsized = true}, headers);
   const auto found = picture_of(plan, etag, requester, service);
-  return with(picture_response(found, parse_ms, watch.lap_ms()), headers);
+  return with(with(picture_response(found, parse_ms, watch.lap_ms()), headers), beside);
 }
 
 }  // namespace
@@ -123,11 +138,14 @@ std::optional<Response> known_picture(const Request& request, Service& service) 
   if (!known || !is_at_hand(known->scene, service.rendering)) return std::nullopt;
   if (has_already(request, known->etag)) return with(not_modified(), known->validators);
   if (request.is_head())
-    return with({.content_type = known->content_type, .body = "", .unsized = true},
+    return with({.content_type = known->content_type,
+                 .body = "",
+                 .headers = known->beside,
+                 .unsized = true},
                 known->validators);
   const auto found = service.pictures.find(known->etag);
   if (!found) return std::nullopt;
-  return with(picture_response(*found, 0, 0), known->validators);
+  return with(with(picture_response(*found, 0, 0), known->validators), known->beside);
 }
 
 namespace {
@@ -148,8 +166,9 @@ Response post_render(const Request& request, const std::string&, Service& servic
 Answer picture() {
   Answer answer{.about = "the picture"};
   for (const FormatRow& row : formats) answer.contents.push_back({row.media_type});
-  answer.headers = {"Server-Timing",    "Tia-Rays",    "Cache-Control", "ETag",      "Cache-Status",
-                    "Content-Location", "Tia-Samples", "Tia-Noise",     "Tia-Biased"};
+  answer.headers = {"Server-Timing", "Tia-Rays",         "Cache-Control", "ETag",
+                    "Cache-Status",  "Content-Location", "Tia-Samples",   "Tia-Noise",
+                    "Tia-Biased",    "Tia-Ignored"};
   return answer;
 }
 

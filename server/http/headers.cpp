@@ -13,7 +13,7 @@ constexpr const char* page_policy =
 // What the page of another origin may know of an answer besides its body.
 constexpr const char* exposed =
     "ETag, Server-Timing, Tia-Rays, Tia-Delete-Key, X-Request-Id, traceparent, Retry-After, "
-    "Cache-Status, Content-Location, Tia-Samples, Tia-Noise, Tia-Biased";
+    "Cache-Status, Content-Location, Tia-Samples, Tia-Noise, Tia-Biased, Tia-Ignored";
 constexpr const char* preflight_seconds = "7200";  // the longest that Chromium remembers
 
 bool is_document(std::string_view type) {

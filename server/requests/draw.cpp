@@ -167,7 +167,8 @@ Picture draw(const Plan& plan, const RenderContext& context, const std::stop_tok
   const World world = context.geometries.compile(plan.scene, workers);
   reserve_memory(memory_of(plan), "this picture", stop);
   picture.degenerate = world.degenerate;
-  picture.is_clamped = plan.in_effect.clamp.has_value();
+  if (plan.options.integrator == IntegratorName::path)
+    picture.unasked = world.of_objects->unasked.count;
   picture.timing.build = watch.lap_ms();
 
   const int width = plan.window.width(), height = plan.window.height();

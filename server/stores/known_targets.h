@@ -15,7 +15,7 @@ namespace tia::server {
 /// KnownTarget: what is said of a target's picture, whether it is sent or not.
 struct KnownTarget {
   std::string etag, scene, content_type;  ///< scene: the name that the request gives
-  Headers validators;
+  Headers validators, beside;             ///< beside: what a 304 does without
 };
 
 class KnownTargets {

@@ -19,8 +19,8 @@ struct Picture {
   Timing timing;
   std::optional<Reached> reached = {};  ///< of rounds, where noise or a budget was asked for
   std::string etag = {};  ///< its tag, where only its drawing could tell; else it was known before
-  bool is_clamped = false;     ///< whether bright samples may have been darkened
   std::size_t degenerate = 0;  ///< triangles without area, which were left out
+  std::size_t unasked = 0;     ///< luminous objects whose light is met by chance alone
   double trace_seconds = 0;    ///< of all threads that traced it
 };
 

@@ -41,6 +41,12 @@ test('time, rays, bytes and size are those of the last answer', () =>
     assert.equal(await told(page, 'whole', 'each'), words(all / (640 * 480)));
   }));
 
+test('what the integrator leaves out of the scene is told', () =>
+  on.open(async (page) => {
+    assert.equal(await told(page, 'whole', 'ignored'), '/fog');
+    assert.equal(await page.locator('#panel-numbers .whole .biased').count(), 0);
+  }, { at: '/?scene=street-lamp&integrator=whitted&width=32&height=24', panel: 'numbers' }));
+
 test('nothing is drawn while nobody looks', () =>
   shared(async (page) => {
     await page.locator('#tab-light').click();

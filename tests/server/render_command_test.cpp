@@ -90,6 +90,26 @@ TEST_F(RenderCommand, WritesToStandardOutputForADash) {
   EXPECT_EQ(end.err, "");
 }
 
+// What a server tells in headers and in its log.
+TEST_F(RenderCommand, SaysWhatThePictureIsNot) {
+  const auto said_of = [&](const char* options) {
+    const std::string file = folder_.file("foggy.json");
+    std::ofstream(file) << R"({"fog":{"density":1},"objects":[{"type":"torus","major_radius":2,)"
+                           R"("minor_radius":0.5,"material":{"emission":1}}],"options":{)"
+                        << options << "}}";
+    const Finished end = run({"render", file, "--width=8", "--height=6", "-o", "-"});
+    EXPECT_EQ(end.status, 0);
+    return end.err;
+  };
+  EXPECT_EQ(said_of(R"("clamp":1)"),
+            "tia: /fog is ignored: only path sees fog\n"
+            "tia: /options/clamp is ignored: only path's samples are clamped\n");
+  EXPECT_EQ(said_of(R"("clamp":1,"integrator":"path","samples":2,"max_depth":1)"),
+            "tia: 1 luminous objects are met by chance alone\n"
+            "tia: 96 paths are cut by max_depth\n"
+            "tia: /options/clamp: bright samples may be darkened\n");
+}
+
 TEST_F(RenderCommand, AMissingSceneFileExits2NamingIt) {
   EXPECT_THAT(refused({folder_.file("none.json")}), HasSubstr("none.json"));
 }

@@ -85,7 +85,7 @@ export default function mountNumbers(studio, panel) {
 }
 
 function figuresOf(shown) {
-  const { timing, rays, noise, blob, ms, request } = shown;
+  const { timing, rays, noise, biased, ignored, blob, ms, request } = shown;
   const { width, height } = windowOf(request);
   const phases = timing.filter(({ name }) => name !== 'total');
   const traced = rays.filter(({ name }) => name !== 'cut'); // which counts paths
@@ -106,8 +106,10 @@ function figuresOf(shown) {
       ['size', `${width} \u00d7 ${height}`],
       ['bytes', countWords(blob.size)],
       ['each', numberWords(all / (width * height))],
-      ...(noise ? [['noise', numberWords(Number(noise))]] : []),
-    ]),
+      ['noise', noise && numberWords(Number(noise))],
+      ['biased', biased],
+      ['ignored', ignored],
+    ].filter(([, value]) => value)),
   ];
 }
 

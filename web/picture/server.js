@@ -23,6 +23,8 @@ export async function fetchPicture(request, signal) {
     timing: readTiming(header('Server-Timing')),
     rays: readRays(header('Tia-Rays')),
     noise: header('Tia-Noise'),
+    biased: header('Tia-Biased'),
+    ignored: header('Tia-Ignored'),
     reached: Number(/&samples=(\d+)$/.exec(header('Content-Location'))?.[1]), // NaN: had no budget
     cached: /;\s*hit/.test(header('Cache-Status') ?? ''),
     copied: /detail=not-modified/.test(header('Cache-Status') ?? ''),

@@ -2,7 +2,7 @@
 // towards the eye in the middle, its rim on a ring, what is behind outside of it (the azimuthal
 // equidistant projection), so that a hand can reach everywhere.
 
-import { add, dot, length, normalize, scale, subtract } from './vec.js';
+import { add, dot, length, scale, subtract } from './vec.js';
 
 const RING = 0.36; // of the window's height: where the lamp stands a quarter round
 const MOST_AWAY = 1e8; // from what one looks at
@@ -71,16 +71,6 @@ export function pivotOf(view, camera, hits) {
   const back = hits.find(({ object, front, t }) => object === first.object && !front && t > first.t);
   const body = back && back.t - first.t < first.t;
   return body ? scale(add(first.point, back.point), 1 / 2) : first.point;
-}
-
-/** Above or below, left or right, near or far, as seen by the eye: the words' keys, strongest first. */
-export function sideOf(view, pivot, light) {
-  const way = normalize(subtract(light, pivot));
-  const parts = [['right', dot(way, view.across)], ['above', dot(way, view.upwards)], ['near', -dot(way, view.axis)]];
-  const other = { right: 'left', above: 'below', near: 'far' };
-  return parts.filter(([, part]) => Math.abs(part) > 0.35)
-    .sort(([, a], [, b]) => Math.abs(b) - Math.abs(a))
-    .map(([word, part]) => (part > 0 ? word : other[word]));
 }
 
 export const distanceOf = (pivot, light) => length(subtract(light, pivot));

@@ -8,7 +8,6 @@ export const cross = (a, b) =>
   [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
 export const length = (a) => Math.hypot(...a);
 export const normalize = (a) => scale(a, 1 / length(a));
-export const mix = (a, b, s) => add(scale(a, 1 - s), scale(b, s));
 
 /** `a` turned about the unit axis `k`, counter-clockwise seen from its tip. Source: Rodrigues 1840. */
 export function turn(a, k, angle) {

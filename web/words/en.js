@@ -412,6 +412,8 @@ export default {
     is_bytes: 'bytes',
     is_each: 'rays a pixel',
     is_noise: 'largest error of a pixel',
+    is_biased: 'darkened by',
+    is_ignored: 'left out',
     pace: 'While you move',
     atRest: 'at rest',
     rate: '{rate} pictures a second',

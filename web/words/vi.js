@@ -412,6 +412,8 @@ export default {
     is_bytes: 'byte',
     is_each: 'tia mỗi điểm ảnh',
     is_noise: 'sai số lớn nhất của một điểm ảnh',
+    is_biased: 'bị làm tối bởi',
+    is_ignored: 'bỏ qua',
     pace: 'Khi bạn di chuyển',
     atRest: 'đang nghỉ',
     rate: '{rate} ảnh mỗi giây',

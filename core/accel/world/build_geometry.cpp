@@ -18,6 +18,7 @@ class Compiler {
 
   Geometry compile() {
     for (const Object& object : scene_.objects) add(object, {});
+    list_unasked();
     builder_.settle();
     for (WorldLight& light : geometry_.lights)
       light = at_center(light, light.middle.exact - geometry_.origin);
@@ -65,6 +66,22 @@ class Compiler {
     for (const MaterialRef& material : object.materials)
       shadings.push_back(shading_index(material));
     builder_.add_numbered(shadings);
+  }
+
+  void list_unasked() {
+    std::vector<bool> asked(geometry_.primitives.size());
+    for (const PathLight& area : geometry_.areas)
+      asked[static_cast<std::size_t>(area.primitive)] = true;
+    auto& [count, first] = geometry_.unasked;
+    int last = -1;
+    for (std::size_t i = 0; i < asked.size(); ++i) {
+      const int object = geometry_.primitives[i].object;
+      const auto shading = static_cast<std::size_t>(geometry_.primitives[i].shading);
+      if (asked[i] || object == last || !emits(geometry_.shadings[shading].emission.exact))
+        continue;
+      last = object, ++count;
+      if (first.size() < Unasked::most_told) first.push_back(object);
+    }
   }
 
   // ---- surfaces -------------------------------------------------------------------------------

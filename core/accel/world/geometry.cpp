@@ -81,7 +81,8 @@ std::size_t bytes_of(const Geometry& g) {
   return sizeof(Geometry) + deep_heap_of(g.spaces) + deep_heap_of(g.primitives) +
          heap_bytes(g.balls) + heap_bytes(g.flats) + heap_bytes(g.meshes) + deep_heap_of(g.solids) +
          heap_bytes(g.grids) + heap_bytes(g.shadings) + deep_heap_of(g.textures) +
-         deep_heap_of(g.forms) + heap_bytes(g.lights) + heap_bytes(g.areas);
+         deep_heap_of(g.forms) + heap_bytes(g.lights) + heap_bytes(g.areas) +
+         heap_bytes(g.unasked.first);
 }
 
 std::size_t heap_of_form(const Form& form) { return heap_bytes(form); }

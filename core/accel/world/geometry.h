@@ -77,6 +77,14 @@ struct Space {
 /// Meshes are shared: a mesh keeps its index when the object that has it is moved.
 using SharedMesh = std::shared_ptr<const MeshIndex>;
 
+/// Unasked: luminous objects none of whose areas a path can ask for light, by their numbers: it
+/// meets their light by chance alone.
+struct Unasked {
+  static constexpr std::size_t most_told = 20;
+  std::size_t count = 0;
+  std::vector<int> first{};  ///< as many as are told
+};
+
 struct Geometry {
   std::vector<Space> spaces;          ///< the first is the world itself
   std::vector<Primitive> primitives;  ///< in the scene's order
@@ -90,6 +98,7 @@ struct Geometry {
   std::vector<PrincipledForm> forms;  ///< of materials whose numbers are textured
   std::vector<WorldLight> lights;     ///< of its luminous balls
   std::vector<PathLight> areas;       ///< of its luminous objects
+  Unasked unasked;                    ///< of its luminous objects
   Vec3d origin{};                     ///< the world's, in the scene's coordinates
   int first_primitive = 0;            ///< the number of its first primitive, which is the world's
   int objects = 0;                    ///< how many, those of the primitives before it included

@@ -43,6 +43,36 @@ TEST(Explain, SeesTheSceneAfterItsKeyAndThroughTheRequestsCamera) {
   EXPECT_NEAR(lamp[0].t, 7, 1e-9);
 }
 
+Value notes_of(const std::string& scene) {
+  const Value answer = answer_to({{"x", 320}, {"y", 240}, {"scene", parse_json(scene)}});
+  const Value* notes = find(*answer.as<Value::Object>(), "notes");
+  return notes != nullptr ? *notes : Value();
+}
+
+TEST(Explain, NotesWhatTheIntegratorLeavesOut) {
+  EXPECT_EQ(notes_of(R"({"options":{"exposure":1}})"), Value());
+  const Value notes = notes_of(R"({"fog":{"density":1},"options":{"clamp":1,"ao_radius":1}})");
+  EXPECT_EQ(to_json(notes), R"([{"about":"only path sees fog","pointer":"/fog"},)"
+                            R"({"about":"only ambient_occlusion looks so far",)"
+                            R"("pointer":"/options/ao_radius"},)"
+                            R"({"about":"only path's samples are clamped",)"
+                            R"("pointer":"/options/clamp"}])");
+}
+
+// A torus has no area that is asked for, as a ball has.
+TEST(Explain, NotesTwentyObjectsThatPathMeetsByChance) {
+  const auto glowing = [](int count) {
+    std::string objects = R"({"type":"sphere","center":[0,0,-9],"radius":1,"material":"glow"})";
+    for (int i = 0; i < count; ++i)
+      objects += R"(,{"type":"torus","major_radius":2,"minor_radius":0.5,"material":"glow"})";
+    return notes_of(R"({"materials":{"glow":{"emission":1}},"objects":[)" + objects + "]}");
+  };
+  EXPECT_EQ(glowing(0), Value());
+  const Value notes = glowing(25);
+  ASSERT_EQ(notes.as<Value::Array>()->size(), 20U);
+  EXPECT_EQ(at((*notes.as<Value::Array>())[0], "pointer"), Value("/objects/1"));
+}
+
 TEST(Explain, GetAndPostSayTheSame) {
   const std::string by_get =
       host().get("/explain?ray.origin=0,0,0&ray.direction=0,0.1,-1&key=a").body;

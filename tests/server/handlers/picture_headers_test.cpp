@@ -1,5 +1,6 @@
 // What stands beside a picture: exact ray counts, times, ids; and HEAD, which draws nothing.
 #include <cstdio>
+#include <map>
 #include <regex>
 
 #include "tests/server/picture_support.h"
@@ -122,6 +123,53 @@ TEST(Head, RendersNothingAndHasNoBody) {
     EXPECT_EQ(response.body, "");
   }
   EXPECT_EQ(stopped.head("/render?format=pfm").content_type, "image/x-portable-floatmap");
+}
+
+// A scene with fog and a clamp, which path heeds and no other.
+std::string foggy(const std::string& integrator) {
+  const std::string scene =
+      R"({"fog":{"density":0.1},"objects":[{"type":"sphere","center":[0,0,-5],)"
+      R"("radius":1}],"options":{"clamp":1,"integrator":")" +
+      integrator + R"(","samples":16}})";
+  return "/render?width=8&height=6&scene=" + url_encode(scene);
+}
+
+TEST(TiaIgnored, NamesWhatTheIntegratorLeavesOut) {
+  for (const char* other : {"whitted", "thesis", "depth", "ambient_occlusion"}) {
+    EXPECT_EQ(header(host().get(foggy(other)), "Tia-Ignored"), "/fog, /options/clamp") << other;
+    EXPECT_EQ(header(host().get(foggy(other)), "Tia-Biased"), std::nullopt) << other;
+  }
+  const Response path = host().get(foggy("path"));
+  EXPECT_EQ(header(path, "Tia-Ignored"), std::nullopt);
+  EXPECT_EQ(header(path, "Tia-Biased"), "clamp");
+  EXPECT_EQ(header(host().get("/render"), "Tia-Ignored"), std::nullopt);
+}
+
+// All of GET's headers but those of how the picture was drawn. Before and after it is kept.
+TEST(Head, TellsWhatGetTells) {
+  const auto told = [](const Response& response, bool has_budget) {
+    std::map<std::string, std::string> headers;
+    for (const auto& [name, value] : response.headers) headers[name] = value;
+    for (const char* of_drawing : {"Server-Timing", "Tia-Rays", "Cache-Status", "Tia-Samples",
+                                   "Tia-Noise", "Content-Location"})
+      headers.erase(of_drawing);
+    if (has_budget) headers.erase("ETag");
+    return headers;
+  };
+  const Headers accepts{{"Accept", "image/vnd.radiance, */*;q=0.1"}};
+  const std::string path = foggy("path");
+  const std::string named = "/render?width=8&height=6&scene=street-lamp&integrator=whitted";
+  for (const std::string& target : {path, named, foggy("whitted"), path + "&v=" + version(),
+                                    path + "&noise=0.5", path + "&budget_ms=60000"}) {
+    const bool has_budget = target.find("budget") != target.npos;
+    for (int times = 0; times < 2; ++times) {
+      const Response head = host().ask("HEAD", target, "", accepts),
+                     get = host().get(target, accepts);
+      EXPECT_EQ(told(head, has_budget), told(get, has_budget)) << target;
+      EXPECT_TRUE(header(get, "Vary")) << target;
+      EXPECT_EQ(head.content_type, get.content_type);
+    }
+  }
 }
 
 TEST(Head, FindsWhatGetWouldRefuse) {

@@ -96,7 +96,8 @@ TEST(Cors, AnOriginOfTheListMayReadEveryAnswerProblemsToo) {
       EXPECT_EQ(header(response, allow_origin), origin) << target;
       EXPECT_EQ(header(response, "Access-Control-Expose-Headers"),
                 "ETag, Server-Timing, Tia-Rays, Tia-Delete-Key, X-Request-Id, traceparent, "
-                "Retry-After, Cache-Status, Content-Location, Tia-Samples, Tia-Noise, Tia-Biased");
+                "Retry-After, Cache-Status, Content-Location, Tia-Samples, Tia-Noise, Tia-Biased, "
+                "Tia-Ignored");
       EXPECT_THAT(header(response, "Vary").value_or(""), HasSubstr("Origin")) << target;
     }
 }
