@@ -12,7 +12,9 @@
 namespace tia {
 
 /// The most that the file of one may hold: 8 MiB, and 4096 x 2048 pixels.
-inline constexpr PictureLimits sky_picture_limits{8 << 20, 1 << 23};
+inline constexpr std::size_t most_sky_bytes = 8 << 20;
+inline constexpr std::int64_t most_sky_pixels = 1 << 23;
+inline constexpr PictureLimits sky_picture_limits{most_sky_bytes, most_sky_pixels};
 
 /// SkyPicture: its texels, as they came. Shape: height x width, row 0 = the zenith's.
 struct SkyPicture {

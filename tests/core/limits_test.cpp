@@ -12,6 +12,7 @@
 #include "core/input/errors.h"
 #include "core/input/json.h"
 #include "core/input/object_schema.h"
+#include "core/lights/sky_picture.h"
 #include "core/lights/sphere_light.h"
 #include "core/scene/keys.h"
 #include "core/scene/read_scene.h"
@@ -19,6 +20,7 @@
 #include "core/shapes/mesh/mesh.h"
 #include "core/shapes/voxels/voxel_list.h"
 #include "tests/core/film/files.h"
+#include "tests/core/tree.h"
 
 namespace tia {
 namespace {
@@ -118,6 +120,17 @@ TEST(LimitNumbers, APictureHas4194304Pixels) {
   EXPECT_FALSE(is_taken(test::png({4'194'305, 1, 8, test::grey}, "x")));
 }
 
+TEST(LimitNumbers, ASkyHas8388608BytesAndPixels) {
+  test::Bytes file = test::png({2, 1, 8, test::grey}, "\x40");
+  const auto is_sky = [&] { return std::holds_alternative<PictureSize>(measure_sky(file)); };
+  file.resize(8'388'608);
+  EXPECT_TRUE(is_sky());
+  file.push_back(0);
+  EXPECT_FALSE(is_sky());
+  EXPECT_FALSE(beyond(PictureSize{8'388'608, 1}, sky_picture_limits));
+  EXPECT_TRUE(beyond(PictureSize{8'388'609, 1}, sky_picture_limits));
+}
+
 TEST(LimitNumbers, AJpegHas64ScansASequentialOne8) {
   const auto takes = [](test::Bytes file, int scans, int has) {
     for (; has < scans; ++has) file.insert(file.end(), {0xFF, 0xDA});
@@ -205,6 +218,30 @@ TEST(LimitNumbers, ASceneHas4096LuminousBalls) {
   };
   EXPECT_TRUE(glowing("4096"));
   EXPECT_FALSE(glowing("4097"));
+}
+
+// A luminous mesh of so many triangles, and a luminous ball.
+World luminous_world(std::size_t triangles, bool ball) {
+  Finish glow;
+  glow.emission = {1, 1, 1};
+  Mesh mesh;
+  mesh.positions.values = {0, 0, 0, 1, 0, 0, 0, 1, 0};
+  for (std::size_t i = 0; i < triangles; ++i)
+    mesh.indices.values.insert(mesh.indices.values.end(), {0, 1, 2});
+  Scene scene;
+  scene.objects = {test::object(mesh, glow)};
+  if (ball) scene.objects.push_back(test::object(Sphere{{0, 0, 9}, 1}, glow));
+  return compile(scene);
+}
+// How many areas path asks for light, and how many luminous objects it asks for none.
+std::pair<std::size_t, std::size_t> asked(const World& world) {
+  return {world.of_objects->areas.size(), world.of_objects->unasked.count};
+}
+TEST(LimitNumbers, PathAsks32768Areas) {
+  EXPECT_EQ(asked(luminous_world(32'768, false)), std::pair(std::size_t{32'768}, std::size_t{0}));
+  EXPECT_EQ(asked(luminous_world(32'768, true)), std::pair(std::size_t{32'768}, std::size_t{1}));
+  EXPECT_EQ(asked(luminous_world(32'769, false)), std::pair(std::size_t{0}, std::size_t{1}));
+  EXPECT_EQ(asked(luminous_world(32'769, true)), std::pair(std::size_t{1}, std::size_t{1}));
 }
 
 // Whether a scene's keys are too many to be tried, or merge with too much.
