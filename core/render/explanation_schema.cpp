@@ -111,8 +111,10 @@ Value explanation_schema(Definitions& named) {
           "all that hits and tree name, each once: names need not be unique, ids and pointers are; "
           "copies of an object share its entry"},
          {"notes", list_schema(note_schema()),
-          "what the integrator leaves out of the scene, and the first 20 luminous objects that path "
-          "meets by chance alone, for it asks no such shape for light, and no more than 32768 areas "
+          "what the integrator leaves out of the scene, and the first 20 luminous objects that "
+          "path "
+          "meets by chance alone, for it asks no such shape for light, and no more than 32768 "
+          "areas "
           "of all objects",
           false}});
   });

@@ -63,6 +63,16 @@ TEST(Bsdf, WhiteGrainLosesLittle) {
           expect_white("glass from inside", p, 1 / 1.5, 0.08);
         }
 }
+// As fine as its lines may be: what is stretched still has no single direction.
+TEST(Bsdf, GrainIsNeverSmooth) {
+  for (const double roughness : {0.0, 0.01})
+    for (const double anisotropy : {0.0, 0.02, 0.05, 1.0}) {
+      Principled p = white(roughness);
+      p.metallic = 1, p.anisotropy = anisotropy;
+      const Bsdf<Wide> bsdf = bsdf_of(parameters_of(p), direction_at(0.5, 0.1), 1.5);
+      EXPECT_EQ(any(bsdf.scatters()), anisotropy > 0.04) << roughness << ' ' << anisotropy;
+    }
+}
 TEST(Bsdf, NothingGivesMoreThanItGets) {
   Random random(842);
   for (int i = 0; i < rounds(200, 10); ++i) {
