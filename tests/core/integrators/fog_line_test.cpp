@@ -34,7 +34,8 @@ TEST(Phase, IsDrawnAsDenseAsItSays) {
       ++found[static_cast<std::size_t>(std::clamp(share, 0.0, 1 - 1e-12) * bins)];
     }
     double chi = 0;
-    for (const int each : found) chi += std::pow(each - n / bins, 2) / (n / bins);
+    constexpr double expected = static_cast<double>(n) / bins;
+    for (const int each : found) chi += std::pow(each - expected, 2) / expected;
     EXPECT_LT(chi, 15 + 5 * std::sqrt(2 * 15)) << g;
     EXPECT_LT(length(sum * (1.0 / n) - w * g), 5 / std::sqrt(n)) << g;
   }
