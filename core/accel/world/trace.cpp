@@ -6,57 +6,11 @@
 #include <cmath>
 
 #include "core/accel/world/search.h"
-#include "core/accel/world/winners.h"
+#include "core/accel/world/settled_distances.h"
 
 namespace tia {
 
 namespace {
-
-// The distance to the triangle's plane in double, where the mesh is so large beside it that float's
-// error exceeds the offset of new rays (tolerance::mesh_large). Otherwise, and where the triangle
-// is seen nearly edge on, the distance t that float has found.
-double settled_distance(const Geometry& geometry, const Primitive& primitive, const Line& line,
-                        std::size_t triangle, std::int64_t instance, double t) {
-  const MeshIndex& mesh = *geometry.meshes[static_cast<std::size_t>(primitive.mesh)];
-  const Affine map = to_object(geometry, primitive, instance);
-  const Vec3d direction = map.vector(line.direction) * (1 / mesh.unit);
-  const double rate = 1 / length(direction);
-  if (!(t < tolerance::mesh_large * rate)) return t;
-  const double exact =
-      mesh.plane_distance(triangle, {mesh.measured(map.point(line.origin)), direction});
-  return exact > 0 && std::fabs(exact - t) < tolerance::mesh_settled * rate ? exact : t;
-}
-
-// Called after the search: there all distances are float's, so that the order in which things are
-// tried does not matter.
-template <class Real>
-void settle_distances(const World& world, const Ray<Real>& ray, Mask<Real> active, Hit<Real>& hit) {
-  if (world.of_objects->meshes.empty()) return;
-  const Hit<Real> found = hit;
-  for_each_winner(found, active, [&](int primitive, Mask<Real> here) {
-    const Geometry& geometry = world.geometry_of(primitive);
-    const Primitive& own = geometry.primitive(primitive);
-    if (own.mesh < 0) return;
-    if (own.space == 0 && !own.placed) {
-      const MeshIndex& mesh = *geometry.meshes[static_cast<std::size_t>(own.mesh)];
-      // A quick test that passes all that settled_distance changes.
-      here = here && found.t < Real(static_cast<float>(mesh.unit));
-      if (!any(here)) return;
-    }
-    std::array<LaneOf<Real>, static_cast<std::size_t>(lanes<Real>)> t;
-    store(found.t, t.data());
-    const Lines<Real> lines{RootRay<Real>(ray)};
-    for (unsigned left = bits(here); left != 0; left &= left - 1) {
-      const int i = std::countr_zero(left);
-      LaneOf<Real>& at = t[static_cast<std::size_t>(i)];
-      at = static_cast<LaneOf<Real>>(settled_distance(
-          geometry, own, lines[static_cast<std::size_t>(i)],
-          static_cast<std::size_t>(lane(found.element, i)),
-          static_cast<std::int64_t>(lane(found.instance, i)), static_cast<double>(at)));
-    }
-    hit.t = select(here, load<Real>(t.data()), hit.t);
-  });
-}
 
 template <class Real>
 Hit<Real> nearest(const World& world, const Ray<Real>& ray, Mask<Real> active, Nearest<Real> query,
