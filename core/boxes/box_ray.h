@@ -25,13 +25,15 @@ class BoxRay {
         inverse_{away_from_zero(direction.x), away_from_zero(direction.y),
                  away_from_zero(direction.z)},
         backwards_{first_below_zero(direction.x), first_below_zero(direction.y),
-                   first_below_zero(direction.z)} {}
+                   first_below_zero(direction.z)},
+        exact_(!any(blur > Real(0))) {}
 
   /// The same directions from another origin.
   BoxRay from(const Vec3<Real>& origin, const Real& blur) const {
     BoxRay moved = *this;
     moved.low_ = {origin.x + blur, origin.y + blur, origin.z + blur};
     moved.high_ = {origin.x - blur, origin.y - blur, origin.z - blur};
+    moved.exact_ = !any(blur > Real(0));
     return moved;
   }
   /// The lanes whose rays are in the box for some t from 0 to t_max.
@@ -56,6 +58,7 @@ class BoxRay {
     };
     ray.low_ = of(low_), ray.high_ = of(high_), ray.inverse_ = of(inverse_);
     ray.backwards_ = {ray.inverse_.x < 0, ray.inverse_.y < 0, ray.inverse_.z < 0};
+    ray.exact_ = exact_;
     return ray;
   }
   /// Calls f(axis, low, high, inverse): the origin plus and minus its blur, and the direction.
@@ -68,6 +71,8 @@ class BoxRay {
   /// Whether the first lane's direction is negative along an axis, to choose which of two boxes to
   /// try first.
   bool backwards(int axis) const { return backwards_[static_cast<std::size_t>(axis)]; }
+  /// Whether there is no blur in any lane.
+  bool is_exact() const { return exact_; }
 
  private:
   template <class>
@@ -85,6 +90,7 @@ class BoxRay {
 
   Vec3<Real> low_, high_, inverse_;
   std::array<bool, 3> backwards_;
+  bool exact_;
 };
 
 }  // namespace tia

@@ -9,13 +9,16 @@
 namespace tia {
 
 /// BoxSet: up to eight boxes, as their six faces: the least x of all, the least y …, the greatest
-/// z.
+/// z. Those that are not there are the other way round, so that no ray enters them.
 struct BoxSet {
   static constexpr std::size_t size = 8;
   using Floats = std::array<float, size>;
-  std::array<Floats, 6> faces{};
+  std::array<Floats, 6> faces;
   unsigned count = 0;
 
+  BoxSet() {
+    for (std::size_t i = 0; i < 6; ++i) faces[i].fill(i < 3 ? infinity : -infinity);
+  }
   void add(const Box32& box) {
     const float all[] = {box.min.x, box.min.y, box.min.z, box.max.x, box.max.y, box.max.z};
     for (std::size_t i = 0; i < 6; ++i) faces[i][count] = all[i];
@@ -39,13 +42,17 @@ inline Eight least_of(const Eight& a, const Eight& b) {
 inline Eight greatest_of(const Eight& a, const Eight& b) {
   return Eight::map([](const auto& x, const auto& y) { return max_of(x, y); }, a, b);
 }
-/// As bits, where one number is at most the other of the boxes that there are.
-inline unsigned at_most(const Eight& a, const Eight& b, const BoxSet& boxes) {
+/// As bits, where one number is at most the other.
+inline unsigned at_most(const Eight& a, const Eight& b) {
   const auto mask = a <= b;
   unsigned all = 0;
   for (std::size_t i = 0; i < box_registers; ++i)
     all |= bits(mask.part[i]) << (i * FloatRegister::size);
-  return all & ((1U << boxes.count) - 1);
+  return all;
+}
+/// The same of the boxes that there are.
+inline unsigned at_most(const Eight& a, const Eight& b, const BoxSet& boxes) {
+  return at_most(a, b) & ((1U << boxes.count) - 1);
 }
 
 }  // namespace detail

@@ -9,20 +9,43 @@
 #include <vector>
 
 #include "core/boxes/huge_pages.h"
-#include "core/boxes/lone_ray.h"
 #include "core/boxes/ray_interval.h"
 #include "core/boxes/work_counter.h"
 
 namespace tia {
 
+/// BvhChild: a node's child, in one word: a node, or a leaf of up to 15 entries of `order`.
+/// Domain: numbers below 2^28.
+class BvhChild {
+ public:
+  BvhChild() = default;  // none yet
+  static constexpr BvhChild node(std::uint32_t number) { return BvhChild(number << bits); }
+  static constexpr BvhChild leaf(std::uint32_t first, std::uint32_t count) {
+    return BvhChild(first << bits | count);
+  }
+  static constexpr BvhChild of_word(std::uint32_t word) { return BvhChild(word); }
+
+  bool is_leaf() const { return count() != 0; }
+  /// Of a node its number; of a leaf the first of its entries.
+  std::uint32_t first() const { return word_ >> bits; }
+  /// Of a leaf how many; of a node 0.
+  std::uint32_t count() const { return word_ & ((1U << bits) - 1); }
+  std::uint32_t word() const { return word_; }
+  bool operator==(const BvhChild&) const = default;
+
+ private:
+  static constexpr int bits = 4;
+  explicit constexpr BvhChild(std::uint32_t word) : word_(word) {}
+  std::uint32_t word_;  // of a list on the stack, whatever is there
+};
+
 /// Bvh: the root first.
 struct Bvh {
   static constexpr int deepest = 64;
+  static constexpr std::uint32_t largest_leaf = 8;
   struct alignas(64) Node {
     BoxSet boxes;  ///< of the children
-    /// Of a child that is a node its number; of a leaf the first of its entries of `order`.
-    std::array<std::uint32_t, BoxSet::size> first{};
-    std::array<std::uint16_t, BoxSet::size> count{};  ///< of a leaf how many; of a node 0
+    std::array<BvhChild, BoxSet::size> children{};
   };
   static_assert(sizeof(Node) == 256);
   using Nodes = std::vector<Node, HugePages<Node>>;
@@ -40,21 +63,16 @@ namespace detail {
 class BvhStack {
  public:
   struct Child {
-    std::uint32_t first;        ///< as its node's
-    std::uint16_t count, slot;  ///< as its node's, and which of its children
-    std::uint32_t parent;       ///< its node
+    BvhChild child;
+    std::uint32_t parent, slot;  ///< its node, and which of its children
     float near;
-
-    bool is_leaf() const { return count != 0; }
   };
 
   /// Adds the children that are entered, at least one, but for the nearest. Returns: that one.
   Child push_others(const Bvh& bvh, std::uint32_t parent, unsigned entered,
                     const BoxSet::Floats& near) {
     const Bvh::Node& node = bvh.nodes[parent];
-    const auto child = [&](unsigned i) -> Child {
-      return {node.first[i], node.count[i], static_cast<std::uint16_t>(i), parent, near[i]};
-    };
+    const auto child = [&](unsigned i) -> Child { return {node.children[i], parent, i, near[i]}; };
     const unsigned others = entered & (entered - 1);
     // Mostly one or two are entered. Which, and which of them is nearer, could not be predicted, so
     // there are no branches.
@@ -92,49 +110,29 @@ class BvhStack {
 
 }  // namespace detail
 
-/// What traverse calls for a leaf that lanes enter: leaf(first, count, lanes), entries of `order`.
-/// t_max may shrink from within. All traversals go roughly from near to far.
-///
-/// One ray alone through the subtree of a node. Source: as LoneRay's.
-template <class Leaf>
-void traverse(const Bvh& bvh, std::uint32_t root, const LoneRay& ray, const float& t_max,
-              WorkCounter& work, Leaf leaf) {
-  detail::BvhStack stack;
-  detail::BvhStack::Child next{root, 0, 0, 0, 0};
-  for (;;) {
-    work.test();
-    BoxSet::Floats near;
-    const unsigned entered = ray.enters(bvh.nodes[next.first].boxes, t_max, near);
-    if (entered != 0) next = stack.push_others(bvh, next.first, entered, near);
-    else if (!stack.pop(t_max, next)) return;
-    while (next.is_leaf()) {
-      leaf(next.first, next.count, true);
-      if (!stack.pop(t_max, next)) return;
-    }
-  }
-}
-
 /// Up to so many rays of a packet go on one by one. Measured: 2 to 5 are equally fast, more or
 /// fewer are slower.
 inline constexpr int few_lanes = 4;
 
-/// Traverses the tree with a packet. Nodes that no ray of the interval enters are left out at once;
-/// in the others only the lanes that enter them go on. Where those are at most `few`, alone(node,
-/// lanes) has to trace them through the node one by one, because a packet costs as much with few
-/// rays as with many. Source: Benthin, Wald, Woop, Ernst, "Combining single and packet-ray tracing
-/// for arbitrary ray distributions on the Intel MIC architecture" (2012).
+/// Traverses the tree with a packet, roughly from near to far, and calls leaf(first, count, lanes)
+/// for the entries of `order` in a leaf that lanes enter; t_max may shrink from within. Nodes that
+/// no ray of the interval enters are left out at once; in the others only the lanes that enter them
+/// go on. Where those are at most `few`, alone(node, lanes) has to trace them through the node one
+/// by one, because a packet costs as much with few rays as with many. Source: Benthin, Wald, Woop,
+/// Ernst, "Combining single and packet-ray tracing for arbitrary ray distributions on the Intel MIC
+/// architecture" (2012).
 template <class Real, class Leaf, class Alone>
 void traverse(const Bvh& bvh, const BoxRay<Real>& ray, const RayInterval& interval,
               Mask<Real> active, const Real& t_max, WorkCounter& work, Leaf leaf, int few,
               Alone alone) {
   float furthest = greatest(t_max, active);
   detail::BvhStack stack;
-  detail::BvhStack::Child next{0, 0, 0, 0, 0};
+  detail::BvhStack::Child next{};
   for (;;) {
     work.test();
     BoxSet::Floats near;
-    const unsigned ahead = interval.enters(bvh.nodes[next.first].boxes, furthest, near);
-    if (ahead != 0) next = stack.push_others(bvh, next.first, ahead, near);
+    const unsigned ahead = interval.enters(bvh.nodes[next.child.first()].boxes, furthest, near);
+    if (ahead != 0) next = stack.push_others(bvh, next.child.first(), ahead, near);
     else if (!stack.pop(furthest, next)) return;
     for (;;) {
       Mask<Real> entered = active;
@@ -143,9 +141,10 @@ void traverse(const Bvh& bvh, const BoxRay<Real>& ray, const RayInterval& interv
         entered = active && ray.enters(bvh.nodes[next.parent].boxes.box(next.slot), t_max);
       }
       if (any(entered)) {
-        if (next.is_leaf()) leaf(next.first, next.count, entered);
+        const BvhChild child = next.child;
+        if (child.is_leaf()) leaf(child.first(), child.count(), entered);
         else if (few == 0 || count(entered) > few) break;
-        else alone(next.first, entered);
+        else alone(child.first(), entered);
         furthest = greatest(t_max, active);
       }
       if (!stack.pop(furthest, next)) return;

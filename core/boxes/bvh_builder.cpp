@@ -18,7 +18,7 @@ using detail::Run;
 using detail::Scales;
 using detail::Split;
 
-constexpr std::size_t largest_leaf = 8;
+constexpr std::size_t largest_leaf = Bvh::largest_leaf;
 constexpr std::size_t shared_work = 1 << 16;  // boxes that are worth dividing among workers
 
 class Builder {
@@ -84,7 +84,8 @@ class Builder {
       for (const Run& child : parted(run, depth)) {
         const auto slot = nodes[at].boxes.count;
         add_child(child, nodes[at]);
-        if (child.count > large) nodes[at].first[slot] = self(self, child, depth + 1);
+        if (child.count > large)
+          nodes[at].children[slot] = BvhChild::node(self(self, child, depth + 1));
         else if (child.count > largest_leaf) below.push_back({child, depth + 1, at, slot});
       }
       return at;
@@ -94,10 +95,12 @@ class Builder {
   }
   static void append(const Subtree& subtree, Nodes& nodes) {
     const auto offset = static_cast<std::uint32_t>(nodes.size());
-    nodes[subtree.parent].first[subtree.child] = offset;
+    nodes[subtree.parent].children[subtree.child] = BvhChild::node(offset);
     for (Bvh::Node& node : *subtree.nodes) {
-      for (unsigned i = 0; i < node.boxes.count; ++i)
-        if (node.count[i] == 0) node.first[i] += offset;
+      for (unsigned i = 0; i < node.boxes.count; ++i) {
+        BvhChild& child = node.children[i];
+        if (!child.is_leaf()) child = BvhChild::node(child.first() + offset);
+      }
       nodes.push_back(node);
     }
   }
@@ -110,16 +113,16 @@ class Builder {
       add_child(child, nodes[at]);
       if (child.count <= largest_leaf) continue;
       const std::uint32_t below = add_node(child, depth + 1, nodes);
-      nodes[at].first[slot] = below;
+      nodes[at].children[slot] = BvhChild::node(below);
     }
     return at;
   }
   static void add_child(const Run& run, Bvh::Node& node) {
     const auto slot = node.boxes.count;
     node.boxes.add(run.box.box());
-    if (run.count > largest_leaf) return;
-    node.first[slot] = static_cast<std::uint32_t>(run.first);
-    node.count[slot] = static_cast<std::uint16_t>(run.count);
+    if (run.count <= largest_leaf)
+      node.children[slot] = BvhChild::leaf(static_cast<std::uint32_t>(run.first),
+                                           static_cast<std::uint32_t>(run.count));
   }
 
   // The children of a node: again and again the widest, at first the node itself, gives way to its

@@ -16,19 +16,19 @@ struct OffsetBvh : Bvh {
   Vec3d middle{};
 
   /// Adds a child to a node: a leaf, or a node further on. The box is around the middle.
-  void add_leaf(std::size_t node, const Aabb& box, std::size_t number);
-  void add_node(std::size_t node, const Aabb& box, std::size_t child);
-};
+  void add_leaf(std::size_t node, const Aabb& box, std::size_t number) {
+    add(nodes[node], box, BvhChild::leaf(static_cast<std::uint32_t>(number), 1));
+  }
+  void add_node(std::size_t node, const Aabb& box, std::size_t child) {
+    add(nodes[node], box, BvhChild::node(static_cast<std::uint32_t>(child)));
+  }
 
-inline void OffsetBvh::add_node(std::size_t node, const Aabb& box, std::size_t child) {
-  Node& own = nodes[node];
-  own.first[own.boxes.count] = static_cast<std::uint32_t>(child);
-  own.boxes.add(enclosing(box));
-}
-inline void OffsetBvh::add_leaf(std::size_t node, const Aabb& box, std::size_t number) {
-  nodes[node].count[nodes[node].boxes.count] = 1;
-  add_node(node, box, number);
-}
+ private:
+  static void add(Node& node, const Aabb& box, BvhChild child) {
+    node.children[node.boxes.count] = child;
+    node.boxes.add(enclosing(box));
+  }
+};
 
 namespace detail {
 
@@ -79,8 +79,7 @@ std::int64_t traverse(const OffsetBvh& tree, const Ray<double>& line, double fro
                       Visit visit) {
   if (tree.nodes.empty()) return 0;
   struct Waiting {
-    std::uint32_t first;
-    bool is_leaf;
+    BvhChild child;
     float in, out;
   };
   // At most seven wait a level.
@@ -90,23 +89,24 @@ std::int64_t traverse(const OffsetBvh& tree, const Ray<double>& line, double fro
   const detail::BoxLine own_line(line, tree.middle);
   const float first_t = rounded_down(from);
   float last_t = rounded_up(to);
-  waiting[count++] = {0, false, first_t, last_t};
+  waiting[count++] = {{}, first_t, last_t};
   while (count > 0) {
     const Waiting next = waiting[--count];
     if (!(next.in <= last_t)) continue;
-    if (next.is_leaf) {
-      to = visit(next.first, std::max(double(next.in), from), std::min(double(next.out), to), to);
+    if (next.child.is_leaf()) {
+      to = visit(next.child.first(), std::max(double(next.in), from),
+                 std::min(double(next.out), to), to);
       last_t = rounded_up(to);
       continue;
     }
     ++tried;
     BoxSet::Floats in, out;
-    const Bvh::Node& node = tree.nodes[next.first];
+    const Bvh::Node& node = tree.nodes[next.child.first()];
     const unsigned met = detail::stretches(node.boxes, own_line, first_t, last_t, in, out);
     const std::size_t bottom = count;
     for (unsigned left = met; left != 0; left &= left - 1) {
       const auto i = static_cast<std::size_t>(std::countr_zero(left));
-      const Waiting own{node.first[i], node.count[i] != 0, in[i], out[i]};
+      const Waiting own{node.children[i], in[i], out[i]};
       // The farther ones below: an insertion into at most eight.
       std::size_t at = count++;
       for (; at > bottom && waiting[at - 1].in < own.in; --at) waiting[at] = waiting[at - 1];

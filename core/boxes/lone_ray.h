@@ -2,52 +2,79 @@
 #pragma once
 
 #include <array>
+#include <type_traits>
 
 #include "core/boxes/box_ray.h"
 #include "core/boxes/box_set.h"
 
 namespace tia {
 
-/// LoneRay: one ray, with the index of the face that it meets first, for each axis.
+/// LoneRay: one ray, with the faces that it meets first, for each axis. `exact`: whether its origin
+/// is, which most are; then there is less to compute.
 /// Source: Wald, Benthin, Boulos, "Getting rid of packets: efficient SIMD single-ray traversal
 /// using multi-branching BVHs" (2008).
+template <bool exact>
 class LoneRay {
  public:
-  explicit LoneRay(const BoxRay<float>& ray) {
-    ray.for_each_axis([&](int i, float low, float high, float inverse) {
+  /// One of a packet's rays.
+  template <class Real>
+  LoneRay(const BoxRay<Real>& ray, int lane) {
+    ray.for_each_axis([&](int i, const Real& low, const Real& high, const Real& inverse) {
       const auto axis = static_cast<std::size_t>(i);
-      const std::size_t backwards = inverse < 0;  // no branch, which could not be predicted
-      const float from[] = {low, high};
-      // BoxRay's factors for rounding are applied here, once for each ray.
-      near_[axis] = {detail::Eight(from[backwards]), detail::Eight(inverse * box_shrink),
-                     axis + 3 * backwards};
-      far_[axis] = {detail::Eight(from[1 - backwards]), detail::Eight(inverse * box_grow),
-                    axis + 3 * (1 - backwards)};
+      const float factor = tia::lane(inverse, lane);
+      const std::size_t backwards = factor < 0;  // no branch, which could not be predicted
+      near_[axis] = axis + 3 * backwards;
+      far_[axis] = axis + 3 * (1 - backwards);
+      minus_inverse_[axis] = detail::Eight(-factor);
+      near_from_[axis] = detail::Eight(tia::lane(low, lane));
+      if constexpr (!exact) {
+        const float from[] = {tia::lane(low, lane), tia::lane(high, lane)};
+        near_from_[axis] = detail::Eight(from[backwards]);
+        far_from_[axis] = detail::Eight(from[1 - backwards]);
+      }
     });
   }
 
-  /// As a RayInterval's.
-  unsigned enters(const BoxSet& boxes, float t_max, BoxSet::Floats& near) const {
+  /// What is to be said as a limit for boxes that the ray may meet up to t_max.
+  static float limit(float t_max) { return t_max * slack; }
+  /// Returns: as bits, which boxes the ray enters somewhere from 0 to limit(t_max); in `near` from
+  /// where on, never below 0. It never misses a box that the ray meets up to t_max.
+  [[gnu::always_inline]] unsigned enters(const BoxSet& boxes, float limit,
+                                         BoxSet::Floats& near) const {
     using namespace detail;
-    Eight in(0), out(t_max * box_grow);
-    for (std::size_t i = 0; i < 3; ++i) {
-      in = greatest_of(near_[i].distance(boxes), in);
-      out = least_of(far_[i].distance(boxes), out);
-    }
-    in.store_unaligned(near.data());
-    return at_most(in, out, boxes);
+    // The face is the second operand, which may lie in memory.
+    const auto distance = [&](std::size_t axis, const Eight& from, std::size_t face)
+        __attribute__((always_inline)) {
+      return (from - load(boxes.faces[face])) * minus_inverse_[axis];
+    };
+    const auto in = [&](std::size_t axis) __attribute__((always_inline)) {
+      return distance(axis, near_from_[axis], near_[axis]);
+    };
+    const auto out = [&](std::size_t axis) __attribute__((always_inline)) {
+      if constexpr (exact) return distance(axis, near_from_[axis], far_[axis]);
+      else return distance(axis, far_from_[axis], far_[axis]);
+    };
+    const Eight first = greatest_of(greatest_of(in(0), in(1)), greatest_of(in(2), Eight(0)));
+    const Eight last = least_of(least_of(out(0), out(1)), out(2)) * Eight(slack);
+    first.store_unaligned(near.data());
+    // Of a ray of nothing `last` is nothing: the second operand, so that it enters no box at all,
+    // and none of those that are not there.
+    return at_most(first, least_of(Eight(limit), last));
   }
 
  private:
-  struct Slab {
-    detail::Eight from, inverse;
-    std::size_t face;
-
-    detail::Eight distance(const BoxSet& boxes) const {
-      return (detail::load(boxes.faces[face]) - from) * inverse;
-    }
-  };
-  std::array<Slab, 3> near_, far_;
+  static constexpr float slack = box_grow / box_shrink;  // BoxRay's factors, on one side
+  std::array<std::size_t, 3> near_, far_;                // faces
+  std::array<detail::Eight, 3> minus_inverse_, near_from_;
+  struct None {};
+  [[no_unique_address]] std::conditional_t<exact, None, std::array<detail::Eight, 3>> far_from_;
 };
+
+/// Calls f with one of a packet's rays.
+template <class Real, class F>
+void with_lone_ray(const BoxRay<Real>& ray, int lane, F f) {
+  if (ray.is_exact()) f(LoneRay<true>(ray, lane));
+  else f(LoneRay<false>(ray, lane));
+}
 
 }  // namespace tia

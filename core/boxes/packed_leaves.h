@@ -35,7 +35,7 @@ class PackedLeaves {
   template <class WordsOf>
   void pack(const Bvh& bvh, const Bvh::Node& node, WordsOf words_of) {
     for (std::size_t child = 0; child < node.boxes.count; ++child) {
-      const std::size_t first = node.first[child], count = node.count[child];
+      const std::size_t first = node.children[child].first(), count = node.children[child].count();
       for (std::size_t i = 0; i < count; ++i) {
         const std::array<Number, words> all = words_of(bvh.order[first + i]);
         for (std::size_t k = 0; k < words; ++k) numbers_[words * first + k * count + i] = all[k];

@@ -63,6 +63,7 @@ typename Register::value_type lane(const Registers<Register, N>& value, int lane
               sizeof one);
   return one;
 }
+inline void set_lane(float& value, int, float one) { value = one; }
 inline void set_lane(Wide& value, int lane, float one) {
   std::memcpy(reinterpret_cast<char*>(&value) + sizeof one * std::size_t(lane), &one, sizeof one);
 }

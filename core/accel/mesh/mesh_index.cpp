@@ -111,7 +111,7 @@ void MeshIndex::pack(const Workers& workers) {
               std::array<float, 9> words;
               for (std::size_t i = 0; i < 3; ++i) {
                 const auto p = static_cast<Vec3f>(measured(corner(triangle, i)));
-                words[3 * i] = p.x, words[3 * i + 1] = p.y, words[3 * i + 2] = p.z;
+                words[i] = p.x, words[3 + i] = p.y, words[6 + i] = p.z;
               }
               return words;
             }};

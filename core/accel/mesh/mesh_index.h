@@ -28,7 +28,7 @@ struct MeshIndex {
   /// that float is equally precise for a mesh of any size at any place.
   Vec3d middle{};
   double unit = 1;  ///< a power of two
-  /// Of each triangle the nine coordinates of its corners.
+  /// Of each triangle the nine coordinates of its corners: all x, all y, all z.
   PackedLeaves<float, 9> packed;
 
   /// Errors: Stopped.

@@ -30,7 +30,7 @@ struct ShearedRay {
   std::array<std::size_t, 3>
       axes{};                    ///< the other two axes, then the one along which it is longest
   std::array<Real, 3> origin{};  ///< in that order
-  std::array<Real, 3> shear{};   ///< across / along, twice, and 1 / along
+  std::array<Real, 3> shear{};   ///< across / along, twice, and -1 / along
 
   ShearedRay() = default;
   ShearedRay(const Vec3<Real>& from, const Vec3<Real>& direction,
@@ -40,7 +40,7 @@ struct ShearedRay {
     };
     const Vec3<Real> o = turned(from), d = turned(direction);
     origin = {o.x, o.y, o.z};
-    shear = {d.x / d.z, d.y / d.z, Real(1) / d.z};
+    shear = {d.x / d.z, d.y / d.z, Real(-1) / d.z};
   }
   void turn_to(std::size_t along) { axes = {(along + 1) % 3, (along + 2) % 3, along}; }
   /// One ray in all lanes.
@@ -87,22 +87,9 @@ template <class Real>
 
 }  // namespace detail
 
-/// Repeats the test in double for the lanes in which float may have the wrong sign.
-template <class Real>
-[[gnu::noinline]] void settle(const Vec3<Real>& a, const Vec3<Real>& b, const Vec3<Real>& c,
-                              const Real& per_depth, const Mask<Real>& doubtful,
-                              TriangleHit<Real>& hit) {
-  using P = Precise<Real>;
-  const Vec3<P> pa = widen(a), pb = widen(b), pc = widen(c);
-  const detail::Weights<P> weights(pa, pb, pc);
-  const auto narrowed = [](const P& x) { return narrow<Real>(x); };
-  const Mask<Real> inside =
-      detail::all_alike(narrowed(weights.u), narrowed(weights.v), narrowed(weights.w));
-  hit.inside = (hit.inside && !doubtful) || (inside && doubtful);
-  hit.t = select(doubtful, narrow<Real>(weights.depth(pa, pb, pc)) * per_depth, hit.t);
-}
-
-/// Where a ray meets a triangle with the corners coordinate(corner, axis).
+/// SeenTriangle: the triangle with the corners coordinate(corner, axis), seen from a ray's origin
+/// in its sheared axes, with all signs turned round: a coordinate that is subtracted may stay in
+/// memory, and signs do not change how numbers are rounded.
 ///
 /// Watertight: a corner's sheared coordinates are the same for every triangle that has the corner,
 /// and an edge function has the same value, up to its sign, for both triangles at the edge.
@@ -111,25 +98,74 @@ template <class Real>
 /// decide, the products are computed in double, where they are exact. One that is seen exactly edge
 /// on is missed. Source: Woop, Benthin, Wald, "Watertight Ray/Triangle Intersection", JCGT 2
 /// (2013).
+template <class Real>
+class SeenTriangle {
+ public:
+  template <class Coordinate>
+  [[gnu::always_inline]] SeenTriangle(const ShearedRay<Real>& ray, Coordinate coordinate)
+      : a_(seen(ray, coordinate, 0)),
+        b_(seen(ray, coordinate, 1)),
+        c_(seen(ray, coordinate, 2)),
+        weights_(a_, b_, c_) {}
+
+  /// Whether the ray passes through it, unless its sign is doubtful().
+  [[gnu::always_inline]] Mask<Real> inside() const {
+    return detail::all_alike(weights_.u, weights_.v, weights_.w);
+  }
+  /// Where, along the ray.
+  [[gnu::always_inline]] Real t(const ShearedRay<Real>& ray) const {
+    return weights_.depth(a_, b_, c_) * ray.shear[2];
+  }
+  /// Whether float may have the wrong sign. If the area is at least 1/16 of the products,
+  /// cancellation has cost at most four of 24 bits.
+  [[gnu::always_inline]] Mask<Real> doubtful() const {
+    const Real products = abs_of(c_.x * b_.y) + abs_of(a_.x * c_.y) + abs_of(b_.x * a_.y);
+    return !(abs_of(weights_.area()) * Real(16) >= products);
+  }
+  /// The same in double, of the corners as float sees them.
+  TriangleHit<Real> exact(const ShearedRay<Real>& ray) const {
+    const auto a = widen(a_), b = widen(b_), c = widen(c_);
+    const detail::Weights<Precise<Real>> weights(a, b, c);
+    const auto narrowed = [](const Precise<Real>& x) { return narrow<Real>(x); };
+    return {detail::all_alike(narrowed(weights.u), narrowed(weights.v), narrowed(weights.w)),
+            narrow<Real>(weights.depth(a, b, c)) * ray.shear[2]};
+  }
+
+ private:
+  template <class Coordinate>
+  [[gnu::always_inline]] static Vec3<Real> seen(const ShearedRay<Real>& ray, Coordinate coordinate,
+                                                std::size_t corner) {
+    const Real depth = ray.origin[2] - coordinate(corner, ray.axes[2]);
+    return {ray.origin[0] - coordinate(corner, ray.axes[0]) - ray.shear[0] * depth,
+            ray.origin[1] - coordinate(corner, ray.axes[1]) - ray.shear[1] * depth, depth};
+  }
+
+  Vec3<Real> a_, b_, c_;
+  detail::Weights<Real> weights_;
+};
+
+/// Repeats the test in double for the lanes in which float may have the wrong sign. Apart, for it
+/// is seldom asked for and needs all registers.
+template <class Real, class Coordinate>
+[[gnu::noinline]] TriangleHit<Real> settled(const ShearedRay<Real>& ray, Coordinate coordinate,
+                                            const Mask<Real>& doubtful,
+                                            const TriangleHit<Real>& hit) {
+  const TriangleHit<Real> exact = SeenTriangle<Real>(ray, coordinate).exact(ray);
+  return {(hit.inside && !doubtful) || (exact.inside && doubtful),
+          select(doubtful, exact.t, hit.t)};
+}
+
+/// Where a ray meets a triangle.
 template <class Real, class Coordinate>
 [[gnu::always_inline]] inline TriangleHit<Real> intersect(const ShearedRay<Real>& ray,
                                                           Coordinate coordinate) {
-  const auto seen = [&](std::size_t corner) __attribute__((always_inline))->Vec3<Real> {
-    const Real depth = coordinate(corner, ray.axes[2]) - ray.origin[2];
-    return {coordinate(corner, ray.axes[0]) - ray.origin[0] - ray.shear[0] * depth,
-            coordinate(corner, ray.axes[1]) - ray.origin[1] - ray.shear[1] * depth, depth};
-  };
-  const Vec3<Real> a = seen(0), b = seen(1), c = seen(2);
-  const detail::Weights<Real> weights(a, b, c);
-  const auto& [u, v, w] = weights;
-  TriangleHit<Real> hit{detail::all_alike(u, v, w), Real(infinity)};
+  const SeenTriangle<Real> triangle(ray, coordinate);
+  TriangleHit<Real> hit{triangle.inside(), Real(infinity)};
   if (!any(hit.inside)) return hit;
-  hit.t = weights.depth(a, b, c) * ray.shear[2];
+  hit.t = triangle.t(ray);
   if constexpr (!std::is_same_v<Real, double>) {
-    // If the area is at least 1/16 of the products, cancellation has cost at most four of 24 bits.
-    const Real products = abs_of(c.x * b.y) + abs_of(a.x * c.y) + abs_of(b.x * a.y);
-    const Mask<Real> doubtful = hit.inside && !(abs_of(weights.area()) * Real(16) >= products);
-    if (any(doubtful)) settle(a, b, c, ray.shear[2], doubtful, hit);
+    const Mask<Real> doubtful = hit.inside && triangle.doubtful();
+    if (any(doubtful)) hit = settled(ray, coordinate, doubtful, hit);
   }
   return hit;
 }

@@ -7,6 +7,7 @@
 #include "core/accel/world/lane_hits.h"
 #include "core/accel/world/queries.h"
 #include "core/accel/world/world.h"
+#include "core/boxes/lone_traversal.h"
 
 namespace tia {
 
@@ -33,47 +34,37 @@ class Search {
         [&](std::uint32_t first, std::uint32_t count, Mask<Real> here) {
           meet_balls(space.balls, first, count, packet, here);
         },
-        [&](std::uint32_t node, Packet<float>& ray, auto& search) {
-          search.below(space.balls, node, ray);
-        });
+        [&](std::uint32_t node, const auto& here) { alone(space.balls, node, packet, here); });
     through(
         space.bvh, packet, active,
         [&](std::uint32_t first, std::uint32_t count, Mask<Real> here) {
           meet_items(space, first, count, packet, here);
         },
-        [&](std::uint32_t node, Packet<float>& ray, auto& search) {
-          search.below(space, node, ray);
+        [&](std::uint32_t node, const auto& here) {
+          one_by_one(packet, here,
+                     [&](Packet<float>& ray, auto& search) { search.below(space, node, ray); });
         });
   }
 
   /// A single ray through the subtree below a node.
-  void below(const BallIndex& balls, std::uint32_t node, Packet<float>& ray) {
-    const RootRay<FloatRegister> root(ray.root);
-    traverse(balls.bvh, node, LoneRay(ray.box), query_.limit(), work_,
-             [&](std::uint32_t first, std::uint32_t count, bool) {
-               meet_balls(balls, first, count, root, ray.instance);
-             });
-  }
   void below(const Space& space, std::uint32_t node, Packet<float>& ray) {
-    traverse(space.bvh, node, LoneRay(ray.box), query_.limit(), work_,
-             [&](std::uint32_t first, std::uint32_t count, bool) {
-               meet_items(space, first, count, ray, true);
-             });
+    with_lone_ray(ray.box, 0, [&](const auto& lone) {
+      traverse(space.bvh, node, lone, query_.limit(), work_,
+               [&](std::uint32_t first, std::uint32_t count, bool) {
+                 meet_items(space, first, count, ray, true);
+               });
+    });
   }
 
  private:
-  template <class Leaf, class Below>
-  void through(const Bvh& bvh, Packet<Real>& packet, Mask<Real> active, Leaf leaf, Below below) {
+  template <class Leaf, class Alone>
+  void through(const Bvh& bvh, Packet<Real>& packet, Mask<Real> active, Leaf leaf, Alone alone) {
     if constexpr (!quick) {
       traverse(bvh, packet.box, active, query_.limit(), work_, leaf);
     } else if constexpr (lanes<Real> == 1) {
-      if (!bvh.nodes.empty()) below(0U, packet, *this);
+      if (!bvh.nodes.empty()) alone(0U, active);
     } else {
       if (bvh.nodes.empty()) return;
-      const auto alone = [&](std::uint32_t node, Mask<Real> here) {
-        one_by_one(packet, here,
-                   [&](Packet<float>& ray, auto& search) { below(node, ray, search); });
-      };
       const RayInterval interval(packet.box, active);
       if (interval.scattered() || count(active) <= few_lanes) alone(0, active);
       else
@@ -100,8 +91,25 @@ class Search {
     for (std::uint32_t i = first; i < first + count; ++i)
       meet(geometry_.balls[balls.bvh.order[i]], packet, here);
   }
+  // Each ray by itself through the subtree below a node.
+  void alone(const BallIndex& balls, std::uint32_t node, const Packet<Real>& packet,
+             Mask<Real> here) {
+    for (unsigned left = bits(here); left != 0; left &= left - 1) {
+      const int i = std::countr_zero(left);
+      auto own = query_.one(i);
+      const RootRay<FloatRegister> ray(packet.root.one(i));
+      with_lone_ray(packet.box, i, [&](const auto& lone) {
+        traverse(balls.bvh, node, lone, own.limit(), work_,
+                 [&](std::uint32_t first, std::uint32_t count, bool) {
+                   meet_balls(balls, first, count, ray, packet.instance, own);
+                 });
+      });
+      query_.set_one(i, own);
+    }
+  }
+  template <class OneQuery>
   void meet_balls(const BallIndex& balls, std::uint32_t first, std::uint32_t count,
-                  const RootRay<FloatRegister>& ray, int instance) {
+                  const RootRay<FloatRegister>& ray, int instance, OneQuery& query) {
     constexpr auto step = static_cast<std::uint32_t>(lanes<FloatRegister>);
     using P = Precise<FloatRegister>;
     const double* const words = balls.packed.leaf(first);
@@ -112,14 +120,13 @@ class Search {
       };
       const FloatRegister t =
           intersect_sphere<FloatRegister>({word(0), word(1), word(2)}, word(3), ray);
-      unsigned left = bits(t <= FloatRegister(query_.limit()));
-      if (count - from < step) left &= (1U << (count - from)) - 1;
+      unsigned left = bits(t <= FloatRegister(query.limit())) & ((1U << (count - from)) - 1);
       for (; left != 0; left &= left - 1) {
         const auto i = static_cast<std::uint32_t>(std::countr_zero(left));
         const Ball& ball = geometry_.balls[balls.bvh.order[first + from + i]];
-        if (query_.skips(ball.primitive, instance + ball.instance)) continue;
-        query_.offer(lane(t, static_cast<int>(i)), number(ball.primitive), Real(0),
-                     instance + ball.instance, true);
+        if (query.skips(ball.primitive, instance + ball.instance)) continue;
+        query.offer(lane(t, static_cast<int>(i)), static_cast<float>(ball.primitive), 0.0F,
+                    instance + ball.instance, true);
       }
     }
   }

@@ -108,7 +108,27 @@ inline Scene mixed_scene(Random& random, int objects, double scale) {
   return scene;
 }
 
-/// With nothing left out of any search: all things tried in turn, and each mesh one leaf.
+/// A chain of nodes, each with as many leaves as it holds and the next node, all in the same box.
+inline Bvh::Nodes leaves_of(std::size_t things, const Box32& box) {
+  Bvh::Nodes nodes;
+  for (std::size_t first = 0; first < things;) {
+    Bvh::Node node;
+    const auto add = [&](BvhChild child) {
+      node.children[node.boxes.count] = child;
+      node.boxes.add(box);
+    };
+    while (first < things && node.boxes.count + 1 < BoxSet::size) {
+      const std::size_t count = std::min<std::size_t>(Bvh::largest_leaf, things - first);
+      add(BvhChild::leaf(static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(count)));
+      first += count;
+    }
+    if (first < things) add(BvhChild::node(static_cast<std::uint32_t>(nodes.size() + 1)));
+    nodes.push_back(node);
+  }
+  return nodes;
+}
+
+/// With nothing left out of any search: all things tried in turn, and all triangles of a mesh.
 inline Geometry without_index(Geometry geometry) {
   const Box32 everything{{-infinity, -infinity, -infinity}, {infinity, infinity, infinity}};
   for (Space& space : geometry.spaces) {
@@ -120,10 +140,7 @@ inline Geometry without_index(Geometry geometry) {
   for (SharedMesh& mesh : geometry.meshes) {
     MeshIndex plain = *mesh;
     if (!plain.bvh.nodes.empty()) {
-      Bvh::Node root;
-      root.boxes.add(everything);
-      root.count[0] = static_cast<std::uint16_t>(plain.bvh.order.size());
-      plain.bvh.nodes = {root};
+      plain.bvh.nodes = leaves_of(plain.bvh.order.size(), everything);
       plain.pack();
     }
     mesh = std::make_shared<const MeshIndex>(std::move(plain));

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "core/accel/mesh/mesh_index.h"
+#include "core/boxes/lone_ray.h"
 #include "tests/core/support.h"
 
 namespace tia {
@@ -149,7 +150,7 @@ TEST(Triangle, HitsAreWithinItsBoxHoweverThinItIsSeen) {
     box.add({low - Vec3f{room, room, room}, high + Vec3f{room, room, room}});
     const BoxRay<float> ray(origin, way, 0);
     BoxSet::Floats near;
-    EXPECT_EQ(LoneRay(ray).enters(box, hit.t, near), 1U) << i;
+    EXPECT_EQ(LoneRay<true>(ray, 0).enters(box, LoneRay<true>::limit(hit.t), near), 1U) << i;
     EXPECT_EQ(RayInterval(ray, true).enters(box, hit.t, near), 1U) << i;
   }
   EXPECT_GT(hits, 20'000);
