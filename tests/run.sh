@@ -16,7 +16,7 @@ passed=0
 failed=0
 declare -A done_steps=()
 scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
+trap 'leave_ahead; rm -rf "$scratch"' EXIT
 
 pass() { passed=$((passed + 1)); }
 fail() {

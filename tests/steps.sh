@@ -40,6 +40,7 @@ is_build() { [[ $1 =~ ^(release|portable|asan)$ ]]; }
 build() {
   local preset=$1 options=()
   shift
+  await_ahead
   while [ "$1" != -- ]; do options+=("$1") && shift; done
   shift
   if ! cmake --preset "$preset" "${options[@]}" > "$scratch/log" 2>&1; then
@@ -52,6 +53,36 @@ build() {
   fail "build $preset"
   return 1
 }
+
+# ahead PRESET...: begins to build those of them whose steps are to come, of the time that processors
+# have while a step waits for browsers or limits of time. Their own steps build what is left, and
+# tell what is wrong.
+ahead() {
+  local preset presets=()
+  for preset in "$@"; do
+    if [[ " ${chosen[*]} " = *" $preset "* ]]; then presets+=("$preset"); fi
+  done
+  [ ${#presets[@]} -gt 0 ] || return 0
+  await_ahead
+  set -m  # for a process group of its own
+  build_behind "${presets[@]}" > /dev/null 2>&1 &
+  set +m
+  being_built=$!
+}
+build_behind() {
+  local preset scratch=$scratch/ahead  # its logs are not those of the step
+  mkdir -p "$scratch"
+  renice -n 19 -p "$BASHPID"
+  for preset in "$@"; do "build_$preset"; done
+}
+being_built=
+await_ahead() {
+  if [ -z "$being_built" ]; then return; fi
+  renice -n "$(nice)" -g "$being_built" > /dev/null 2>&1 || true  # now it is what is waited for
+  wait "$being_built" || true
+  being_built=
+}
+leave_ahead() { if [ -n "$being_built" ]; then kill -- -"$being_built" || true; fi; }
 
 # show FILE: an output but for the tests that pass.
 show() {
@@ -140,15 +171,19 @@ node_count() {
 
 # ---- what a change needs --------------------------------------------------------------------------
 
+build_release() { build release -DTIA_WERROR=ON -DTIA_TESTS=ON -DTIA_BENCH=ON -- all; }
 step_release() {
   install_missing bench || fail "installing the measurements' packages"
-  build release -DTIA_WERROR=ON -DTIA_TESTS=ON -DTIA_BENCH=ON -- all || true
+  build_release || true
 }
 step_core() { googletest release core_tests; }
 step_server() { googletest release server_tests "$waiting"; }
 waiting='Timeouts.*:Body.*:Drain.*:*Ending.*:Connections.*:Serve.*'  # for limits of time to pass
 step_memory() { googletest release memory_tests; }
-step_page() { node_tests browser; }
+step_page() {
+  ahead portable asan
+  node_tests browser
+}
 step_deploy() { node_tests deploy; }
 step_pages() { node_tests pages; }
 
@@ -171,7 +206,8 @@ step_style() {
 
 # ---- other compilers and processors ---------------------------------------------------------------
 
-step_portable() { build portable -DTIA_WERROR=ON -- tia || true; }
+build_portable() { build portable -DTIA_WERROR=ON -- tia; }
+step_portable() { build_portable || true; }
 
 # Another compiler and instruction set render the same pictures.
 step_same_bytes() {
@@ -218,12 +254,13 @@ same_picture() {
 
 # ARM64_TESTS=1 builds and runs the tracer's tests, too, which takes a quarter of an hour.
 # The last step, for its packages may renew headers of the system that other builds have compiled.
+build_arm64() { build arm64 -- tia; }
 step_arm64() {
   local -a emulator=(qemu-aarch64)
   if ! install_foreign arm64; then
     echo "Not run: this system has no packages for arm64." && return
   fi
-  build arm64 -- tia || return 0
+  build_arm64 || return 0
   stated_hashes "${emulator[@]}" build/arm64/tia
   [ -n "${ARM64_TESTS:-}" ] || return 0
   build arm64 -- core_tests && googletest arm64 core_tests
@@ -258,13 +295,17 @@ step_old() {
 
 # Watched soaks need not be long: what a hundred rounds do not show, a thousand do not either.
 # The tests are those that release has compiled: what is watched are the libraries.
+build_asan() {
+  build asan -DTIA_TESTS_OF="$ROOT/build/release" -- core_tests server_tests memory_tests \
+    {request,scene,query,formula,picture}_fuzz
+}
 step_asan() {
   local -x SOAK=0.5
-  build asan -DTIA_TESTS_OF="$ROOT/build/release" -- core_tests server_tests memory_tests \
-    {request,scene,query,formula,picture}_fuzz || return 0
+  build_asan || return 0
   local -x LLVM_PROFILE_FILE=$ROOT/build/asan/counts/%4m.profraw
   rm -rf build/asan/counts
   googletest asan core_tests
+  ahead tsan
   googletest asan server_tests "$waiting"
   googletest asan memory_tests
 }
@@ -280,9 +321,12 @@ step_coverage() {
 }
 
 # Who watches threads must see both sides of what passes between them: the tests' own as well.
+build_tsan() { build tsan -- server_tests; }
 step_tsan() {
   local -x SOAK=0.5
-  build tsan -- server_tests || return 0
+  build_tsan || return 0
+  # Its packages, if they are to come, may renew headers.
+  if [ -z "$(missing_packages arm64)" ]; then ahead arm64; fi
   TSAN_OPTIONS="suppressions=$ROOT/tests/tsan.supp" googletest tsan server_tests "$waiting"
 }
 
