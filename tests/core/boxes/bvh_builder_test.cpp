@@ -68,7 +68,7 @@ TEST(Bvh, HoldsEveryThingOnceInBoxesThatHoldIt) {
 TEST(Bvh, IsTheSameWhoeverBuildsIt) {
   Random random(105);
   std::vector<Box32> boxes;
-  for (int i = 0; i < 200'000; ++i)
+  for (int i = 0; i < test::rounds(200'000, 2); ++i)
     boxes.push_back(rounded_outwards(random_box(random, 10, i % 100 == 0 ? 3 : 0.1)));
   const Bvh alone = build_bvh(boxes);
   Pool pool(4);

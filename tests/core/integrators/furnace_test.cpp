@@ -102,6 +102,8 @@ const WhiteKind white_kinds[] = {
 TEST(Furnace, PrincipledMaterialsThatLoseNoLightCannotBeSeen) {
   Random random(834);
   for (const WhiteKind& kind : white_kinds) {
+    // The prism takes two fifths of the time, for what is the glass's but for its index.
+    if (sanitized() && kind.samples > 256) continue;
     double sum = 0, variance = 0;
     for (const double roughness : {0.0, 0.25, 0.5, 0.75, 1.0})
       for (const double mu : five_angles) {

@@ -48,6 +48,7 @@ TEST(Bsdf, WhiteGrainLosesLittle) {
     for (const double roughness : {0.0, 0.1, 0.3, 0.6})
       for (const double mu : {0.05, 0.25, 0.5, 0.75, 1.0})
         for (const double turn : {0.03, 0.22}) {
+          if (sanitized() && anisotropy != 0.6) continue;
           const auto expect_white = [&](const char* what, const Principled& p, double eta,
                                         double off) {
             EXPECT_NEAR(albedo_of(p, mu, eta, turn), 1, off)

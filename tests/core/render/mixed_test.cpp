@@ -75,6 +75,7 @@ TEST(MixedPicture, ThreadsAndTilesNeverChangeAByteOfAnyIntegrator) {
     RenderOptions options = options_for(integrator);
     const auto alone = picture(scene, mixed_width, mixed_height, options);
     for (const auto& [threads, tile] : {std::pair{2, 32}, {7, 32}, {1, 7}, {7, 7}}) {
+      if (test::sanitized() && threads != 7) continue;
       options.threads = threads;
       options.tile = tile;
       const auto other = picture(scene, mixed_width, mixed_height, options);
@@ -104,11 +105,12 @@ TEST(MixedPicture, WindowIsTheFullPicturesWindowWithAThreshold) {
 TEST(MixedPicture, IsTheOneWithoutAnIndex) {
   const Scene scene = mixed(604);
   const World world = compile(scene), brute = test::without_index(world);
-  const View view = view_of(scene.camera, 40, 30);
+  const int width = test::sanitized() ? 20 : 40, height = 3 * width / 4;
+  const View view = view_of(scene.camera, width, height);
   Pool pool(1);
   const auto image_of = [&](const World& each, IntegratorName integrator) {
-    LinearFilm film(40, 30);
-    render(each, view, {0, 0, 40, 30}, options_for(integrator), pool, {},
+    LinearFilm film(width, height);
+    render(each, view, {0, 0, width, height}, options_for(integrator), pool, {},
            [&](const FilmTile& tile) { film.put(tile); });
     return film.image();
   };

@@ -64,9 +64,11 @@ void expect_same_bytes_on_any_tile(const Scene& scene, const std::vector<int>& t
 }
 
 TEST(Render, ThreadsAndTilesNeverChangeAByte) {
-  for (const char key : {'\0', 'a', 'd', 's', 'w'})
+  for (const char key : {'\0', 'a', 'd', 's', 'w'}) {
+    if (test::sanitized() && key != 'a') continue;
     expect_same_bytes_on_any_tile(test::thesis_scene(key), {1, 2, 7});
-  for (std::uint64_t seed = 0; seed < 6; ++seed)
+  }
+  for (std::uint64_t seed = 0; seed < (test::sanitized() ? 1U : 6U); ++seed)
     expect_same_bytes_on_any_tile(test::random_scene(seed, 30), {1, 7});
 }
 

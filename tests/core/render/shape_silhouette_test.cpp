@@ -87,6 +87,7 @@ std::vector<Outline> outlines() {
 TEST(ShapeSilhouette, HasTheClosedFormsAreaAtEveryScale) {
   for (const Outline& outline : outlines()) {
     for (const double scale : {1e-3, 1.0, 1e3}) {
+      if (test::sanitized() && scale != 1) continue;
       const Image image = picture(scene_of(outline, scale), frame_pixels, frame_pixels).image;
       int black = 0;
       for (int y = 0; y < frame_pixels; ++y)

@@ -45,8 +45,9 @@ TEST(Work, OfOneRayAloneIsBoundedToo) {
        {IntegratorName::thesis, IntegratorName::depth, IntegratorName::cost}) {
     RenderOptions options;
     options.integrator = integrator;
-    options.max_work = 1'000'000;
-    EXPECT_THROW(test::picture(overlapping(4'000'000), 1, 1, options), InputError);
+    options.max_work = test::rounds(1'000'000, 10);
+    EXPECT_THROW(test::picture(overlapping(test::rounds(4'000'000, 10)), 1, 1, options),
+                 InputError);
   }
 }
 

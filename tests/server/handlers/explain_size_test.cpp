@@ -145,7 +145,7 @@ TEST(ExplainSize, IsNoLessThanTheJsonAndNotThreeTimesIt) {
     RenderOptions options;
     options.max_depth = 5;
     const auto objects = std::make_shared<const Geometry>(geometry_of(*scene));
-    for (int i = 0; i < 5; ++i) {
+    for (int i = 0; i < rounds(5); ++i) {
       const Explanation all =
           explain(*scene, compile(*scene, objects), view_of(scene->camera, 50, 40), 5 + 10 * i,
                   20 + i, 0, options);

@@ -83,7 +83,7 @@ std::vector<Value> others(const Value& leaf) {
 }
 
 TEST(SceneDigest, ChangesWithEachNumberAndWord) {
-  constexpr int changes = 300;
+  const auto changes = static_cast<std::size_t>(rounds(300, 5));
   std::vector<Scene> scenes{read_scene(rare)};
   for (const auto& [name, scene] : host().gallery().scenes()) scenes.push_back(*scene);
   Random random(63);

@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "core/accel/world/world.h"
+#include "tests/sanitizer.h"
 
 namespace tia {
 namespace {
@@ -48,7 +49,8 @@ using Clock = std::chrono::steady_clock;
 Scene costly_solid(std::size_t operands) {
   Implicit costly;
   costly.f = "x^2 + y^2 + z^2 - 1";
-  for (int i = 0; i < 40; ++i) costly.f = "(" + costly.f + ") + 0.01 * sin(7 * x * y + z)";
+  for (int i = 0; i < test::rounds(40, 4); ++i)
+    costly.f = "(" + costly.f + ") + 0.01 * sin(7 * x * y + z)";
   costly.bounds.min = Vec3d{-2, -2, -2};
   costly.bounds.max = Vec3d{2, 2, 2};
   Csg all;
