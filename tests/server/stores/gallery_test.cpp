@@ -25,13 +25,12 @@ TEST(Gallery, HoldsEverySceneOfWebScenes) {
 }
 
 TEST(Gallery, EverySceneIsDrawnUnderEachOfItsKeys) {
-  Host host;
-  for (const auto& [name, scene] : host.gallery().scenes()) {
+  for (const auto& [name, scene] : host().gallery().scenes()) {
     std::string picture = "/render?width=16&height=12&scene=" + url_encode(name);
     if (sanitized()) picture += "&samples=1&threshold=0";
-    EXPECT_EQ(host.get(picture).status, 200) << name;
+    EXPECT_EQ(host().get(picture).status, 200) << name;
     for (const std::string_view key : keys_of(*scene))
-      EXPECT_EQ(host.get(picture + "&key=" + url_encode(key)).status, 200) << name << " " << key;
+      EXPECT_EQ(host().get(picture + "&key=" + url_encode(key)).status, 200) << name << " " << key;
   }
 }
 
