@@ -138,8 +138,9 @@ class LoneMeshRays {
       : mesh_(mesh), root_(root), box_(box), ray_(ray), triangles_(triangles), work_(work) {}
 
   /// Through the subtree of a node, by turns. longest_axis(lane): along which a ray is longest.
+  /// Apart: its 70 KiB of the stack are not to be held by what calls itself, for groups in groups.
   template <class LongestAxisOf>
-  void below(std::uint32_t node, Mask<Real> active, LongestAxisOf longest_axis) {
+  [[gnu::noinline]] void below(std::uint32_t node, Mask<Real> active, LongestAxisOf longest_axis) {
     LoneTraversals<true> rays;
     Searches searches;
     for_each(active, [&](int i) {
