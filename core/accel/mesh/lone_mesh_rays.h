@@ -151,6 +151,17 @@ class LoneMeshRays {
     std::size_t number = 0;
     for_each(active, [&](int i) { triangles_.set_one(i, searches.all()[number++].triangles()); });
   }
+  /// One of them through all of the mesh.
+  void alone(int i, std::size_t longest_axis) {
+    Searches one;
+    Search& search = add(i, longest_axis, one);
+    traverse(mesh_.bvh, 0, LoneRay<true>(box_, i), search.triangles().limit, work_,
+             [&](std::uint32_t first, std::uint32_t count, bool) {
+               const unsigned met = search.test(first, count, work_);
+               if (met != 0) search.take(first, count, met);
+             });
+    triangles_.set_one(i, search.triangles());
+  }
   /// All longest along the same axis, on a leaf.
   void leaf(std::uint32_t first, std::uint32_t count, Mask<Real> here, std::size_t longest_axis) {
     for_each(here, [&](int i) {

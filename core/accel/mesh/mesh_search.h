@@ -22,7 +22,7 @@ class MeshSearch {
     if constexpr (!quick) {
       traverse(mesh_.bvh, box_, active, triangles_.limit, work_, on_leaf);
     } else if constexpr (lanes<Real> == 1) {
-      alone(active, [&](int) { return longest_axis(); });
+      if (active) lone_rays().alone(0, longest_axis());
     } else {
       traverse(mesh_.bvh, box_, interval, active, triangles_.limit, work_, on_leaf, few_lanes,
                [&](std::uint32_t node, Mask<Real> here) {

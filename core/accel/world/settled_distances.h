@@ -15,9 +15,17 @@ namespace detail {
 template <class Real>
 class LaneVectors {
  public:
+  LaneVectors() = default;
+  explicit LaneVectors(const Vec3<Precise<Real>>& all) {
+    store(all.x, x_.data()), store(all.y, y_.data()), store(all.z, z_.data());
+  }
   void set(int lane, const Vec3d& v) {
     const auto i = static_cast<std::size_t>(lane);
     x_[i] = v.x, y_[i] = v.y, z_[i] = v.z;
+  }
+  Vec3d one(int lane) const {
+    const auto i = static_cast<std::size_t>(lane);
+    return {x_[i], y_[i], z_[i]};
   }
   Vec3<Precise<Real>> all() const {
     return {tia::load<Precise<Real>>(x_.data()), tia::load<Precise<Real>>(y_.data()),
@@ -25,76 +33,86 @@ class LaneVectors {
   }
 
  private:
-  std::array<double, static_cast<std::size_t>(lanes<Real>)> x_, y_, z_;
+  std::array<double, static_cast<std::size_t>(lanes<Real>)> x_{}, y_{}, z_{};
 };
 
-/// The corners of the triangles that lanes have hit, and of any triangle in the others. First all
-/// lanes' indices are read, then all positions, so that memory is waited for by all of them at
-/// once.
+/// MeshHits: what lanes have hit on meshes, each in the object space of its mesh.
 template <class Real>
-std::array<Vec3<Precise<Real>>, 3> corners_of(const MeshIndex& mesh, const Real& triangle,
-                                              Mask<Real> here) {
-  const Real known = select(here, triangle, Real(0));
-  std::array<std::array<std::uint32_t, 3>, static_cast<std::size_t>(lanes<Real>)> corners;
-  for (int i = 0; i < lanes<Real>; ++i)
-    corners[static_cast<std::size_t>(i)] = mesh.triangles[static_cast<std::size_t>(lane(known, i))];
-  std::array<LaneVectors<Real>, 3> each;
-  for (int i = 0; i < lanes<Real>; ++i)
-    for (std::size_t k = 0; k < 3; ++k)
-      each[k].set(i, mesh.positions[corners[static_cast<std::size_t>(i)][k]]);
-  return {each[0].all(), each[1].all(), each[2].all()};
-}
-
-/// The rays in the space of the mesh, of which each lane has hit an instance.
-template <class Real>
-Ray<Precise<Real>> object_rays(const Geometry& geometry, const Primitive& primitive,
-                               const Ray<Real>& ray, const Real& instance, Mask<Real> here) {
-  const Ray<Precise<Real>> exact{widen(ray.origin), widen(ray.direction)};
-  if (primitive.space == 0 && !primitive.placed) return exact;
-  if (primitive.space == 0)
-    return {primitive.to_object.point(exact.origin), primitive.to_object.vector(exact.direction)};
-  const Lines<Real> lines{RootRay<Real>(ray)};
-  const Real known = select(here, instance, Real(0));
-  LaneVectors<Real> origins, directions;
-  for (int i = 0; i < lanes<Real>; ++i) {
-    const Affine map = to_object(geometry, primitive, static_cast<std::int64_t>(lane(known, i)));
-    const Line line = lines[static_cast<std::size_t>(i)];
-    origins.set(i, map.point(line.origin));
-    directions.set(i, map.vector(line.direction));
-  }
-  return {origins.all(), directions.all()};
-}
-
-/// Of lanes that have hit the mesh: the distance to the triangle's plane in double, where the mesh
-/// is so large beside it that float's error exceeds the offset of new rays (tolerance::mesh_large).
-/// Otherwise, and where the triangle is seen nearly edge on, the distance that float has found.
-template <class Real>
-[[gnu::flatten]] Real settled_distances(const Geometry& geometry, const Primitive& primitive,
-                                        const Ray<Real>& ray, const Hit<Real>& hit,
-                                        Mask<Real> here) {
+class MeshHits {
+ public:
   using P = Precise<Real>;
-  using Doubles = std::array<double, static_cast<std::size_t>(lanes<Real>)>;
-  const MeshIndex& mesh = *geometry.meshes[static_cast<std::size_t>(primitive.mesh)];
-  const auto [a, b, c] = corners_of(mesh, hit.element, here);
-  const auto [o, d] = object_rays(geometry, primitive, ray, hit.instance, here);
-  const P per_unit(1 / mesh.unit);
-  const auto measured = [&, middle = static_cast<Vec3<P>>(mesh.middle)](const Vec3<P>& p) {
-    return (p - middle) * per_unit;
-  };
-  const Vec3<P> first = measured(a), direction = d * per_unit;
-  const Vec3<P> n = cross(measured(b) - first, measured(c) - first);
-  Doubles exact, rate;
-  store(dot(n, first - measured(o)) / dot(n, direction), exact.data());
-  store(P(1) / length(direction), rate.data());
-  std::array<LaneOf<Real>, static_cast<std::size_t>(lanes<Real>)> t;
-  store(hit.t, t.data());
-  for (std::size_t i = 0; i < t.size(); ++i) {
-    const bool settles = t[i] < tolerance::mesh_large * rate[i] && exact[i] > 0 &&
-                         std::fabs(exact[i] - t[i]) < tolerance::mesh_settled * rate[i];
-    t[i] = settles ? static_cast<LaneOf<Real>>(exact[i]) : t[i];
+
+  explicit MeshHits(const Ray<Real>& ray)
+      : origins_(widen(ray.origin)), directions_(widen(ray.direction)) {}
+
+  /// Adds the lanes of `here`, which have hit the primitive. First all their indices are read, then
+  /// all positions, so that memory is waited for by all lanes at once.
+  void add(const Geometry& geometry, const Primitive& primitive, const Hit<Real>& hit,
+           Mask<Real> here) {
+    const MeshIndex& mesh = *geometry.meshes[static_cast<std::size_t>(primitive.mesh)];
+    std::array<std::array<std::uint32_t, 3>, count> corners;
+    for_each(here, [&](int i) {
+      corners[static_cast<std::size_t>(i)] =
+          mesh.triangles[static_cast<std::size_t>(lane(hit.element, i))];
+    });
+    for_each(here, [&](int i) {
+      for (std::size_t k = 0; k < 3; ++k)
+        corners_[k].set(i, mesh.positions[corners[static_cast<std::size_t>(i)][k]]);
+      middles_.set(i, mesh.middle);
+      per_unit_[static_cast<std::size_t>(i)] = 1 / mesh.unit;
+    });
+    if (primitive.space != 0 || primitive.placed) map(geometry, primitive, hit, here);
+    here_ = here_ || here;
   }
-  return tia::load<Real>(t.data());
-}
+
+  /// The distances of the hit: of these lanes to their triangles' planes in double, where the mesh
+  /// is so large beside it that float's error exceeds the offset of new rays
+  /// (tolerance::mesh_large). Otherwise, and where the triangle is seen nearly edge on, and in the
+  /// other lanes, those that float has found.
+  [[gnu::flatten]] Real settled(const Real& found) const {
+    if (!any(here_)) return found;
+    const P per_unit = tia::load<P>(per_unit_.data());
+    const Vec3<P> middle = middles_.all();
+    const auto measured = [&](const Vec3<P>& p) { return (p - middle) * per_unit; };
+    const Vec3<P> a = measured(corners_[0].all()), direction = directions_.all() * per_unit;
+    const Vec3<P> n = cross(measured(corners_[1].all()) - a, measured(corners_[2].all()) - a);
+    std::array<double, count> exact, rate;
+    store(dot(n, a - measured(origins_.all())) / dot(n, direction), exact.data());
+    store(P(1) / length(direction), rate.data());
+    std::array<LaneOf<Real>, count> t;
+    store(found, t.data());
+    for (std::size_t i = 0; i < count; ++i) {
+      const bool settles = t[i] < tolerance::mesh_large * rate[i] && exact[i] > 0 &&
+                           std::fabs(exact[i] - t[i]) < tolerance::mesh_settled * rate[i];
+      t[i] = settles ? static_cast<LaneOf<Real>>(exact[i]) : t[i];
+    }
+    return select(here_, tia::load<Real>(t.data()), found);
+  }
+
+ private:
+  static constexpr auto count = static_cast<std::size_t>(lanes<Real>);
+
+  // Takes their rays to the object space, which for every instance is another.
+  void map(const Geometry& geometry, const Primitive& primitive, const Hit<Real>& hit,
+           Mask<Real> here) {
+    for_each(here, [&](int i) {
+      const Affine own =
+          to_object(geometry, primitive, static_cast<std::int64_t>(lane(hit.instance, i)));
+      origins_.set(i, own.point(origins_.one(i)));
+      directions_.set(i, own.vector(directions_.one(i)));
+    });
+  }
+  template <class F>
+  static void for_each(Mask<Real> here, F f) {
+    for (unsigned left = bits(here); left != 0; left &= left - 1) f(std::countr_zero(left));
+  }
+
+  Mask<Real> here_ = Real(0) > Real(0);
+  std::array<LaneVectors<Real>, 3> corners_;
+  LaneVectors<Real> origins_, directions_;  // of rays that have hit nothing, too
+  LaneVectors<Real> middles_;
+  std::array<double, count> per_unit_{};
+};
 
 }  // namespace detail
 
@@ -103,20 +121,20 @@ template <class Real>
 template <class Real>
 void settle_distances(const World& world, const Ray<Real>& ray, Mask<Real> active, Hit<Real>& hit) {
   if (world.of_objects->meshes.empty()) return;
-  const Hit<Real> found = hit;
-  for_each_winner(found, active, [&](int primitive, Mask<Real> here) {
+  detail::MeshHits<Real> hits(ray);
+  for_each_winner(hit, active, [&](int primitive, Mask<Real> here) {
     const Geometry& geometry = world.geometry_of(primitive);
     const Primitive& own = geometry.primitive(primitive);
     if (own.mesh < 0) return;
     if (own.space == 0 && !own.placed) {
       const MeshIndex& mesh = *geometry.meshes[static_cast<std::size_t>(own.mesh)];
       // A quick test that passes all that is settled.
-      here = here && found.t < Real(static_cast<float>(mesh.unit));
+      here = here && hit.t < Real(static_cast<float>(mesh.unit));
       if (!any(here)) return;
     }
-    const Real t = detail::settled_distances(geometry, own, ray, found, here);
-    hit.t = select(here, t, hit.t);
+    hits.add(geometry, own, hit, here);
   });
+  hit.t = hits.settled(hit.t);
 }
 
 }  // namespace tia
