@@ -37,6 +37,7 @@ class FogLine {
   /// What a light shines on of it; distances are drawn from that alone.
   FogLine lit_by(const LitSpans& spans) const {
     FogLine lit = *this;
+    if (spans.has(near_, far_)) return lit;
     lit.count_ = 0, lit.taken_ = 0;
     for (const auto& [from, to] : spans) lit.add(std::max(from, near_), std::min(to, far_));
     return lit;
@@ -121,8 +122,9 @@ class FogLine {
     return x < 1e-4 ? x * (1 + x * (1.0 / 2 + x / 3)) : -log_of(1 - x);
   }
   void add(double near, double far) {
-    const double passed = near < far ? exp_of(-density_ * (near - near_)) : 0;
-    if (!(passed > 0)) return;
+    if (!(near < far)) return;
+    const double passed = near > near_ ? exp_of(-density_ * (near - near_)) : 1;
+    if (passed == 0) return;
     const double taken = passed * share_of(density_ * (far - near));
     parts_[static_cast<std::size_t>(count_++)] = {near, far, passed, taken};
     taken_ += taken;

@@ -28,6 +28,10 @@ struct LitSpans {
   void add(double from, double to) {
     if (from < to) spans[count++] = {from, to};
   }
+  /// Whether all of that stretch is lit, as it is by most lights.
+  bool has(double from, double to) const {
+    return count == 1 && spans[0].from <= from && to <= spans[0].to;
+  }
   const Span* begin() const { return spans.data(); }
   const Span* end() const { return spans.data() + count; }
 
