@@ -21,10 +21,7 @@ struct LightDraw {
 
 template <class Real, class F>
 void each_lane(Mask<Real> here, F f) {
-  for (unsigned left = bits(here); left != 0; left &= left - 1) {
-    const int i = std::countr_zero(left);
-    f(i, static_cast<std::size_t>(i));
-  }
+  for_each_lane(here, [&](int i) { f(i, static_cast<std::size_t>(i)); });
 }
 template <class Real>
 Vec3d lane_of(const Vec3<Real>& v, int i) {

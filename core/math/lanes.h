@@ -1,6 +1,7 @@
 // The lanes of a scalar one by one, and the scalar in double, in integers and back.
 #pragma once
 
+#include <bit>
 #include <cstring>
 
 #include "core/math/wide.h"
@@ -66,6 +67,12 @@ typename Register::value_type lane(const Registers<Register, N>& value, int lane
 inline void set_lane(float& value, int, float one) { value = one; }
 inline void set_lane(Wide& value, int lane, float one) {
   std::memcpy(reinterpret_cast<char*>(&value) + sizeof one * std::size_t(lane), &one, sizeof one);
+}
+
+/// Calls f(lane) for each lane of the mask, one by one.
+template <class M, class F>
+[[gnu::always_inline]] inline void for_each_lane(const M& here, F f) {
+  for (unsigned left = bits(here); left != 0; left &= left - 1) f(std::countr_zero(left));
 }
 
 /// The greatest lane.

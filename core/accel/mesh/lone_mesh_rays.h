@@ -143,13 +143,14 @@ class LoneMeshRays {
   [[gnu::noinline]] void below(std::uint32_t node, Mask<Real> active, LongestAxisOf longest_axis) {
     LoneTraversals<true> rays;
     Searches searches;
-    for_each(active, [&](int i) {
+    for_each_lane(active, [&](int i) {
       rays.add(box_, i, lane(triangles_.limit, i), node, rays.all().size());
       add(i, longest_axis(i), searches);
     });
     traverse(mesh_.bvh, rays.all(), work_, Leaves{searches.all(), work_});
     std::size_t number = 0;
-    for_each(active, [&](int i) { triangles_.set_one(i, searches.all()[number++].triangles()); });
+    for_each_lane(active,
+                  [&](int i) { triangles_.set_one(i, searches.all()[number++].triangles()); });
   }
   /// One of them through all of the mesh.
   void alone(int i, std::size_t longest_axis) {
@@ -164,7 +165,7 @@ class LoneMeshRays {
   }
   /// All longest along the same axis, on a leaf.
   void leaf(std::uint32_t first, std::uint32_t count, Mask<Real> here, std::size_t longest_axis) {
-    for_each(here, [&](int i) {
+    for_each_lane(here, [&](int i) {
       Searches one;
       Search& search = add(i, longest_axis, one);
       const unsigned met = search.test(first, count, work_);
@@ -194,10 +195,6 @@ class LoneMeshRays {
     }
   };
 
-  template <class F>
-  static void for_each(Mask<Real> active, F f) {
-    for (unsigned left = bits(active); left != 0; left &= left - 1) f(std::countr_zero(left));
-  }
   Search& add(int i, std::size_t longest_axis, Searches& to) const {
     ShearedRay<float> ray = ray_.one(i);
     ray.turn_to(longest_axis);

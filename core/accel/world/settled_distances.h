@@ -51,11 +51,11 @@ class MeshHits {
            Mask<Real> here) {
     const MeshIndex& mesh = *geometry.meshes[static_cast<std::size_t>(primitive.mesh)];
     std::array<std::array<std::uint32_t, 3>, count> corners;
-    for_each(here, [&](int i) {
+    for_each_lane(here, [&](int i) {
       corners[static_cast<std::size_t>(i)] =
           mesh.triangles[static_cast<std::size_t>(lane(hit.element, i))];
     });
-    for_each(here, [&](int i) {
+    for_each_lane(here, [&](int i) {
       for (std::size_t k = 0; k < 3; ++k)
         corners_[k].set(i, mesh.positions[corners[static_cast<std::size_t>(i)][k]]);
       middles_.set(i, mesh.middle);
@@ -95,16 +95,12 @@ class MeshHits {
   // Takes their rays to the object space, which for every instance is another.
   void map(const Geometry& geometry, const Primitive& primitive, const Hit<Real>& hit,
            Mask<Real> here) {
-    for_each(here, [&](int i) {
+    for_each_lane(here, [&](int i) {
       const Affine own =
           to_object(geometry, primitive, static_cast<std::int64_t>(lane(hit.instance, i)));
       origins_.set(i, own.point(origins_.one(i)));
       directions_.set(i, own.vector(directions_.one(i)));
     });
-  }
-  template <class F>
-  static void for_each(Mask<Real> here, F f) {
-    for (unsigned left = bits(here); left != 0; left &= left - 1) f(std::countr_zero(left));
   }
 
   Mask<Real> here_ = Real(0) > Real(0);
