@@ -48,9 +48,8 @@ struct Bvh {
     std::array<BvhChild, BoxSet::size> children{};
   };
   static_assert(sizeof(Node) == 256);
-  using Nodes = std::vector<Node, HugePages<Node>>;
-  Nodes nodes;
-  std::vector<std::uint32_t> order;  ///< the things' numbers, as the leaves list them
+  HugeVector<Node> nodes;
+  HugeVector<std::uint32_t> order;  ///< the things' numbers, as the leaves list them
 };
 
 inline std::size_t heap_bytes(const Bvh& bvh) {

@@ -62,7 +62,7 @@ class Builder {
   }
 
  private:
-  using Nodes = Bvh::Nodes;
+  using Nodes = HugeVector<Bvh::Node>;
   using Children = std::vector<Run>;
 
   // What one worker builds by itself, to be hung in at a child of the top.

@@ -43,7 +43,7 @@ class PackedLeaves {
     }
   }
 
-  std::vector<Number, HugePages<Number>> numbers_;
+  HugeVector<Number> numbers_;
 };
 
 }  // namespace tia

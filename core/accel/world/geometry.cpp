@@ -1,6 +1,7 @@
 #include "core/accel/world/geometry.h"
 
 #include <algorithm>
+#include <bit>
 
 #include "core/math/heap.h"
 
@@ -15,10 +16,11 @@ Affine Geometry::to_space(int space, std::int64_t instance) const {
   return to_copy * grid.to_group * to_space(grid.outside, instance / all);
 }
 
-void BallIndex::pack(const std::vector<Ball>& all, const Workers& workers) {
-  packed = {bvh, workers, [&](std::uint32_t i) -> std::array<double, 4> {
+void BallIndex::pack(const HugeVector<Ball>& all, const Workers& workers) {
+  packed = {bvh, workers, [&](std::uint32_t i) -> std::array<double, 5> {
               const auto& [center, radius] = all[i].sphere;
-              return {center.x, center.y, center.z, radius * radius};
+              const BallNumber ball{all[i].primitive, all[i].instance};
+              return {center.x, center.y, center.z, radius * radius, std::bit_cast<double>(ball)};
             }};
 }
 
@@ -68,8 +70,8 @@ std::size_t heap_bytes(const Space& space) {
          balls.packed.bytes();
 }
 // The bytes of a list and of what its elements own.
-template <class T>
-std::size_t deep_heap_of(const std::vector<T>& list) {
+template <class T, class Allocator>
+std::size_t deep_heap_of(const std::vector<T, Allocator>& list) {
   std::size_t bytes = heap_bytes(list);
   for (const T& each : list) bytes += heap_bytes(each);
   return bytes;

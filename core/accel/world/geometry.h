@@ -38,16 +38,21 @@ struct Flat {
   int primitive = 0;
 };
 
+/// BallNumber: which primitive a ball is, and which instance.
+struct BallNumber {
+  int primitive, instance;
+};
+
 /// BallIndex: a tree over balls, and their numbers packed in the order of its leaves.
 struct BallIndex {
   std::vector<std::uint32_t> balls;  ///< of the geometry's
   Bvh bvh;                           ///< over them
-  PackedLeaves<double, 4> packed;    ///< centre, radius^2
+  PackedLeaves<double, 5> packed;    ///< centre, radius^2, the bits of a BallNumber
 
   /// Whether they are so few that every ray is tried on all of them, without a tree.
   bool few() const { return bvh.nodes.empty(); }
   /// Packs the balls as the leaves of `bvh` list them.
-  void pack(const std::vector<Ball>& all, const Workers& workers = {});
+  void pack(const HugeVector<Ball>& all, const Workers& workers = {});
 };
 
 /// Item: a thing in a space other than a ball: what the leaves of the space's tree refer to.
@@ -86,9 +91,9 @@ struct Unasked {
 };
 
 struct Geometry {
-  std::vector<Space> spaces;          ///< the first is the world itself
-  std::vector<Primitive> primitives;  ///< in the scene's order
-  std::vector<Ball> balls;
+  std::vector<Space> spaces;         ///< the first is the world itself
+  HugeVector<Primitive> primitives;  ///< in the scene's order
+  HugeVector<Ball> balls;
   std::vector<Flat> flats;
   std::vector<SharedMesh> meshes;
   std::vector<Solid> solids;

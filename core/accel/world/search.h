@@ -120,10 +120,12 @@ class Search {
       };
       const FloatRegister t =
           intersect_sphere<FloatRegister>({word(0), word(1), word(2)}, word(3), ray);
-      unsigned left = bits(t <= FloatRegister(query.limit())) & ((1U << (count - from)) - 1);
+      // Where there is no limit, still none of those that are missed.
+      const FloatRegister most(std::min(query.limit(), std::numeric_limits<float>::max()));
+      unsigned left = bits(t <= most) & ((1U << (count - from)) - 1);
       for (; left != 0; left &= left - 1) {
         const auto i = static_cast<std::uint32_t>(std::countr_zero(left));
-        const Ball& ball = geometry_.balls[balls.bvh.order[first + from + i]];
+        const auto ball = std::bit_cast<BallNumber>(words[4 * count + from + i]);
         if (query.skips(ball.primitive, instance + ball.instance)) continue;
         query.offer(lane(t, static_cast<int>(i)), static_cast<float>(ball.primitive), 0.0F,
                     instance + ball.instance, true);

@@ -17,7 +17,7 @@ double same_distance(const Line& line) {
 
 }  // namespace
 
-const Spans& spans(const Solid& solid, const std::vector<Primitive>& primitives, const Line& line,
+const Spans& spans(const Solid& solid, std::span<const Primitive> primitives, const Line& line,
                    WorkCounter& work) {
   auto& stack = per_thread<std::vector<Spans>, struct BetweenSteps>();
   auto& result = per_thread<Spans, struct OfStep>();

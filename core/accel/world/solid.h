@@ -1,6 +1,7 @@
 // Solid: CSG compiled to a list of steps over primitives.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "core/accel/world/primitive.h"
@@ -21,7 +22,7 @@ struct Solid {
 
 /// What the line runs through in the solid. The reference is good until this thread's next call.
 /// The work takes what it costs beyond solid.work. Errors: what the work's report throws.
-const Spans& spans(const Solid& solid, const std::vector<Primitive>& primitives, const Line& line,
+const Spans& spans(const Solid& solid, std::span<const Primitive> primitives, const Line& line,
                    WorkCounter& work);
 
 }  // namespace tia

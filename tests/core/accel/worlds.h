@@ -109,8 +109,8 @@ inline Scene mixed_scene(Random& random, int objects, double scale) {
 }
 
 /// A chain of nodes, each with as many leaves as it holds and the next node, all in the same box.
-inline Bvh::Nodes leaves_of(std::size_t things, const Box32& box) {
-  Bvh::Nodes nodes;
+inline HugeVector<Bvh::Node> leaves_of(std::size_t things, const Box32& box) {
+  HugeVector<Bvh::Node> nodes;
   for (std::size_t first = 0; first < things;) {
     Bvh::Node node;
     const auto add = [&](BvhChild child) {

@@ -49,7 +49,7 @@ void expect_sound(const std::vector<Aabb>& boxes) {
   std::vector<Box32> above;
   EXPECT_EQ(check_below(bvh, 0, boxes, above), boxes.size());
   EXPECT_LE(depth_of(bvh), Bvh::deepest);
-  std::vector<std::uint32_t> all = bvh.order;
+  HugeVector<std::uint32_t> all = bvh.order;
   std::sort(all.begin(), all.end());
   for (std::size_t i = 0; i < boxes.size(); ++i) EXPECT_EQ(all[i], i);
 }
