@@ -42,6 +42,19 @@ class RayInterval {
 
   /// Whether its directions differ so much in sign that it would exclude hardly any box.
   bool scattered() const { return axes_[0].mixed + axes_[1].mixed + axes_[2].mixed >= 2; }
+  /// Whether it is that, or would soon part among so many triangles: the solid angle that its
+  /// directions fill, times how many there are. Measured: from 4 000 to 32 000 are equally good;
+  /// mirrored rays in 980 000 triangles take 0.8 x of the time that packets of them take.
+  bool scattered_among(std::size_t triangles) const {
+    constexpr float most = 16'000;
+    float angle = 0;
+    for (const Axis& own : axes_) {
+      // The difference of the directions, of which the inverse are known.
+      const float width = own.mixed ? 0 : (own.greatest - own.least) / (own.greatest * own.least);
+      angle += width * width;
+    }
+    return scattered() || angle * static_cast<float>(triangles) > most;
+  }
 
   /// Returns: as bits, which boxes of its rays may enter somewhere from 0 to t_max; in
   /// `near` from where on. It never misses a box that one of its rays meets.

@@ -110,7 +110,8 @@ void search(const MeshIndex& mesh, const MeshRay<Real>& ray, Triangles& triangle
   MeshSearch<Real, Triangles, quick> search(mesh, ray, box, sheared, triangles, work);
   const RayInterval interval(box, active);
   if constexpr (quick && lanes < Real >> 1) {
-    if (interval.scattered()) return search.alone(active, [&](int i) { return longest.of(i); });
+    if (interval.scattered_among(mesh.bvh.order.size()))
+      return search.alone(active, [&](int i) { return longest.of(i); });
   }
   const Mask<Real> groups[] = {longest.x, longest.y, !longest.x && !longest.y};
   for (std::size_t axis = 0; axis < 3; ++axis) {
