@@ -25,12 +25,12 @@ class LoneRay {
       const std::size_t backwards = factor < 0;  // no branch, which could not be predicted
       near_[axis] = axis + 3 * backwards;
       far_[axis] = axis + 3 * (1 - backwards);
-      minus_inverse_[axis] = detail::Eight(-factor);
-      near_from_[axis] = detail::Eight(tia::lane(low, lane));
+      minus_inverse_[axis] = -factor;
+      near_from_[axis] = tia::lane(low, lane);
       if constexpr (!exact) {
         const float from[] = {tia::lane(low, lane), tia::lane(high, lane)};
-        near_from_[axis] = detail::Eight(from[backwards]);
-        far_from_[axis] = detail::Eight(from[1 - backwards]);
+        near_from_[axis] = from[backwards];
+        far_from_[axis] = from[1 - backwards];
       }
     });
   }
@@ -43,9 +43,9 @@ class LoneRay {
                                          BoxSet::Floats& near) const {
     using namespace detail;
     // The face is the second operand, which may lie in memory.
-    const auto distance = [&](std::size_t axis, const Eight& from, std::size_t face)
+    const auto distance = [&](std::size_t axis, float from, std::size_t face)
         __attribute__((always_inline)) {
-      return (from - load(boxes.faces[face])) * minus_inverse_[axis];
+      return (Eight(from) - load(boxes.faces[face])) * Eight(minus_inverse_[axis]);
     };
     const auto in = [&](std::size_t axis) __attribute__((always_inline)) {
       return distance(axis, near_from_[axis], near_[axis]);
@@ -65,9 +65,9 @@ class LoneRay {
  private:
   static constexpr float slack = box_grow / box_shrink;  // BoxRay's factors, on one side
   std::array<std::size_t, 3> near_, far_;                // faces
-  std::array<detail::Eight, 3> minus_inverse_, near_from_;
+  std::array<float, 3> minus_inverse_, near_from_;
   struct None {};
-  [[no_unique_address]] std::conditional_t<exact, None, std::array<detail::Eight, 3>> far_from_;
+  [[no_unique_address]] std::conditional_t<exact, None, std::array<float, 3>> far_from_;
 };
 
 /// Calls f with one of a packet's rays.

@@ -36,15 +36,17 @@ class LoneStack {
       entered &= entered - 1;
       return entry(i);
     };
-    // Mostly one or two are entered. Which of them is nearer could not be predicted, so there is no
-    // branch for that.
-    if ((entered & (entered - 1)) == 0)
-      return node.children[static_cast<std::size_t>(std::countr_zero(entered))];
+    // Mostly one or two are entered. How many, and which of them is nearer, could not be predicted,
+    // so there is no branch for that.
     Entry a = next();
     if ((entered & (entered - 1)) == 0) {
-      Entry b = entry(static_cast<unsigned>(std::countr_zero(entered)));
+      const bool two = entered != 0;
+      const unsigned last = 1U << (BoxSet::size - 1);  // instead of none, and then the farther one
+      Entry b = entry(static_cast<unsigned>(std::countr_zero(entered | last)));
+      b |= Entry{0} - static_cast<Entry>(!two);
       sort(a, b);
-      entries_[top_++] = b;
+      entries_[top_] = b;
+      top_ += two;
       return child_of(a);
     }
     Entry b = next(), c = next();
@@ -178,6 +180,7 @@ void traverse(const Bvh& bvh, std::span<LoneTraversal<exact>> rays, WorkCounter&
       list(ray, ray->leave_node(nodes[ray->next.first()]));
     }
     const std::size_t of_leaves = std::exchange(leaf_count, 0);
+    work.tests(static_cast<std::int64_t>(of_leaves));
     for (std::size_t k = 0; k < of_leaves; ++k) {
       Ray& ray = *at_leaf[k];
       ray.found = leaves.test(ray, ray.next.first(), ray.next.count());

@@ -33,6 +33,13 @@ using Isa = xsimd::default_arch;
 using FloatRegister = xsimd::batch<float, Isa>;
 using DoubleRegister = xsimd::batch<double, Isa>;
 
+/// Where a mask is not set. xsimd's own ! compares with false, which AVX2 does by halves.
+inline bool opposite(bool mask) { return !mask; }
+template <class T, class Arch>
+xsimd::batch_bool<T, Arch> opposite(const xsimd::batch_bool<T, Arch>& mask) {
+  return ~mask;
+}
+
 /// Registers: N registers that do everything together. A pixel is one long chain of roots and
 /// quotients: while one register waits for its next, another computes.
 template <class Register, std::size_t N>
@@ -95,7 +102,10 @@ struct Registers {
   friend R operator|(const R& a, const R& b) { return R::map(std::bit_or(), a, b); }
   friend R operator&&(const R& a, const R& b) { return a & b; }
   friend R operator||(const R& a, const R& b) { return a | b; }
-  friend R operator!(const R& a) { return R::map(std::logical_not(), a); }
+  friend R operator!(const R& a) {
+    return R::map([](const Register& mask) { return opposite(mask); }, a);
+  }
+  friend R opposite(const R& a) { return !a; }
   friend R operator<<(const R& a, int n) {
     return R::map([n](const Register& x) { return x << n; }, a);
   }

@@ -1,6 +1,7 @@
 // Single rays through one mesh, and what is looked for there.
 #pragma once
 
+#include <bit>
 #include <utility>
 
 #include "core/accel/mesh/mesh_index.h"
@@ -80,13 +81,12 @@ class LoneMeshSearch {
 
   const Triangles& triangles() const { return triangles_; }
   /// Through which of a leaf's triangles the ray may pass, as bits.
-  [[gnu::always_inline]] unsigned test(std::uint32_t first, std::uint32_t count,
-                                       WorkCounter& work) const {
+  [[gnu::always_inline]] unsigned test(std::uint32_t first, std::uint32_t count) const {
     unsigned met = 0;
     for_each_register(
         count, [&](std::uint32_t from) __attribute__((always_inline)) {
-          work.test();
-          met |= bits(SeenTriangle(ray_, corners(first, count, from)).inside()) << from;
+          const ShearedRay<FloatRegister> ray(ray_);
+          met |= bits(SeenTriangle(ray, corners(first, count, from)).inside()) << from;
         });
     return met & ((1U << count) - 1);
   }
@@ -107,24 +107,34 @@ class LoneMeshSearch {
                                       std::uint32_t from) const {
     return [ words = mesh_.packed.leaf(first) + from, n = std::size_t{count} ](
         std::size_t corner, std::size_t axis) __attribute__((always_inline)) {
-      return FloatRegister::load_unaligned(words + 3 * n * axis + n * corner);
+      const float* const row = words + 3 * n * axis;
+      return FloatRegister::load_unaligned(row + n * corner);
     };
   }
   void take(std::uint32_t first, std::uint32_t count, std::uint32_t from, unsigned met) {
     const auto corner = corners(first, count, from);
-    const TriangleHit<FloatRegister> hit = intersect(ray_, corner);
-    const auto here = hit.inside && hit.t > FloatRegister(near_.least()) &&
-                      hit.t <= FloatRegister(triangles_.limit);
-    const std::uint32_t* const numbers = &mesh_.bvh.order[first + from];
+    const ShearedRay<FloatRegister> ray(ray_);
+    const SeenTriangle<FloatRegister> triangle(ray, corner);
+    TriangleHit<FloatRegister> hit{triangle.inside(), triangle.t(ray)};
+    const auto doubtful = triangle.doubtful();
+    if ((bits(doubtful) & met) != 0) {
+      hit = settled(ray, corner, hit.inside && doubtful, hit);
+      met &= bits(hit.inside);
+    }
+    const auto here =
+        hit.t > FloatRegister(near_.least()) && hit.t <= FloatRegister(triangles_.limit);
+    const float* const numbers = mesh_.packed.leaf(first) + std::size_t{9} * count + from;
     for (unsigned left = bits(here) & met; left != 0; left &= left - 1) {
       const auto i = static_cast<std::size_t>(std::countr_zero(left));
-      const float settled = near_.settled(lane(hit.t, static_cast<int>(i)), numbers[i]);
-      triangles_.offer(settled, static_cast<float>(numbers[i]), settled > 0);
+      const auto number = std::bit_cast<std::uint32_t>(numbers[i]);
+      const float m = near_.settled(lane(hit.t, static_cast<int>(i)), number);
+      __builtin_prefetch(&mesh_.planes[number]);  // for settle_distances
+      triangles_.offer(m, static_cast<float>(number), m > 0);
     }
   }
 
   const MeshIndex& mesh_;
-  const ShearedRay<FloatRegister> ray_;
+  const ShearedRay<float> ray_;
   const NearHits<Real> near_;
   Triangles triangles_;
 };
@@ -147,7 +157,7 @@ class LoneMeshRays {
       rays.add(box_, i, lane(triangles_.limit, i), node, rays.all().size());
       add(i, longest_axis(i), searches);
     });
-    traverse(mesh_.bvh, rays.all(), work_, Leaves{searches.all(), work_});
+    traverse(mesh_.bvh, rays.all(), work_, Leaves{searches.all()});
     std::size_t number = 0;
     for_each_lane(active,
                   [&](int i) { triangles_.set_one(i, searches.all()[number++].triangles()); });
@@ -158,7 +168,8 @@ class LoneMeshRays {
     Search& search = add(i, longest_axis, one);
     traverse(mesh_.bvh, 0, LoneRay<true>(box_, i), search.triangles().limit, work_,
              [&](std::uint32_t first, std::uint32_t count, bool) {
-               const unsigned met = search.test(first, count, work_);
+               work_.test();
+               const unsigned met = search.test(first, count);
                if (met != 0) search.take(first, count, met);
              });
     triangles_.set_one(i, search.triangles());
@@ -168,7 +179,8 @@ class LoneMeshRays {
     for_each_lane(here, [&](int i) {
       Searches one;
       Search& search = add(i, longest_axis, one);
-      const unsigned met = search.test(first, count, work_);
+      work_.test();
+      const unsigned met = search.test(first, count);
       if (met == 0) return;
       search.take(first, count, met);
       triangles_.set_one(i, search.triangles());
@@ -181,11 +193,10 @@ class LoneMeshRays {
   // As traverse calls them.
   struct Leaves {
     std::span<Search> searches;
-    WorkCounter& work;
 
     [[gnu::always_inline]] unsigned test(const LoneTraversal<true>& ray, std::uint32_t first,
                                          std::uint32_t count) const {
-      return searches[ray.number].test(first, count, work);
+      return searches[ray.number].test(first, count);
     }
     float take(const LoneTraversal<true>& ray, std::uint32_t first, std::uint32_t count,
                unsigned met) const {

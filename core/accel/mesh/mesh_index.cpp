@@ -1,5 +1,7 @@
 #include "core/accel/mesh/mesh_index.h"
 
+#include <bit>
+
 namespace tia {
 namespace {
 
@@ -41,6 +43,10 @@ MeshIndex::MeshIndex(const Mesh& mesh, const Workers& workers) {
   bvh = build_bvh(boxes, workers);
   for (std::uint32_t& each : bvh.order) each = sound[each];
   pack(workers);
+  planes.resize(triangles.size());
+  workers.for_each_share(triangles.size(), [&](std::size_t from, std::size_t to) {
+    for (std::size_t i = from; i < to; ++i) planes[i] = plane_of(i);
+  });
 }
 
 // Triangles are wound to the side that their normals point to. So a mesh wound the other way gives
@@ -88,10 +94,15 @@ void MeshIndex::measure(const std::vector<std::uint32_t>& sound) {
   unit = std::exp2(std::ilogb(std::max({half.x, half.y, half.z})) + 1);
 }
 
-double MeshIndex::plane_distance(std::size_t triangle, const Line& line) const {
+MeshIndex::Plane MeshIndex::plane_of(std::size_t triangle) const {
   const Vec3d a = measured(corner(triangle, 0));
   const Vec3d n = area_vector(a, measured(corner(triangle, 1)), measured(corner(triangle, 2)));
-  return dot(n, a - line.origin) / dot(n, line.direction);
+  return {n, dot(n, a)};
+}
+
+double MeshIndex::plane_distance(std::size_t triangle, const Line& line) const {
+  const Plane& plane = planes[triangle];
+  return (plane.d - dot(plane.n, line.origin)) / dot(plane.n, line.direction);
 }
 
 // Larger than the triangle by more than what the test in float errs by.
@@ -108,11 +119,12 @@ Box32 MeshIndex::measured_box(std::size_t triangle) const {
 
 void MeshIndex::pack(const Workers& workers) {
   packed = {bvh, workers, [this](std::uint32_t triangle) {
-              std::array<float, 9> words;
+              std::array<float, 10> words;
               for (std::size_t i = 0; i < 3; ++i) {
                 const auto p = static_cast<Vec3f>(measured(corner(triangle, i)));
                 words[i] = p.x, words[3 + i] = p.y, words[6 + i] = p.z;
               }
+              words[9] = std::bit_cast<float>(triangle);
               return words;
             }};
 }

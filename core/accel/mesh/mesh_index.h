@@ -16,11 +16,11 @@
 namespace tia {
 
 struct MeshIndex {
-  std::vector<Vec3d> positions;
-  std::vector<Vec3d> normals;  ///< one a position, unit; empty: flat
-  std::vector<Vec2d> uvs;      ///< one a position; empty: none
+  HugeVector<Vec3d> positions;
+  HugeVector<Vec3d> normals;  ///< one a position, unit; empty: flat
+  HugeVector<Vec2d> uvs;      ///< one a position; empty: none
   /// All of the mesh's, degenerate ones as well. If there are normals, wound to the side of these.
-  std::vector<std::array<std::uint32_t, 3>> triangles;
+  HugeVector<std::array<std::uint32_t, 3>> triangles;
   Bvh bvh;  ///< over the triangles that are not degenerate
   std::size_t degenerate = 0;
 
@@ -28,8 +28,15 @@ struct MeshIndex {
   /// that float is equally precise for a mesh of any size at any place.
   Vec3d middle{};
   double unit = 1;  ///< a power of two
-  /// Of each triangle the nine coordinates of its corners: all x, all y, all z.
-  PackedLeaves<float, 9> packed;
+  /// Of each triangle the nine coordinates of its corners, all x, all y, all z, and the bits of its
+  /// number.
+  PackedLeaves<float, 10> packed;
+  /// Plane: dot(n, p) = d, in units of the mesh; of a triangle, in whose plane hits are settled.
+  struct alignas(32) Plane {
+    Vec3d n;
+    double d;
+  };
+  HugeVector<Plane> planes;  ///< one a triangle
 
   /// Errors: Stopped.
   explicit MeshIndex(const Mesh& mesh, const Workers& workers = {});
@@ -49,6 +56,7 @@ struct MeshIndex {
   bool is_sound(std::size_t triangle) const;
   void measure(const std::vector<std::uint32_t>& sound);
   Box32 measured_box(std::size_t triangle) const;
+  Plane plane_of(std::size_t triangle) const;
 };
 
 /// MeshPoint: the geometric normal and the interpolated one, both unit, and the surface

@@ -19,7 +19,8 @@ struct LongestAxis {
     y = !x && b >= c;
   }
   std::size_t of(int lane) const {
-    return (bits(x) >> lane & 1) != 0 ? 0 : (bits(y) >> lane & 1) != 0 ? 1 : 2;
+    const unsigned is_x = bits(x) >> lane & 1, is_y = bits(y) >> lane & 1;
+    return 2 - 2 * is_x - is_y;  // no branch, which could not be predicted
   }
 };
 
@@ -42,7 +43,10 @@ struct ShearedRay {
     origin = {o.x, o.y, o.z};
     shear = {d.x / d.z, d.y / d.z, Real(-1) / d.z};
   }
-  void turn_to(std::size_t along) { axes = {(along + 1) % 3, (along + 2) % 3, along}; }
+  void turn_to(std::size_t along) {
+    static constexpr std::array<std::size_t, 3> turned[] = {{1, 2, 0}, {2, 0, 1}, {0, 1, 2}};
+    axes = turned[along];
+  }
   /// One ray in all lanes.
   template <class Other>
   explicit ShearedRay(const ShearedRay<Other>& one) : axes(one.axes) {
@@ -120,7 +124,7 @@ class SeenTriangle {
   /// cancellation has cost at most four of 24 bits.
   [[gnu::always_inline]] Mask<Real> doubtful() const {
     const Real products = abs_of(c_.x * b_.y) + abs_of(a_.x * c_.y) + abs_of(b_.x * a_.y);
-    return !(abs_of(weights_.area()) * Real(16) >= products);
+    return opposite(abs_of(weights_.area()) * Real(16) >= products);
   }
   /// The same in double, of the corners as float sees them.
   TriangleHit<Real> exact(const ShearedRay<Real>& ray) const {

@@ -91,8 +91,8 @@ std::size_t heap_of_form(const Form& form) { return heap_bytes(form); }
 
 std::size_t bytes_of(const MeshIndex& mesh) {
   return sizeof(MeshIndex) + heap_bytes(mesh.positions) + heap_bytes(mesh.normals) +
-         heap_bytes(mesh.uvs) + heap_bytes(mesh.triangles) + heap_bytes(mesh.bvh) +
-         mesh.packed.bytes();
+         heap_bytes(mesh.uvs) + heap_bytes(mesh.triangles) + heap_bytes(mesh.planes) +
+         heap_bytes(mesh.bvh) + mesh.packed.bytes();
 }
 
 }  // namespace tia

@@ -45,19 +45,14 @@ class MeshHits {
   explicit MeshHits(const Ray<Real>& ray)
       : origins_(widen(ray.origin)), directions_(widen(ray.direction)) {}
 
-  /// Adds the lanes of `here`, which have hit the primitive. First all their indices are read, then
-  /// all positions, so that memory is waited for by all lanes at once.
+  /// Adds the lanes of `here`, which have hit the primitive.
   void add(const Geometry& geometry, const Primitive& primitive, const Hit<Real>& hit,
            Mask<Real> here) {
     const MeshIndex& mesh = *geometry.meshes[static_cast<std::size_t>(primitive.mesh)];
-    std::array<std::array<std::uint32_t, 3>, count> corners;
     for_each_lane(here, [&](int i) {
-      corners[static_cast<std::size_t>(i)] =
-          mesh.triangles[static_cast<std::size_t>(lane(hit.element, i))];
-    });
-    for_each_lane(here, [&](int i) {
-      for (std::size_t k = 0; k < 3; ++k)
-        corners_[k].set(i, mesh.positions[corners[static_cast<std::size_t>(i)][k]]);
+      const MeshIndex::Plane& plane = mesh.planes[static_cast<std::size_t>(lane(hit.element, i))];
+      normals_.set(i, plane.n);
+      offsets_[static_cast<std::size_t>(i)] = plane.d;
       middles_.set(i, mesh.middle);
       per_unit_[static_cast<std::size_t>(i)] = 1 / mesh.unit;
     });
@@ -74,10 +69,10 @@ class MeshHits {
     const P per_unit = tia::load<P>(per_unit_.data());
     const Vec3<P> middle = middles_.all();
     const auto measured = [&](const Vec3<P>& p) { return (p - middle) * per_unit; };
-    const Vec3<P> a = measured(corners_[0].all()), direction = directions_.all() * per_unit;
-    const Vec3<P> n = cross(measured(corners_[1].all()) - a, measured(corners_[2].all()) - a);
+    const Vec3<P> n = normals_.all(), direction = directions_.all() * per_unit;
     std::array<double, count> exact, rate;
-    store(dot(n, a - measured(origins_.all())) / dot(n, direction), exact.data());
+    const P before = tia::load<P>(offsets_.data()) - dot(n, measured(origins_.all()));
+    store(before / dot(n, direction), exact.data());
     store(P(1) / length(direction), rate.data());
     std::array<LaneOf<Real>, count> t;
     store(found, t.data());
@@ -104,7 +99,8 @@ class MeshHits {
   }
 
   Mask<Real> here_ = Real(0) > Real(0);
-  std::array<LaneVectors<Real>, 3> corners_;
+  LaneVectors<Real> normals_;  // of the planes, with their offsets
+  std::array<double, count> offsets_{};
   LaneVectors<Real> origins_, directions_;  // of rays that have hit nothing, too
   LaneVectors<Real> middles_;
   std::array<double, count> per_unit_{};
