@@ -175,7 +175,8 @@ class LoneMeshRays {
     triangles_.set_one(i, search.triangles());
   }
   /// All longest along the same axis, on a leaf.
-  void leaf(std::uint32_t first, std::uint32_t count, Mask<Real> here, std::size_t longest_axis) {
+  [[gnu::always_inline]] void leaf(std::uint32_t first, std::uint32_t count, Mask<Real> here,
+                                   std::size_t longest_axis) {
     for_each_lane(here, [&](int i) {
       Searches one;
       Search& search = add(i, longest_axis, one);

@@ -19,10 +19,7 @@ double extent(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
 
 }  // namespace
 
-MeshIndex::MeshIndex(const Mesh& mesh, const Workers& workers) {
-  const auto& places = mesh.positions.values;
-  positions.reserve(places.size() / 3);
-  for (std::size_t i = 0; i < places.size() / 3; ++i) positions.push_back(triple(places, i));
+MeshIndex::MeshIndex(const Mesh& mesh, const Workers& workers) : positions(mesh.positions.values) {
   for (std::size_t i = 0; i < mesh.normals.values.size() / 3; ++i)
     normals.push_back(normalize(triple(mesh.normals.values, i)));
   for (std::size_t i = 0; i < mesh.uvs.values.size() / 2; ++i)
@@ -43,10 +40,6 @@ MeshIndex::MeshIndex(const Mesh& mesh, const Workers& workers) {
   bvh = build_bvh(boxes, workers);
   for (std::uint32_t& each : bvh.order) each = sound[each];
   pack(workers);
-  planes.resize(triangles.size());
-  workers.for_each_share(triangles.size(), [&](std::size_t from, std::size_t to) {
-    for (std::size_t i = from; i < to; ++i) planes[i] = plane_of(i);
-  });
 }
 
 // Triangles are wound to the side that their normals point to. So a mesh wound the other way gives
@@ -65,7 +58,7 @@ bool MeshIndex::is_sound(std::size_t triangle) const {
   // Twice the area as a share of the longest edge's square: 45 times the 2^-52 that the rounding of
   // the products makes of no area.
   constexpr double thinnest = 1e-14;
-  const Vec3d &a = corner(triangle, 0), &b = corner(triangle, 1), &c = corner(triangle, 2);
+  const Vec3d a = corner(triangle, 0), b = corner(triangle, 1), c = corner(triangle, 2);
   const Vec3d across = area_vector(a, b, c);
   const double most = thinnest * extent(a, b, c);
   return dot(across, across) > most * most;
@@ -94,12 +87,6 @@ void MeshIndex::measure(const std::vector<std::uint32_t>& sound) {
   unit = std::exp2(std::ilogb(std::max({half.x, half.y, half.z})) + 1);
 }
 
-MeshIndex::Plane MeshIndex::plane_of(std::size_t triangle) const {
-  const Vec3d a = measured(corner(triangle, 0));
-  const Vec3d n = area_vector(a, measured(corner(triangle, 1)), measured(corner(triangle, 2)));
-  return {n, dot(n, a)};
-}
-
 double MeshIndex::plane_distance(std::size_t triangle, const Line& line) const {
   const Plane& plane = planes[triangle];
   return (plane.d - dot(plane.n, line.origin)) / dot(plane.n, line.direction);
@@ -118,20 +105,25 @@ Box32 MeshIndex::measured_box(std::size_t triangle) const {
 }
 
 void MeshIndex::pack(const Workers& workers) {
+  planes.resize(triangles.size());
   packed = {bvh, workers, [this](std::uint32_t triangle) {
+              std::array<Vec3d, 3> corners;
               std::array<float, 10> words;
               for (std::size_t i = 0; i < 3; ++i) {
-                const auto p = static_cast<Vec3f>(measured(corner(triangle, i)));
+                corners[i] = measured(corner(triangle, i));
+                const auto p = static_cast<Vec3f>(corners[i]);
                 words[i] = p.x, words[3 + i] = p.y, words[6 + i] = p.z;
               }
               words[9] = std::bit_cast<float>(triangle);
+              const Vec3d n = area_vector(corners[0], corners[1], corners[2]);
+              planes[triangle] = {n, dot(n, corners[0])};
               return words;
             }};
 }
 
 MeshPoint point_of(const MeshIndex& mesh, std::size_t triangle, const Vec3d& p) {
-  const Vec3d &a = mesh.corner(triangle, 0), &b = mesh.corner(triangle, 1),
-              &c = mesh.corner(triangle, 2);
+  const Vec3d a = mesh.corner(triangle, 0), b = mesh.corner(triangle, 1),
+              c = mesh.corner(triangle, 2);
   const Vec3d whole = area_vector(a, b, c);
   // Barycentric coordinates: the share of the area that faces each corner.
   const double v = dot(area_vector(a, p, c), whole) / dot(whole, whole);

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/accel/mesh/points.h"
 #include "core/accel/mesh/triangle.h"
 #include "core/boxes/bvh_builder.h"
 #include "core/boxes/packed_leaves.h"
@@ -16,7 +17,7 @@
 namespace tia {
 
 struct MeshIndex {
-  HugeVector<Vec3d> positions;
+  Points positions;
   HugeVector<Vec3d> normals;  ///< one a position, unit; empty: flat
   HugeVector<Vec2d> uvs;      ///< one a position; empty: none
   /// All of the mesh's, degenerate ones as well. If there are normals, wound to the side of these.
@@ -36,18 +37,18 @@ struct MeshIndex {
     Vec3d n;
     double d;
   };
-  HugeVector<Plane> planes;  ///< one a triangle
+  HugeVector<Plane> planes;  ///< one a triangle, those without area left out
 
   /// Errors: Stopped.
   explicit MeshIndex(const Mesh& mesh, const Workers& workers = {});
-  const Vec3d& corner(std::size_t triangle, std::size_t i) const {
+  Vec3d corner(std::size_t triangle, std::size_t i) const {
     return positions[triangles[triangle][i]];
   }
   /// The distance along a line to the plane of that triangle, in units of the mesh; of any sign.
   double plane_distance(std::size_t triangle, const Line& line) const;
   /// A point in these coordinates.
   Vec3d measured(const Vec3d& p) const { return (p - middle) * (1 / unit); }
-  /// Packs the triangles as the leaves of `bvh` list them.
+  /// Packs the triangles as the leaves of `bvh` list them, and finds their planes.
   void pack(const Workers& workers = {});
 
  private:
@@ -56,7 +57,6 @@ struct MeshIndex {
   bool is_sound(std::size_t triangle) const;
   void measure(const std::vector<std::uint32_t>& sound);
   Box32 measured_box(std::size_t triangle) const;
-  Plane plane_of(std::size_t triangle) const;
 };
 
 /// MeshPoint: the geometric normal and the interpolated one, both unit, and the surface

@@ -68,7 +68,8 @@ int GeometryBuilder::add(Form form, const Setting& at) {
 
 int GeometryBuilder::add(SharedMesh mesh, const Setting& at) {
   Aabb box;
-  for (const Vec3d& p : mesh->positions) box = around(box, at.place.point(p));
+  for (std::size_t i = 0; i < mesh->positions.size(); ++i)
+    box = around(box, at.place.point(mesh->positions[i]));
   // Enlarged like the boxes of its triangles.
   const double more = tolerance::mesh_box * mesh->unit *
                       (length(at.place.x) + length(at.place.y) + length(at.place.z));

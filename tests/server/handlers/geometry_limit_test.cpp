@@ -99,7 +99,8 @@ TEST(GeometryStore, ManyThreadsBuildFindAndStopAtOnce) {
           const World world =
               compiled(store, scene, i % 5 == 0 ? stopped.get_token() : std::stop_token());
           EXPECT_EQ(world.of_objects->meshes.size(), 2U);
-          EXPECT_EQ(world.of_objects->meshes[0]->positions.back().z, 2.0 * (1 + (t + i) % 4));
+          const Points& points = world.of_objects->meshes[0]->positions;
+          EXPECT_EQ(points[points.size() - 1].z, 2.0 * (1 + (t + i) % 4));
         } catch (const Stopped&) {
           EXPECT_EQ(i % 5, 0);
         }
