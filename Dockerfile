@@ -19,7 +19,7 @@ FROM scratch
 # When and of what it was made is for who makes it to say: docker build --label, see server/README.md.
 LABEL org.opencontainers.image.title="Tia" \
       org.opencontainers.image.description="A ray-tracing render service" \
-      org.opencontainers.image.version="0.4.1" \
+      org.opencontainers.image.version="0.4.2" \
       org.opencontainers.image.authors="The Tia authors" \
       org.opencontainers.image.licenses="MIT"
 COPY --from=build /image /

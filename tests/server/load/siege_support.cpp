@@ -192,7 +192,7 @@ std::string formula_scene(int turn) {
 
 std::vector<Attack> attacks() {
   const std::string bomb_of_hearts =
-      bomb(R"({"version":"0.4.1","request":{"scene":{"objects":)" + listed(240'000, heart) + "}}}");
+      bomb(R"({"version":"0.4.2","request":{"scene":{"objects":)" + listed(240'000, heart) + "}}}");
   const std::string bomb_of_lists = bomb(listed(20'000'000, "[]"));
   const std::string long_names = "{\"" + std::string(200'000, 'n') + "\":1,\"scene\":{\"" +
                                  std::string(2'000'000, 'm') + "\":" + std::string(60'000, '7') +
