@@ -2,12 +2,36 @@
 #pragma once
 
 #include <array>
+#include <bit>
+#include <cstdint>
 #include <type_traits>
 
 #include "core/boxes/box_ray.h"
 #include "core/boxes/box_set.h"
 
 namespace tia {
+
+namespace detail {
+
+/// FacesMet: of a BoxSet, those that rays of an octant meet first and last, for each axis: where
+/// their numbers begin among all.
+struct FacesMet {
+  std::array<std::uint32_t, 3> first, last;
+};
+/// By octant: bit k is set where a ray goes backwards along axis k.
+inline constexpr std::array<FacesMet, 8> faces_met = [] {
+  std::array<FacesMet, 8> all{};
+  for (std::uint32_t octant = 0; octant < 8; ++octant) {
+    for (std::uint32_t axis = 0; axis < 3; ++axis) {
+      const std::uint32_t backwards = octant >> axis & 1;
+      all[octant].first[axis] = (axis + 3 * backwards) * std::uint32_t{BoxSet::size};
+      all[octant].last[axis] = (axis + 3 * (1 - backwards)) * std::uint32_t{BoxSet::size};
+    }
+  }
+  return all;
+}();
+
+}  // namespace detail
 
 /// LoneRay: one ray, with the faces that it meets first, for each axis. `exact`: whether its origin
 /// is, which most are; then there is less to compute.
@@ -19,12 +43,12 @@ class LoneRay {
   /// One of a packet's rays.
   template <class Real>
   LoneRay(const BoxRay<Real>& ray, int lane) {
+    std::uint32_t octant = 0;
     ray.for_each_axis([&](int i, const Real& low, const Real& high, const Real& inverse) {
       const auto axis = static_cast<std::size_t>(i);
       const float factor = tia::lane(inverse, lane);
-      const std::size_t backwards = factor < 0;  // no branch, which could not be predicted
-      near_[axis] = axis + 3 * backwards;
-      far_[axis] = axis + 3 * (1 - backwards);
+      const std::uint32_t backwards = std::bit_cast<std::uint32_t>(factor) >> 31U;
+      octant |= backwards << axis;
       minus_inverse_[axis] = -factor;
       near_from_[axis] = tia::lane(low, lane);
       if constexpr (!exact) {
@@ -33,6 +57,7 @@ class LoneRay {
         far_from_[axis] = from[1 - backwards];
       }
     });
+    faces_ = detail::faces_met[octant];
   }
 
   /// What is to be said as a limit for boxes that the ray may meet up to t_max.
@@ -45,14 +70,15 @@ class LoneRay {
     // The face is the second operand, which may lie in memory.
     const auto distance = [&](std::size_t axis, float from, std::size_t face)
         __attribute__((always_inline)) {
-      return (Eight(from) - load(boxes.faces[face])) * Eight(minus_inverse_[axis]);
+      const Eight to = Eight::load_unaligned(boxes.faces.front().data() + face);
+      return (Eight(from) - to) * Eight(minus_inverse_[axis]);
     };
     const auto in = [&](std::size_t axis) __attribute__((always_inline)) {
-      return distance(axis, near_from_[axis], near_[axis]);
+      return distance(axis, near_from_[axis], faces_.first[axis]);
     };
     const auto out = [&](std::size_t axis) __attribute__((always_inline)) {
-      if constexpr (exact) return distance(axis, near_from_[axis], far_[axis]);
-      else return distance(axis, far_from_[axis], far_[axis]);
+      if constexpr (exact) return distance(axis, near_from_[axis], faces_.last[axis]);
+      else return distance(axis, far_from_[axis], faces_.last[axis]);
     };
     const Eight first = greatest_of(greatest_of(in(0), in(1)), greatest_of(in(2), Eight(0)));
     const Eight last = least_of(least_of(out(0), out(1)), out(2)) * Eight(slack);
@@ -64,7 +90,7 @@ class LoneRay {
 
  private:
   static constexpr float slack = box_grow / box_shrink;  // BoxRay's factors, on one side
-  std::array<std::size_t, 3> near_, far_;                // faces
+  detail::FacesMet faces_;
   std::array<float, 3> minus_inverse_, near_from_;
   struct None {};
   [[no_unique_address]] std::conditional_t<exact, None, std::array<float, 3>> far_from_;

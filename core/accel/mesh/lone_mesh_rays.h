@@ -177,15 +177,16 @@ class LoneMeshRays {
   /// All longest along the same axis, on a leaf.
   [[gnu::always_inline]] void leaf(std::uint32_t first, std::uint32_t count, Mask<Real> here,
                                    std::size_t longest_axis) {
-    for_each_lane(here, [&](int i) {
-      Searches one;
-      Search& search = add(i, longest_axis, one);
-      work_.test();
-      const unsigned met = search.test(first, count);
-      if (met == 0) return;
-      search.take(first, count, met);
-      triangles_.set_one(i, search.triangles());
-    });
+    for_each_lane(
+        here, [&](int i) __attribute__((always_inline)) {
+          Searches one;
+          Search& search = add(i, longest_axis, one);
+          work_.test();
+          const unsigned met = search.test(first, count);
+          if (met == 0) return;
+          search.take(first, count, met);
+          triangles_.set_one(i, search.triangles());
+        });
   }
 
  private:

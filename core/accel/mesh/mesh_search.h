@@ -108,11 +108,12 @@ void search(const MeshIndex& mesh, const MeshRay<Real>& ray, Triangles& triangle
   const LongestAxis<Real> longest(ray.direction);
   ShearedRay<Real> sheared(ray.origin, ray.direction, longest);
   MeshSearch<Real, Triangles, quick> search(mesh, ray, box, sheared, triangles, work);
+  const auto longest_of = [&](int i) { return longest.of(i); };
+  if constexpr (quick && lanes < Real >> 1)
+    if (scattered(box, active)) return search.alone(active, longest_of);
   const RayInterval interval(box, active);
-  if constexpr (quick && lanes < Real >> 1) {
-    if (interval.scattered_among(mesh.bvh.order.size()))
-      return search.alone(active, [&](int i) { return longest.of(i); });
-  }
+  if constexpr (quick && lanes < Real >> 1)
+    if (interval.parts_among(mesh.bvh.order.size())) return search.alone(active, longest_of);
   const Mask<Real> groups[] = {longest.x, longest.y, !longest.x && !longest.y};
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const Mask<Real> here = active && groups[axis];

@@ -65,10 +65,9 @@ class Search {
       if (!bvh.nodes.empty()) alone(0U, active);
     } else {
       if (bvh.nodes.empty()) return;
+      if (scattered(packet.box, active) || count(active) <= few_lanes) return alone(0, active);
       const RayInterval interval(packet.box, active);
-      if (interval.scattered() || count(active) <= few_lanes) alone(0, active);
-      else
-        traverse(bvh, packet.box, interval, active, query_.limit(), work_, leaf, few_lanes, alone);
+      traverse(bvh, packet.box, interval, active, query_.limit(), work_, leaf, few_lanes, alone);
     }
   }
   // Calls work(ray, search) for the ray of each lane, with a query and a search of its own.

@@ -9,7 +9,7 @@ namespace tia {
 namespace {
 
 // Rays whose directions differ by up to so much along x and y.
-RayInterval interval_of(double width, const Vec3d& middle) {
+BoxRay<Wide> rays(double width, const Vec3d& middle) {
   Vec3<Wide> direction;
   for (int i = 0; i < lanes<Wide>; ++i) {
     const double share = static_cast<double>(i) / (lanes<Wide> - 1) - 0.5;
@@ -18,23 +18,24 @@ RayInterval interval_of(double width, const Vec3d& middle) {
     set_lane(direction.z, i, static_cast<float>(middle.z));
   }
   const Vec3<Wide> origin{Wide(0), Wide(0), Wide(0)};
-  return {BoxRay<Wide>(origin, direction, Wide(0)), Wide(0) <= Wide(0)};
+  return {origin, direction, Wide(0)};
 }
+const WideMask all = Wide(0) <= Wide(0);
 
 TEST(RayInterval, RaysPartWhereTheirAngleHoldsManyTriangles) {
   // The angle is 2 * 0.2^2 = 0.08: 16 000 triangles in it are 200 000 in all.
-  const RayInterval wide = interval_of(0.2, {0.6, 0.6, 0.5});
-  EXPECT_FALSE(wide.scattered());
-  EXPECT_FALSE(wide.scattered_among(199'000));
-  EXPECT_TRUE(wide.scattered_among(201'000));
-  const RayInterval narrow = interval_of(0.002, {-0.6, 0.6, 0.5});
-  EXPECT_FALSE(narrow.scattered_among(1'000'000));
+  const BoxRay<Wide> wide = rays(0.2, {0.6, 0.6, 0.5});
+  EXPECT_FALSE(scattered(wide, all));
+  EXPECT_FALSE(RayInterval(wide, all).parts_among(199'000));
+  EXPECT_TRUE(RayInterval(wide, all).parts_among(201'000));
+  EXPECT_FALSE(RayInterval(rays(0.002, {-0.6, 0.6, 0.5}), all).parts_among(1'000'000));
 }
 
 TEST(RayInterval, RaysOfBothSignsAlongTwoAxesPartAnywhere) {
-  const RayInterval interval = interval_of(0.2, {0.05, 0.05, 1});
-  EXPECT_TRUE(interval.scattered());
-  EXPECT_TRUE(interval.scattered_among(1));
+  EXPECT_TRUE(scattered(rays(0.2, {0.05, 0.05, 1}), all));
+  EXPECT_FALSE(scattered(rays(0.2, {0.05, 0.5, 1}), all));
+  // The first half of them alone goes one way.
+  EXPECT_FALSE(scattered(rays(0.2, {0, 0, 1}), iota<Wide>() < Wide(lanes<Wide> / 2)));
 }
 
 }  // namespace
