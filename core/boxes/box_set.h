@@ -13,19 +13,23 @@ namespace tia {
 struct BoxSet {
   static constexpr std::size_t size = 8;
   using Floats = std::array<float, size>;
-  std::array<Floats, 6> faces;
+  std::array<float, 6 * size> faces;
   unsigned count = 0;
 
   BoxSet() {
-    for (std::size_t i = 0; i < 6; ++i) faces[i].fill(i < 3 ? infinity : -infinity);
+    for (std::size_t i = 0; i < faces.size(); ++i)
+      faces[i] = i < faces.size() / 2 ? infinity : -infinity;
   }
   void add(const Box32& box) {
     const float all[] = {box.min.x, box.min.y, box.min.z, box.max.x, box.max.y, box.max.z};
-    for (std::size_t i = 0; i < 6; ++i) faces[i][count] = all[i];
+    for (std::size_t i = 0; i < 6; ++i) faces[i * size + count] = all[i];
     ++count;
   }
+  /// That face of all boxes.
+  const float* face(std::size_t i) const { return &faces[i * size]; }
   [[gnu::always_inline]] Box32 box(std::size_t i) const {
-    return {{faces[0][i], faces[1][i], faces[2][i]}, {faces[3][i], faces[4][i], faces[5][i]}};
+    const auto at = [&](std::size_t k) { return faces[k * size + i]; };
+    return {{at(0), at(1), at(2)}, {at(3), at(4), at(5)}};
   }
 };
 

@@ -51,7 +51,8 @@ inline unsigned stretches(const BoxSet& boxes, const BoxLine& line, float from, 
   Eight first(from), last(to);
   unsigned met = 0xFF;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    const Eight low = load(boxes.faces[axis]), high = load(boxes.faces[axis + 3]);
+    const Eight low = Eight::load_unaligned(boxes.face(axis)),
+                high = Eight::load_unaligned(boxes.face(axis + 3));
     const Eight o(line.origin[axis]), d(line.inverse[axis]);
     if (!std::isfinite(line.inverse[axis])) {
       // The line is parallel to these faces; in one of them the product would be 0 * infinity.

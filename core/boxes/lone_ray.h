@@ -70,7 +70,7 @@ class LoneRay {
     // The face is the second operand, which may lie in memory.
     const auto distance = [&](std::size_t axis, float from, std::size_t face)
         __attribute__((always_inline)) {
-      const Eight to = Eight::load_unaligned(boxes.faces.front().data() + face);
+      const Eight to = Eight::load_unaligned(&boxes.faces[face]);
       return (Eight(from) - to) * Eight(minus_inverse_[axis]);
     };
     const auto in = [&](std::size_t axis) __attribute__((always_inline)) {

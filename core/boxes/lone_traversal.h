@@ -84,7 +84,8 @@ class LoneStack {
 
 }  // namespace detail
 
-/// One ray alone through the subtree of a node, as the packets' traverse (bvh.h).
+/// One ray alone through the subtree of a node, as the packets' traverse (bvh.h). `leaf` counts its
+/// tests itself.
 /// Source: as LoneRay's.
 template <bool exact, class Leaf>
 void traverse(const Bvh& bvh, std::uint32_t root, const LoneRay<exact>& given, const float& t_max,
@@ -151,7 +152,8 @@ using LoneTraversals = FixedList<LoneTraversal<exact>, most_lone_rays>;
 /// of which waits for another, then each goes where its test sends it, which no processor can
 /// predict: what it has begun in vain is little then, for the tests are done.
 /// Leaves has unsigned test(ray, first, count), without branches, whose answer, unless it is 0,
-/// goes to float take(ray, first, count, answer), which returns the ray's t_max.
+/// goes to float take(ray, first, count, answer), which returns the ray's t_max. Each counts as
+/// one.
 template <bool exact, class Leaves>
 void traverse(const Bvh& bvh, std::span<LoneTraversal<exact>> rays, WorkCounter& work,
               Leaves leaves) {

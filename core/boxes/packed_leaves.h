@@ -27,7 +27,7 @@ class PackedLeaves {
   }
   /// Of the leaf that begins at that entry.
   const Number* leaf(std::size_t first) const { return &numbers_[words * first]; }
-  std::size_t bytes() const { return HugePages<Number>::bytes_for(numbers_.capacity()); }
+  std::size_t bytes() const { return heap_bytes(numbers_); }
 
  private:
   static constexpr std::size_t slack = 16;

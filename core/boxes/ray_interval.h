@@ -53,18 +53,19 @@ class RayInterval {
     });
   }
 
-  /// Whether its rays would soon part among so many triangles: the solid angle that its directions
-  /// fill, times how many there are. Measured: from 4 000 to 32 000 are equally good; mirrored rays
+  /// Whether its rays would soon part among so many triangles: how many there are, times the
+  /// squares of the directions' widths along the axes, but for one of both signs, whose width the
+  /// inverse directions do not tell. Measured: from 4 000 to 32 000 are equally good; mirrored rays
   /// in 980 000 triangles take 0.8 x of the time that packets of them take.
   bool parts_among(std::size_t triangles) const {
     constexpr float most = 16'000;
-    float angle = 0;
+    float widths = 0;
     for (const Axis& own : axes_) {
       // The difference of the directions, of which the inverse are known.
       const float width = own.mixed ? 0 : (own.greatest - own.least) / (own.greatest * own.least);
-      angle += width * width;
+      widths += width * width;
     }
-    return angle * static_cast<float>(triangles) > most;
+    return widths * static_cast<float>(triangles) > most;
   }
 
   /// Returns: as bits, which boxes of its rays may enter somewhere from 0 to t_max; in
@@ -75,7 +76,8 @@ class RayInterval {
     for (std::size_t i = 0; i < axes_.size(); ++i) {
       const Axis& own = axes_[i];
       if (own.mixed) continue;
-      const Eight low = load(boxes.faces[i]), high = load(boxes.faces[i + 3]);
+      const Eight low = Eight::load_unaligned(boxes.face(i)),
+                  high = Eight::load_unaligned(boxes.face(i + 3));
       const Eight to_near = (own.backwards ? high : low) - Eight(own.near_from);
       const Eight to_far = (own.backwards ? low : high) - Eight(own.far_from);
       in = greatest_of(least_of(to_near * Eight(own.least), to_near * Eight(own.greatest)), in);

@@ -9,8 +9,8 @@ namespace tia {
 
 /// WorkCounter: counts tests of boxes and surfaces, and reports their work in portions, so that it
 /// can be limited even within one ray, which may be tried on a million things that overlap.
-/// Space/units: work in tests of a box or a ball by a whole packet, or of a register of boxes,
-/// triangles or balls by one ray; so its sum depends on how rays are packed.
+/// Space/units: work in tests of a box or a ball by a whole packet, or of a register of boxes
+/// or balls or of a leaf of triangles by one ray; so its sum depends on how rays are packed.
 class WorkCounter {
  public:
   /// Takes a portion of work; may throw, which ends the tracing.

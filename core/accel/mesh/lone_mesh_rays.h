@@ -127,8 +127,8 @@ class LoneMeshSearch {
     for (unsigned left = bits(here) & met; left != 0; left &= left - 1) {
       const auto i = static_cast<std::size_t>(std::countr_zero(left));
       const auto number = std::bit_cast<std::uint32_t>(numbers[i]);
+      __builtin_prefetch(&mesh_.planes[number]);  // where most nearest hits will be settled
       const float m = near_.settled(lane(hit.t, static_cast<int>(i)), number);
-      __builtin_prefetch(&mesh_.planes[number]);  // for settle_distances
       triangles_.offer(m, static_cast<float>(number), m > 0);
     }
   }
@@ -148,7 +148,7 @@ class LoneMeshRays {
       : mesh_(mesh), root_(root), box_(box), ray_(ray), triangles_(triangles), work_(work) {}
 
   /// Through the subtree of a node, by turns. longest_axis(lane): along which a ray is longest.
-  /// Apart: its 70 KiB of the stack are not to be held by what calls itself, for groups in groups.
+  /// Apart: its 60 KiB of the stack are not to be held by what calls itself, for groups in groups.
   template <class LongestAxisOf>
   [[gnu::noinline]] void below(std::uint32_t node, Mask<Real> active, LongestAxisOf longest_axis) {
     LoneTraversals<true> rays;

@@ -20,8 +20,10 @@ double extent(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
 }  // namespace
 
 MeshIndex::MeshIndex(const Mesh& mesh, const Workers& workers) : positions(mesh.positions.values) {
+  normals.reserve(mesh.normals.values.size() / 3);
   for (std::size_t i = 0; i < mesh.normals.values.size() / 3; ++i)
     normals.push_back(normalize(triple(mesh.normals.values, i)));
+  uvs.reserve(mesh.uvs.values.size() / 2);
   for (std::size_t i = 0; i < mesh.uvs.values.size() / 2; ++i)
     uvs.push_back({mesh.uvs.values[2 * i], mesh.uvs.values[2 * i + 1]});
   const auto& numbers = mesh.indices.values;

@@ -30,14 +30,14 @@ struct MeshIndex {
   Vec3d middle{};
   double unit = 1;  ///< a power of two
   /// Of each triangle the nine coordinates of its corners, all x, all y, all z, and the bits of its
-  /// number.
+  /// number, so that a ray alone need not look it up in bvh.order.
   PackedLeaves<float, 10> packed;
   /// Plane: dot(n, p) = d, in units of the mesh; of a triangle, in whose plane hits are settled.
   struct alignas(32) Plane {
     Vec3d n;
     double d;
   };
-  HugeVector<Plane> planes;  ///< one a triangle, those without area left out
+  HugeVector<Plane> planes;  ///< one a triangle; of one without area 0
 
   /// Errors: Stopped.
   explicit MeshIndex(const Mesh& mesh, const Workers& workers = {});

@@ -99,7 +99,8 @@ class MeshSearch {
   WorkCounter& work_;
 };
 
-/// Traces a packet of any rays: one group for each axis along which rays are longest.
+/// Traces a packet of any rays: one group for each axis along which rays are longest; or each ray
+/// by itself, where they go too many ways.
 template <bool quick, class Real, class Triangles>
 void search(const MeshIndex& mesh, const MeshRay<Real>& ray, Triangles& triangles,
             Mask<Real> active, WorkCounter& work) {

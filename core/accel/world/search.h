@@ -2,7 +2,9 @@
 // kinds of things in them. What is looked for is defined by the query (queries.h).
 #pragma once
 
+#include <algorithm>
 #include <bit>
+#include <limits>
 
 #include "core/accel/world/lane_hits.h"
 #include "core/accel/world/queries.h"

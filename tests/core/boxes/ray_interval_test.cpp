@@ -22,12 +22,16 @@ BoxRay<Wide> rays(double width, const Vec3d& middle) {
 }
 const WideMask all = Wide(0) <= Wide(0);
 
-TEST(RayInterval, RaysPartWhereTheirAngleHoldsManyTriangles) {
-  // The angle is 2 * 0.2^2 = 0.08: 16 000 triangles in it are 200 000 in all.
+TEST(RayInterval, RaysPartAmongManyTriangles) {
+  // The squares of the widths are 2 * 0.2^2 = 0.08: 16 000 triangles in it are 200 000 in all.
   const BoxRay<Wide> wide = rays(0.2, {0.6, 0.6, 0.5});
   EXPECT_FALSE(scattered(wide, all));
   EXPECT_FALSE(RayInterval(wide, all).parts_among(199'000));
   EXPECT_TRUE(RayInterval(wide, all).parts_among(201'000));
+  // An axis of both signs does not count.
+  const BoxRay<Wide> across = rays(0.2, {0.05, 0.6, 0.5});
+  EXPECT_FALSE(RayInterval(across, all).parts_among(399'000));
+  EXPECT_TRUE(RayInterval(across, all).parts_among(401'000));
   EXPECT_FALSE(RayInterval(rays(0.002, {-0.6, 0.6, 0.5}), all).parts_among(1'000'000));
 }
 

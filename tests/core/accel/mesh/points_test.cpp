@@ -19,8 +19,10 @@ TEST(Points, AreWhatTheyWereWhateverHoldsThem) {
     doubles.push_back(random.point(1e3).x);
     floats.push_back(static_cast<float>(doubles.back()));
   }
-  doubles.front() = 0x1p-200;  // as float it would be 0
-  for (const auto* all : {&floats, &doubles}) {
+  std::vector<double> tiny = floats, huge = floats;
+  tiny.front() = 0x1p-200;  // as float it would be 0
+  huge.front() = 0x1p200;
+  for (const auto* all : {&floats, &doubles, &tiny, &huge}) {
     const Points points(*all);
     ASSERT_EQ(points.size(), all->size() / 3);
     for (std::size_t i = 0; i < points.size(); ++i) {
