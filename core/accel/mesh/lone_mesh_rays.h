@@ -111,6 +111,7 @@ class LoneMeshSearch {
       return FloatRegister::load_unaligned(row + n * corner);
     };
   }
+  // As intersect (triangle.h), which would ask again what the test has told: 1 to 2 % of a ray.
   void take(std::uint32_t first, std::uint32_t count, std::uint32_t from, unsigned met) {
     const auto corner = corners(first, count, from);
     const ShearedRay<FloatRegister> ray(ray_);
