@@ -1,14 +1,16 @@
-// The command line: subcommands `serve` (default) and `render`. Bad use exits with 2.
+// The command line: subcommands `serve` (default), `render` and `model`. Bad use exits with 2.
 #include <CLI/CLI.hpp>
 #include <csignal>
 #include <iostream>
 
 #include "core/version.h"
 #include "server/contract/text_form.h"
+#include "server/model_command.h"
 #include "server/operation/config.h"
 #include "server/render_command.h"
 #include "server/requests/picture_request.h"
 #include "server/serve_command.h"
+#include "server/stores/model_reader.h"
 
 namespace {
 
@@ -20,6 +22,8 @@ constexpr int bad_use = 2;
 struct Asked {
   std::vector<Setting> settings = environment_settings(), parameters = {};
   std::string scene, file;
+  std::vector<std::string> model_files = {};
+  Confinement confinement = {};
   bool healthcheck = false, print_config = false, plain = false;
 };
 
@@ -83,6 +87,25 @@ CLI::App* add_render(CLI::App& app, Asked& asked) {
   return render;
 }
 
+CLI::App* add_model(CLI::App& app, Asked& asked) {
+  CLI::App* model = app.add_subcommand("model", "tell what is in a model's file, as JSON");
+  model
+      ->add_option("files", asked.model_files,
+                   "a GLB, glTF, OBJ, PLY or STL file, and others that it names; what it names "
+                   "beside it is found")
+      ->required()
+      ->type_name("");
+  return model;
+}
+
+// What the server starts: nobody else should.
+CLI::App* add_read_model(CLI::App& app, Asked& asked) {
+  CLI::App* reader = app.add_subcommand("read-model")->group("");
+  reader->add_option("memory_bytes", asked.confinement.memory_bytes)->required();
+  reader->add_option("cpu_s", asked.confinement.cpu_s)->required();
+  return reader;
+}
+
 int run(int argc, char** argv) {
   CLI::App app("Tia, a ray-tracing render service");
   Asked asked;
@@ -91,6 +114,8 @@ int run(int argc, char** argv) {
                "ask the server on this machine whether it lives");
   add_serve(app, asked);
   const CLI::App* render = add_render(app, asked);
+  const CLI::App* model = add_model(app, asked);
+  const CLI::App* reader = add_read_model(app, asked);
   app.require_subcommand(0, 1);
   try {
     app.parse(argc, argv);
@@ -98,6 +123,11 @@ int run(int argc, char** argv) {
     return app.exit(error) == 0 ? 0 : bad_use;
   }
 
+  if (reader->parsed()) answer_as_reader(asked.confinement);
+  if (model->parsed()) {
+    describe_model(asked.model_files);
+    return 0;
+  }
   const Config config = read_config(asked.settings);
   if (asked.healthcheck) return is_healthy(config) ? 0 : 1;
   for (const std::string& warning : unknown_variables()) std::cerr << "tia: " << warning << '\n';

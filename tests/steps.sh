@@ -297,7 +297,7 @@ step_old() {
 # The tests are those that release has compiled: what is watched are the libraries.
 build_asan() {
   build asan -DTIA_TESTS_OF="$ROOT/build/release" -- core_tests server_tests memory_tests \
-    {request,scene,query,formula,picture}_fuzz
+    {request,scene,query,formula,picture,model}_fuzz
 }
 step_asan() {
   local -x SOAK=0.5
@@ -330,16 +330,16 @@ step_tsan() {
   TSAN_OPTIONS="suppressions=$ROOT/tests/tsan.supp" googletest tsan server_tests "$waiting"
 }
 
-# Each fuzzer for FUZZ_SECONDS, from the seeds on, all at once, each with two fifths of a processor,
+# Each fuzzer for FUZZ_SECONDS, from the seeds on, all at once, each with a third of a processor,
 # as the timeout allows for. What breaks it stays in build/asan.
 step_fuzz() {
-  in_shares 5 fuzz request scene query formula picture
+  in_shares 6 fuzz request scene query formula picture model
 }
 # What is not text by nature may be long: a kilobyte of a picture unpacks to a megabyte.
 fuzz_share() {
   local names=("${@:2}") longest=4096
   local name=${names[$1]}
-  if [ "$name" = picture ] || [ "$name" = request ]; then longest=65536; fi
+  if [[ $name =~ ^(picture|request|model)$ ]]; then longest=65536; fi
   mkdir -p "$scratch/$name"
   LLVM_PROFILE_FILE=/dev/null "build/asan/tests/${name}_fuzz" -max_total_time="${FUZZ_SECONDS:-25}" \
     -max_len="$longest" -timeout=12 -rss_limit_mb=2048 -verbosity=0 -artifact_prefix=build/asan/ \

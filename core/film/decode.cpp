@@ -144,6 +144,17 @@ Bytes mended(File png) {
   return out;
 }
 
+// Why a PNG's header alone is beyond the limits: stb_image takes many pixels for broken ones.
+// Source: W3C PNG (third edition), 11.2.1.
+std::optional<PictureFault> beyond_by_header(File png, const PictureLimits& limits) {
+  constexpr std::size_t name = 12, width = 16, height = 20, end = 24;
+  if (png.size() < end || !starts_with(png.subspan(name), "IHDR")) return std::nullopt;
+  const std::size_t size[] = {big_endian(png.subspan(width)), big_endian(png.subspan(height))};
+  constexpr std::size_t most = STBI_MAX_DIMENSIONS;  // a side beyond these is broken
+  if (size[0] > most || size[1] > most) return std::nullopt;
+  return beyond(PictureSize{static_cast<int>(size[0]), static_cast<int>(size[1])}, limits);
+}
+
 // PNG: 16 bits of four channels, and twice that while a buffer grows. JPEG: blocks of 32 x 32, two
 // bytes a coefficient. Either: the file's bytes, and tables.
 std::size_t memory_for(const PictureSize& size, std::size_t file_bytes) {
@@ -155,7 +166,30 @@ struct Free {
   void operator()(stbi_uc* p) const { std::free(p); }
 };
 
+// The picture's codes, so many channels a pixel, as the member of an image.
+template <class Codes>
+std::variant<Codes, PictureFault> decode(File file, const PictureLimits& limits, int channels,
+                                         Bytes Codes::*codes) {
+  const auto measured = measure_picture(file, limits);
+  if (const auto* fault = std::get_if<PictureFault>(&measured)) return *fault;
+  const auto size = std::get<PictureSize>(measured);
+  const Bytes whole = is_png(file) ? mended(file) : Bytes(file.begin(), file.end());
+  most_at_once = memory_for(size, whole.size());
+  Codes image;
+  image.width = size.width;
+  image.height = size.height;
+  (image.*codes).resize(static_cast<std::size_t>(channels * size.pixels()));
+  int width = 0, height = 0, in_file = 0;
+  const std::unique_ptr<stbi_uc, Free> decoded(stbi_load_from_memory(
+      whole.data(), static_cast<int>(whole.size()), &width, &height, &in_file, channels));
+  if (decoded == nullptr || width != size.width || height != size.height) return broken();
+  std::memcpy((image.*codes).data(), decoded.get(), (image.*codes).size());
+  return image;
+}
+
 }  // namespace
+
+bool is_picture(File file) { return is_png(file) || is_jpeg(file); }
 
 std::optional<PictureFault> beyond(std::size_t file_bytes, const PictureLimits& limits) {
   if (file_bytes <= limits.bytes) return std::nullopt;
@@ -172,9 +206,11 @@ std::optional<PictureFault> beyond(const PictureSize& size, const PictureLimits&
 
 std::variant<PictureSize, PictureFault> measure_picture(File file, const PictureLimits& limits) {
   if (const auto fault = beyond(file.size(), limits)) return *fault;
-  if (!is_png(file) && !is_jpeg(file))
+  if (!is_picture(file))
     return PictureFault{false, "bytes that begin like neither", "a whole PNG or JPEG picture"};
   if (is_jpeg(file) && has_broken_tables(file)) return broken();
+  if (is_png(file))
+    if (auto fault = beyond_by_header(file, limits)) return *fault;
   PictureSize size;
   int channels = 0;
   most_at_once = memory_for({}, file.size());
@@ -195,18 +231,11 @@ std::variant<PictureSize, PictureFault> measure_picture(File file, const Picture
 }
 
 std::variant<Image8, PictureFault> decode_picture(File file, const PictureLimits& limits) {
-  const auto measured = measure_picture(file, limits);
-  if (const auto* fault = std::get_if<PictureFault>(&measured)) return *fault;
-  const auto size = std::get<PictureSize>(measured);
-  const Bytes whole = is_png(file) ? mended(file) : Bytes(file.begin(), file.end());
-  most_at_once = memory_for(size, whole.size());
-  Image8 image(size.width, size.height);
-  int width = 0, height = 0, channels = 0;
-  const std::unique_ptr<stbi_uc, Free> codes(stbi_load_from_memory(
-      whole.data(), static_cast<int>(whole.size()), &width, &height, &channels, 3));
-  if (codes == nullptr || width != size.width || height != size.height) return broken();
-  std::memcpy(image.rgb.data(), codes.get(), image.rgb.size());
-  return image;
+  return decode(file, limits, 3, &Image8::rgb);
+}
+
+std::variant<ImageRgba8, PictureFault> decode_picture_rgba(File file, const PictureLimits& limits) {
+  return decode(file, limits, 4, &ImageRgba8::rgba);
 }
 
 }  // namespace tia

@@ -44,6 +44,9 @@ struct PictureFault {
   std::string got, allowed;    ///< in words
 };
 
+/// Whether a file begins like a PNG or a JPEG.
+bool is_picture(std::span<const std::uint8_t> file);
+
 /// Why a file of so many bytes, or a picture of that size, is beyond the limits; none where it is
 /// not.
 std::optional<PictureFault> beyond(std::size_t file_bytes, const PictureLimits& limits);
@@ -60,5 +63,8 @@ std::variant<PictureSize, PictureFault> measure_picture(std::span<const std::uin
 /// not looked at.
 std::variant<Image8, PictureFault> decode_picture(std::span<const std::uint8_t> file,
                                                   const PictureLimits& limits = {});
+/// The same with alpha: 255 where the file has none; a PNG's transparent colour (tRNS) has 0.
+std::variant<ImageRgba8, PictureFault> decode_picture_rgba(std::span<const std::uint8_t> file,
+                                                           const PictureLimits& limits = {});
 
 }  // namespace tia

@@ -65,4 +65,11 @@ struct Image8 {
       : width(w), height(h), rgb(3 * static_cast<std::size_t>(w) * static_cast<std::size_t>(h)) {}
 };
 
+/// ImageRgba8: codes with alpha, which is not multiplied into the colours. Shape: height x width x
+/// 4 codes 0..255.
+struct ImageRgba8 {
+  int width = 0, height = 0;
+  std::vector<std::uint8_t> rgba;
+};
+
 }  // namespace tia

@@ -85,6 +85,7 @@ InputError::InputError(std::vector<Fault> faults) : faults_(std::move(faults)) {
 
 std::string describe(const Fault& fault) {
   std::string text = fault.pointer.empty() ? "" : fault.pointer + ": ";
+  if (fault.line) text += "line " + std::to_string(*fault.line) + ": ";
   if (fault.got) text += "got " + to_json(*fault.got) + ", ";
   else if (fault.kind == FaultKind::missing) text += "missing, ";
   text += "allowed: " + fault.allowed;

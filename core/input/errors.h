@@ -38,6 +38,7 @@ struct Fault {
   std::string allowed;       ///< in words, with units
   std::string nearest = {};  ///< for an unknown name: the nearest known one, else ""
   std::optional<std::size_t> column = {};  ///< inside a formula: where, from 1, in bytes
+  std::optional<std::size_t> line = {};    ///< of a file of lines: which, from 1
 };
 
 /// Place: a spot in a JSON text while it is read, linked to its parent; costs nothing until asked.
@@ -137,7 +138,8 @@ class InputError : public std::exception {
   std::string text_;
 };
 
-/// One line in words: "/objects/3/radius: got -1, allowed: a number above 0".
+/// One line in words: "/objects/3/radius: got -1, allowed: a number above 0"; of a file of lines
+/// "line 12: got ...".
 std::string describe(const Fault& fault);
 
 /// The known name nearest to the one given (fewest edits), or "" where none is near. Of many known

@@ -28,6 +28,7 @@ Value error_entry(const Fault& fault) {
   if (fault.got) entry.emplace_back("got", *fault.got);
   if (!fault.nearest.empty()) entry.emplace_back("nearest", fault.nearest);
   if (fault.column) entry.emplace_back("column", static_cast<double>(*fault.column));
+  if (fault.line) entry.emplace_back("line", static_cast<double>(*fault.line));
   return entry;
 }
 

@@ -86,7 +86,8 @@ Value error_schema() {
        {"allowed", plain_schema<std::string>(), "what may stand there, in words"},
        {"got", Value::Object{}, "what stood there, cut short; none where it is missing", false},
        {"nearest", plain_schema<std::string>(), "the known name nearest to it", false},
-       {"column", count_schema(1), "where in a formula, in bytes", false}});
+       {"column", count_schema(1), "where in a formula, in bytes", false},
+       {"line", count_schema(1), "where in a file of lines", false}});
 }
 
 // Type, title and status belong together.

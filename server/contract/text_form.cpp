@@ -1,5 +1,6 @@
 #include "server/contract/text_form.h"
 
+#include "core/input/packed_text.h"
 #include "server/http/message.h"
 
 namespace tia::server {
@@ -11,6 +12,24 @@ std::optional<Value> try_json(std::string_view text) {
   } catch (const InputError&) {
     return std::nullopt;
   }
+}
+
+Value json_from_text(std::string_view text, const Place& at) {
+  try {
+    return parse_json(text);
+  } catch (const InputError& error) {
+    std::vector<Fault> faults = error.faults();
+    for (Fault& fault : faults) fault.pointer.insert(0, at.pointer());
+    throw InputError(std::move(faults));
+  }
+}
+
+Value json_from_packed(std::string_view packed, const Place& at) {
+  const auto unpacked = unpack_text(packed);
+  if (const auto* text = std::get_if<std::string>(&unpacked)) return json_from_text(*text, at);
+  const auto& fault = std::get<PackedFault>(unpacked);
+  throw InputError({fault.beyond_limits ? FaultKind::limit : FaultKind::malformed, at.pointer(),
+                    Value(fault.got), fault.allowed});
 }
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
@@ -49,14 +68,9 @@ Value words_from_text(std::string_view text) {
 }
 
 Value json_or_name_from_text(std::string_view text, const Place& at) {
-  if (!text.starts_with('{')) return text;
-  try {
-    return parse_json(text);
-  } catch (const InputError& error) {
-    std::vector<Fault> faults = error.faults();
-    for (Fault& fault : faults) fault.pointer.insert(0, at.pointer());
-    throw InputError(std::move(faults));
-  }
+  constexpr std::string_view packed = "z:";
+  if (text.starts_with(packed)) return json_from_packed(text.substr(packed.size()), at);
+  return text.starts_with('{') ? json_from_text(text, at) : Value(text);
 }
 
 Value::Object list_in_query(Value::Object schema) {
@@ -72,7 +86,11 @@ Value::Object json_or_name_in_query(Value::Object schema) {
   const Value::Array& either = *find(schema, "oneOf")->as<Value::Array>();
   const Value json = Value::Object{
       {"type", "string"}, {"contentMediaType", "application/json"}, {"contentSchema", either[1]}};
-  Value::Object text{{"anyOf", Value::Array{either[0], json}}};
+  const Value packed =
+      Value::Object{{"type", "string"},
+                    {"pattern", "^z:[A-Za-z0-9_-]+={0,2}$"},
+                    {"description", "the same JSON as base64url of its zlib, as Kroki has it"}};
+  Value::Object text{{"anyOf", Value::Array{either[0], json, packed}}};
   if (const Value* standard = find(schema, "default")) text.emplace_back("default", *standard);
   return {{"schema", std::move(text)}};
 }

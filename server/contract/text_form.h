@@ -23,10 +23,11 @@ Value truth_from_text(std::string_view text);
 Value list_from_text(std::string_view text);
 /// "a, b" as an array of strings; "" as an empty one.
 Value words_from_text(std::string_view text);
-/// "{…}" as the JSON that it is, any other as a string. Errors: InputError, pointers below `at`.
+/// "{…}" as the JSON that it is, "z:…" as the JSON that is packed in it (packed_text.h), any other
+/// as a string. Errors: InputError, pointers below `at`.
 Value json_or_name_from_text(std::string_view text, const Place& at);
 /// How OpenAPI describes a field in a query, by the schema of its JSON: a list with commas between,
-/// an object as JSON, and what is a name or an object as either.
+/// an object as JSON, and what is a name or an object as either, or as packed JSON.
 Value::Object list_in_query(Value::Object schema);
 Value::Object json_in_query(Value::Object schema);
 Value::Object json_or_name_in_query(Value::Object schema);

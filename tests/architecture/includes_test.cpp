@@ -21,8 +21,8 @@ namespace fs = std::filesystem;
 // Core's folders from top to bottom: each may include itself and what stands above it. Core's
 // own file, version.h, stands below them all.
 const std::vector<std::string> core_layers = {
-    "math",      "parallel", "input", "film",  "formulas",    "boxes", "shapes",
-    "materials", "lights",   "scene", "accel", "integrators", "render"};
+    "math",      "parallel", "input",  "film",  "formulas", "boxes",       "shapes",
+    "materials", "lights",   "models", "scene", "accel",    "integrators", "render"};
 // The server's rooms likewise; its own few files (main, the commands) stand below them all.
 const std::vector<std::string> server_layers = {"http",   "contract", "operation",
                                                 "stores", "requests", "handlers"};
@@ -38,7 +38,9 @@ struct Wrapped {
 const std::vector<Wrapped> libraries = {
     {"nlohmann/", {"core/input/"}},
     {"stb", {"core/film/"}},
-    {"libdeflate", {"core/film/"}},
+    {"libdeflate", {"core/film/", "core/input/packed_text.cpp", "core/models/zip"}},
+    {"webp/", {"core/models/webp.cpp"}},
+    {"seccomp", {"server/operation/confine.cpp"}},
     {"sleef", {"core/math/"}},
     {"xsimd", {"core/math/registers.h"}},
     {"immintrin", {"core/math/lanes.h", "core/math/wide.h", "core/math/octet.h"}},

@@ -26,15 +26,11 @@ std::string Folder::file(const std::string& name) const { return (path_ / name).
 
 // ---- Process --------------------------------------------------------------------------------
 
-namespace {
-
-// Of the build that these tests are of: they stand in its folder "tests".
+// They stand in its build's folder "tests".
 std::string tia_program() {
   return (std::filesystem::canonical("/proc/self/exe").parent_path().parent_path() / "tia")
       .string();
 }
-
-}  // namespace
 
 Process::Process(const Words& arguments, const Words& environment, int error_output,
                  std::int64_t most_addresses) {

@@ -34,6 +34,9 @@ class Folder {
   std::filesystem::path path_;
 };
 
+/// The program that these tests are of.
+std::string tia_program();
+
 /// Process: `tia` with these arguments and these additions to an environment without TIA_*.
 /// Its outputs go to files, so that it never waits for a reader; the error output elsewhere where a
 /// descriptor is given. `most_addresses`: what its addresses may span (RLIMIT_AS); 0: no limit.

@@ -74,12 +74,7 @@ TEST(Decode, ColoursBeyondThePaletteAreBlack) {
 
 TEST(Decode, EmptyChunksOfPixelsAreNothing) {
   const Bytes file = test::png({1, 1, 8, test::grey}, "\x40");
-  const Bytes name = test::to_bytes("IDAT");
-  const std::string empty = test::png_chunk("IDAT", "");
-  const auto pixels = std::search(file.begin(), file.end(), name.begin(), name.end()) - 4;
-  Bytes more(file.begin(), pixels);
-  more.insert(more.end(), empty.begin(), empty.end());
-  more.insert(more.end(), pixels, file.end());
+  const Bytes more = test::with_chunk_before_pixels(file, test::png_chunk("IDAT", ""));
   EXPECT_EQ(decoded(more).rgb, (Bytes{64, 64, 64}));
 }
 
@@ -157,6 +152,7 @@ TEST(Decode, LargeFilesAndLargePicturesAreRefusedByTheirHeaders) {
                 "at most 4194304 pixels");
   expect_beyond(test::png({4194305, 1, 8, test::grey}, "x"), "4194305 x 1 pixels", "pixels");
   expect_beyond(test::png({16777216, 16, 1, test::grey}, "x"), "16777216 x 16 pixels", "pixels");
+  expect_beyond(test::png({65535, 65535, 8, test::rgba}, "x"), "65535 x 65535 pixels", "pixels");
 }
 
 TEST(Decode, ThePixelsOfTheLargestPictureAreRead) {

@@ -103,6 +103,16 @@ inline Bytes png(const PngHeader& header, const std::string& rows, const std::st
   return to_bytes(png_file(header, zlib(filtered), colors));
 }
 
+/// A PNG file with a chunk before its pixels.
+inline Bytes with_chunk_before_pixels(const Bytes& file, const std::string& chunk) {
+  const Bytes name = to_bytes("IDAT");
+  const auto pixels = std::search(file.begin(), file.end(), name.begin(), name.end()) - 4;
+  Bytes more(file.begin(), pixels);
+  more.insert(more.end(), chunk.begin(), chunk.end());
+  more.insert(more.end(), pixels, file.end());
+  return more;
+}
+
 // ---- JPEG -----------------------------------------------------------------------------------
 
 /// Bits of entropy-coded data: the first is the highest of its byte, the last byte ends in ones,

@@ -73,6 +73,35 @@ TEST(JsonOrNameFromText, PutsAFaultBelowThePlace) {
   }
 }
 
+// By Python: base64.urlsafe_b64encode(zlib.compress(text, 9)).
+TEST(JsonOrNameFromText, ReadsWhatIsPacked) {
+  EXPECT_EQ(to_json(json_or_name_from_text("z:eNqrVspPykpNLilWslKIjq0FACrRBTk=", {})),
+            R"({"objects":[]})");
+  EXPECT_EQ(to_json(json_or_name_from_text("z:eNqrVspPykpNLilWslKIjq0FACrRBTk", {})),
+            R"({"objects":[]})");
+}
+
+TEST(JsonOrNameFromText, TellsWhyAPackedTextIsNone) {
+  const auto kind_of = [](std::string_view text) {
+    try {
+      json_or_name_from_text(text, Place{}.at("scene"));
+    } catch (const InputError& error) {
+      EXPECT_TRUE(error.faults().front().pointer.starts_with("/scene"));
+      return error.faults().front().kind;
+    }
+    ADD_FAILURE() << text;
+    return FaultKind::missing;
+  };
+  EXPECT_EQ(kind_of("z:"), FaultKind::malformed);
+  EXPECT_EQ(kind_of("z:AAAA"), FaultKind::malformed);                              // no zlib
+  EXPECT_EQ(kind_of("z:eNqrVspPykpNLilWslKIrQUAJbwE3g=="), FaultKind::malformed);  // no JSON
+  EXPECT_EQ(kind_of("z:eNrtwTEBAAAAwqAq65_"
+                    "SFl5AAQAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAA"
+                    "AAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAA"
+                    "AAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAPAwjfRCSA=="),
+            FaultKind::limit);  // 150 kB of spaces
+}
+
 TEST(FieldFromText, TakesTheFormOfTheFieldOfThatName) {
   EXPECT_EQ(field_from_text<PictureRequest>("width", "8"), Value(8));
   EXPECT_EQ(field_from_text<PictureRequest>("threads", "8"), Value(8));  // optional

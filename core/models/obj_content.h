@@ -1,0 +1,63 @@
+// What an OBJ file says, as it says it: lists of numbers, and corners that name them. No triangle
+// and no vertex is made yet.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/input/errors.h"
+#include "core/models/model.h"
+#include "core/models/model_files.h"
+#include "core/models/obj_corner.h"
+
+namespace tia {
+
+/// ObjRun: faces or points that follow each other in one mesh with one material.
+struct ObjRun {
+  std::uint32_t mesh = 0, material = 0;  ///< of the content's lists
+  std::size_t first = 0, count = 0;      ///< elements
+  std::size_t first_corner = 0, corners = 0;
+};
+
+/// ObjElements: faces, or points, of one corner each.
+struct ObjElements {
+  std::vector<ObjCorner> corners;
+  std::vector<std::uint32_t> sizes;  ///< corners of each element
+  std::vector<ObjRun> runs;
+};
+
+/// ObjMaterialUse: a name after `usemtl`, and where it came first.
+struct ObjMaterialUse {
+  std::string name;
+  std::size_t line = 0;
+};
+
+/// ObjContent. Colours are there for all positions or none; a position without one has NaN.
+struct ObjContent {
+  std::vector<double> positions, uvs;  ///< three and two numbers each; v downward
+  std::vector<float> colors;           ///< linear r, g, b
+  std::vector<float> normals;          ///< three numbers each
+  bool has_zero_normals = false;
+  std::vector<std::string> meshes;                 ///< names
+  std::vector<ObjMaterialUse> materials{{"", 0}};  ///< the first one: none
+  ObjElements faces, points;
+  bool lacks_library = false;  ///< a file of materials did not come
+
+  bool has_color(std::uint32_t position) const {
+    return !colors.empty() && !std::isnan(colors[std::size_t{3} * position]);
+  }
+  bool has_normal(std::uint32_t normal) const {
+    if (normal == ObjCorner::none) return false;
+    const float* n = &normals[std::size_t{3} * normal];
+    return !has_zero_normals || n[0] != 0 || n[1] != 0 || n[2] != 0;
+  }
+};
+
+/// Reads the main file, and the materials of the files that it names into the model. Errors: as
+/// faults, with lines. Cost: linear in the files.
+ObjContent read_obj_content(const ModelFiles& files, const ModelLimits& limits, Faults& faults,
+                            Model& model);
+
+}  // namespace tia

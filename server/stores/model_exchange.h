@@ -1,0 +1,32 @@
+// What the server and the process that reads a model say to each other: a request of files and
+// limits, an answer of a model's flat form or of faults.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "core/models/formats.h"
+
+namespace tia::server {
+
+/// What stands before the files' bytes in a request: a line of JSON that tells their paths and
+/// sizes, which is the main one, and the limits.
+std::string request_head(const ModelFiles& files, const ModelLimits& limits);
+
+/// The answer to a whole request, which only the server writes: of a model its archive, else the
+/// faults. Errors: std::runtime_error of what is no request; std::bad_alloc.
+std::vector<std::uint8_t> answer_to(std::span<const std::uint8_t> request);
+
+/// NoAnswer: bytes that no reader would answer with, unless something is wrong with it.
+struct NoAnswer : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// The model of an answer, which is looked at as a stranger's. Errors: InputError of its faults;
+/// NoAnswer.
+Model model_of(std::span<const std::uint8_t> answer, const ModelLimits& limits);
+
+}  // namespace tia::server

@@ -1,0 +1,112 @@
+#include "server/stores/model_reader.h"
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <csignal>
+#include <iostream>
+#include <new>
+#include <optional>
+
+#include "server/stores/model_exchange.h"
+
+namespace tia::server {
+namespace {
+
+// What the process ends with.
+constexpr int answered = 0, no_memory = 3, not_confined = 4, no_request = 5;
+
+InputError beyond(std::string got, std::string allowed) {
+  return InputError({FaultKind::limit, "", Value(std::move(got)), std::move(allowed)});
+}
+
+void judge(int status, const Confinement& confinement) {
+  if (WIFSIGNALED(status)) {
+    if (WTERMSIG(status) == SIGXCPU)
+      throw beyond("a model that takes longer to read",
+                   std::to_string(confinement.cpu_s) + " s of a processor");
+    throw ReaderDied("the reader was killed by signal " + std::to_string(WTERMSIG(status)));
+  }
+  const int code = WEXITSTATUS(status);
+  if (code == no_memory)
+    throw beyond("a model that takes more memory to read",
+                 std::to_string(confinement.memory_bytes) +
+                     " bytes (TIA_MODEL_MEMORY_BYTES, --model-memory-bytes)");
+  if (code == not_confined)
+    throw ReaderDied("this machine does not confine processes: seccomp(2) is missing");
+  if (code != answered) throw ReaderDied("the reader ended with " + std::to_string(code));
+}
+
+// ---- the process itself -------------------------------------------------------------------------
+
+// All of standard input. Its memory doubles, for nobody has said how long it is.
+std::vector<std::uint8_t> read_input() {
+  constexpr std::size_t piece = std::size_t{1} << 20U;
+  std::vector<std::uint8_t> all;
+  for (;;) {
+    const std::size_t size = all.size();
+    all.resize(size + piece);
+    const ssize_t got = read(STDIN_FILENO, all.data() + size, piece);
+    all.resize(size + (got > 0 ? static_cast<std::size_t>(got) : 0));
+    if (got == 0) return all;
+    if (got < 0 && errno != EINTR) throw std::runtime_error("no request: it cannot be read");
+  }
+}
+
+void write_output(std::span<const std::uint8_t> bytes) {
+  while (!bytes.empty()) {
+    const ssize_t put = write(STDOUT_FILENO, bytes.data(), bytes.size());
+    if (put < 0 && errno != EINTR) return;  // nobody listens any more
+    if (put > 0) bytes = bytes.subspan(static_cast<std::size_t>(put));
+  }
+}
+
+int answer() {
+  try {
+    write_output(answer_to(read_input()));
+    return answered;
+  } catch (const std::bad_alloc&) {
+    return no_memory;
+  } catch (const std::exception&) {
+    return no_request;
+  }
+}
+
+// Whether the process is confined.
+bool confined(const Confinement& confinement) {
+  try {
+    confine(confinement);
+    return true;
+  } catch (const std::exception& error) {
+    std::cerr << "tia: " << error.what() << '\n';
+    return false;
+  }
+}
+
+}  // namespace
+
+Model ModelReader::read(const ModelFiles& files, const ModelLimits& limits,
+                        const std::stop_token& stop) const {
+  const std::string head = request_head(files, limits);
+  std::vector<std::span<const std::uint8_t>> input{
+      {reinterpret_cast<const std::uint8_t*>(head.data()), head.size()}};
+  for (const ModelFile& each : files.all) input.push_back(each.bytes);
+  const ChildEnd end = run_child(
+      program_,
+      {"read-model", std::to_string(confinement_.memory_bytes), std::to_string(confinement_.cpu_s)},
+      input, confinement_.memory_bytes, stop);
+  judge(end.status, confinement_);
+  try {
+    return model_of(end.output, limits);
+  } catch (const NoAnswer& error) {
+    throw ReaderDied(std::string("the reader answered ") + error.what());
+  }
+}
+
+void answer_as_reader(const Confinement& confinement) {
+  const int status = confined(confinement) ? answer() : not_confined;
+  _exit(status);  // of all ways to end only exit_group is allowed
+}
+
+}  // namespace tia::server

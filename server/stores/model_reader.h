@@ -1,0 +1,40 @@
+// ModelReader: reads models in a process of their own.
+#pragma once
+
+#include <stdexcept>
+#include <stop_token>
+#include <string>
+
+#include "core/models/formats.h"
+#include "server/operation/confined.h"
+
+namespace tia::server {
+
+/// ReaderDied: the process was killed, or answered what nobody can read. The file is at fault, or
+/// the reader; not who asks.
+struct ReaderDied : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// ModelReader. Constant; threads may share it.
+class ModelReader {
+ public:
+  /// The program is this one, which knows `read-model`, unless tests say another.
+  explicit ModelReader(const Confinement& confinement, std::string program = "/proc/self/exe")
+      : confinement_(confinement), program_(std::move(program)) {}
+
+  /// Cost: a process, some 2 ms; its memory is its own.
+  /// Errors: InputError as read_model's, and of a `limit` where the file takes more time or memory
+  /// than the process may; ReaderDied; std::system_error where no process can be had; Stopped.
+  Model read(const ModelFiles& files, const ModelLimits& limits,
+             const std::stop_token& stop = {}) const;
+
+ private:
+  Confinement confinement_;
+  std::string program_;
+};
+
+/// What such a process does: `tia read-model MEMORY_BYTES CPU_S`. Does not return.
+[[noreturn]] void answer_as_reader(const Confinement& confinement);
+
+}  // namespace tia::server
