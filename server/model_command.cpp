@@ -1,5 +1,6 @@
 #include "server/model_command.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <iostream>
 #include <stdexcept>
@@ -37,8 +38,8 @@ void add_materials(const fs::path& main, std::vector<OwnedFile>& files) {
       files.push_back({entry.path().filename().generic_string(), read_file(entry.path().string())});
 }
 
-// Adds what the faults miss and stands in the folder of the model's file or below it. Returns:
-// whether there was any.
+// Adds what the faults miss and stands in the folder of the model's file or below it, each file
+// once. Returns: whether there was any.
 bool add_missing(const std::vector<Fault>& faults, const fs::path& main,
                  std::vector<OwnedFile>& files) {
   bool any = false;
@@ -47,7 +48,8 @@ bool add_missing(const std::vector<Fault>& faults, const fs::path& main,
     if (fault.kind != FaultKind::missing || name == nullptr) continue;
     const fs::path path = fs::path(*name).lexically_normal();
     const bool within = path.is_relative() && *path.begin() != "..";
-    if (!within || !fs::is_regular_file(folder_of(main) / path)) continue;
+    const bool had = std::ranges::count(files, path.generic_string(), &OwnedFile::path) > 0;
+    if (!within || had || !fs::is_regular_file(folder_of(main) / path)) continue;
     files.push_back({path.generic_string(), read_file((folder_of(main) / path).string())});
     any = true;
   }

@@ -12,8 +12,9 @@
 namespace tia {
 
 struct JsonLimits {
-  std::size_t depth = 32;        ///< nested arrays and objects
-  std::size_t values = 100'000;  ///< values, numbers inside arrays not counted
+  std::size_t depth = 32;                     ///< nested arrays and objects
+  std::size_t values = 100'000;               ///< values, numbers inside arrays not counted
+  std::string_view option = "TIA_MAX_NODES";  ///< what sets it, for people; "": nothing does
 };
 
 /// Errors: InputError of one `malformed` fault, at the place where the text breaks: not JSON,

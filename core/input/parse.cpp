@@ -88,6 +88,10 @@ class ValueBuilder final : public nlohmann::json_sax<Json> {
     return true;
   }
 
+  std::string option_words() const {
+    return limits_.option.empty() ? "" : " (option " + std::string(limits_.option) + ")";
+  }
+
   // Puts the value where it belongs. The pointer stays good: a container grows only while it is
   // the innermost open one.
   Value* place(Value value) {
@@ -98,7 +102,7 @@ class ValueBuilder final : public nlohmann::json_sax<Json> {
     if (!in_flat_array && ++count_ > limits_.values)
       fail(FaultKind::limit, std::nullopt,
            "at most " + std::to_string(limits_.values) +
-               " JSON values, numbers inside arrays not counted (option TIA_MAX_NODES)");
+               " JSON values, numbers inside arrays not counted" + option_words());
     if (parent == nullptr) return &(root_ = std::move(value));
     if (array != nullptr) return &array->emplace_back(std::move(value));
     return &(parent->as<Value::Object>()->back().second = std::move(value));

@@ -11,7 +11,7 @@ namespace tia {
 
 using ModelBytes = std::span<const std::uint8_t>;
 
-/// ModelFile: a path as it came, '/' between its parts.
+/// ModelFile. Domain: a path with '/' between its parts, none of them empty, `.` or `..`.
 struct ModelFile {
   std::string path;
   ModelBytes bytes;

@@ -9,8 +9,6 @@ namespace tia {
 
 /// The most materials that MTL files may have together.
 inline constexpr std::size_t most_mtl_materials = 16'384;
-/// The most different names of pictures in an MTL file.
-inline constexpr std::size_t most_mtl_names = 2048;
 
 /// Appends the file's materials, with the pictures and textures that they use, to the model. Kd is
 /// the base colour, Ke what shines, Ni the ior, Pr Pm Ps Pc Pcr as their names say; without Pr the

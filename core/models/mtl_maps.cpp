@@ -1,6 +1,5 @@
 #include "core/models/mtl_maps.h"
 
-#include "core/models/mtl.h"
 #include "core/models/mtl_options.h"
 
 namespace tia {

@@ -12,6 +12,9 @@
 
 namespace tia {
 
+/// The most different names of pictures in an MTL file.
+inline constexpr std::size_t most_mtl_names = 2048;
+
 /// MtlMaps: makes one image of each file, and one texture of each image and wrap.
 class MtlMaps {
  public:

@@ -107,18 +107,26 @@ class PlyReader {
   std::vector<PlyPlan> plans_;  // of each of the header's elements
 };
 
-void read_ply_texture(const PlyHeader& header, const ModelFiles& files, bool has_uvs,
-                      Model& model) {
+// Why a texture's file is not used, "" where it is.
+std::string_view refusal_of_texture(const ModelFile* file, bool has_uvs, const Model& model) {
+  if (file == nullptr) return "did not come";
+  if (!has_uvs) return "has no coordinates at vertices";
+  return model.textures.empty() ? "" : "is not the first";
+}
+
+constexpr std::size_t longest_ply_path = 1024;  // what is longer is looked up for nothing
+
+void read_ply_textures(const PlyHeader& header, const ModelFiles& files, bool has_uvs,
+                       Model& model) {
   for (const PlyTexture& texture : header.textures) {
     const std::string name = excerpt_of(texture.name, longest_name);
-    const ModelFile* const file = files.find(texture.name, files.main_file().path);
-    const std::string_view reason = file == nullptr           ? "did not come"
-                                    : !has_uvs                ? "has no coordinates at vertices"
-                                    : !model.textures.empty() ? "is not the first"
-                                                              : "";
-    if (!reason.empty()) {
+    const ModelFile* const file = texture.name.size() <= longest_ply_path
+                                      ? files.find(texture.name, files.main_file().path)
+                                      : nullptr;
+    const std::string_view refusal = refusal_of_texture(file, has_uvs, model);
+    if (file == nullptr || !refusal.empty()) {
       model.warn(
-          {"", texture.line, "the texture " + name + " is not used: it " + std::string(reason)});
+          {"", texture.line, "the texture " + name + " is not used: it " + std::string(refusal)});
       continue;
     }
     model.images.push_back({name, {file->bytes.begin(), file->bytes.end()}});
@@ -151,7 +159,7 @@ void read_ply(const ModelFiles& files, const ModelLimits& limits, Faults& faults
   if (!faults.empty()) return;
   ModelPart part = PlyReader(*header, elements, limits, faults, model).read();
   if (!faults.empty()) return;
-  read_ply_texture(*header, files, !part.uvs[0].empty(), model);
+  read_ply_textures(*header, files, !part.uvs[0].empty(), model);
   add_ply_part(std::move(part), model);
 }
 

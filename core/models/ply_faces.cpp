@@ -72,7 +72,7 @@ bool PlyFaces::take_strip(const PlyRow& row, const PlyPlace& place) {
 bool PlyFaces::is_vertex(double index, const PlyPlace& place) {
   if (index >= 0 && index < static_cast<double>(vertices_) && std::floor(index) == index)
     return true;
-  faults_.add(place.fault(FaultKind::out_of_range, shown(index),
+  faults_.add(place.fault(FaultKind::out_of_range, shown_number(index),
                           "a vertex's number from 0, below " + std::to_string(vertices_)));
   return false;
 }

@@ -93,7 +93,8 @@ class PlyHeaderReader {
                   "format, comment, obj_info, element, property or end_header");
   }
   bool comment(std::string_view rest) {
-    if (cut_word(rest) == "TextureFile") header_.textures.push_back({trimmed(rest), header_.lines});
+    if (cut_word(rest) == "TextureFile" && header_.textures.size() < PlyHeader::most_textures)
+      header_.textures.push_back({trimmed(rest), header_.lines});
     return true;
   }
   bool format(std::string_view rest) {

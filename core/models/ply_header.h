@@ -61,8 +61,9 @@ enum class PlyEncoding : std::uint8_t { ascii, little_endian, big_endian };
 struct PlyHeader {
   PlyEncoding encoding = PlyEncoding::ascii;
   std::vector<PlyElement> elements;
-  std::vector<PlyTexture> textures;
-  char line_end = '\n';  ///< CR where that alone ends the first line
+  static constexpr std::size_t most_textures = 20;
+  std::vector<PlyTexture> textures;  ///< the first 20
+  char line_end = '\n';              ///< CR where that alone ends the first line
   std::size_t lines = 0;
   std::string_view body;  ///< what follows the header
 };

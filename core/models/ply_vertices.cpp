@@ -106,7 +106,7 @@ void PlyVertices::take_color(const PlyRow& row, const PlyPlace& place) {
 }
 
 void PlyVertices::refuse(const PlyPlace& place, double got, const std::string& allowed) {
-  faults_.add(place.fault(FaultKind::out_of_range, shown(got), allowed));
+  faults_.add(place.fault(FaultKind::out_of_range, shown_number(got), allowed));
 }
 
 ModelPart PlyVertices::finish() {

@@ -36,7 +36,7 @@ void read_stl_corners(ModelBytes triangle, std::size_t number, StlVertices& vert
     for (std::size_t axis = 0; axis < 3; ++axis) {
       point[axis] = double{std::bit_cast<float>(stl_word(triangle, at + 4 * axis))};
       if (std::fabs(point[axis]) <= most_coordinate) continue;
-      faults.add({FaultKind::out_of_range, "", shown(point[axis]),
+      faults.add({FaultKind::out_of_range, "", shown_number(point[axis]),
                   "numbers from -1e9 to 1e9, as corners of triangle " + std::to_string(number)});
       return;
     }

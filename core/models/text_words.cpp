@@ -8,7 +8,7 @@
 namespace tia {
 namespace {
 
-constexpr double too_large = std::numeric_limits<double>::infinity();
+constexpr double text_infinity = std::numeric_limits<double>::infinity();
 
 // Of a number that no double is near. The digits of a short one are within 10^64 of 1, so that its
 // exponent's sign tells which it is; a longer one is refused by its being infinite.
@@ -16,7 +16,7 @@ double too_large_or_small(std::string_view word) {
   constexpr std::size_t is_long = 64;
   const bool small = word.size() <= is_long && word.find_first_of("eE") != word.npos &&
                      word[word.find_first_of("eE") + 1] == '-';
-  return small ? 0 : word[0] == '-' ? -too_large : too_large;
+  return small ? 0 : word[0] == '-' ? -text_infinity : text_infinity;
 }
 
 char small_letter(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
@@ -43,7 +43,7 @@ std::optional<double> number_in(std::string_view word) {
   return read.ec == std::errc() ? number : too_large_or_small(word);
 }
 
-Value shown(double number) {
+Value shown_number(double number) {
   if (std::isfinite(number)) return {number};
   return {std::isnan(number) ? "nan" : number < 0 ? "-inf" : "inf"};
 }

@@ -42,6 +42,6 @@ bool is_word(std::string_view word, std::string_view small);
 std::optional<double> number_in(std::string_view word);
 
 /// A number as a fault shows it: JSON has none that is not finite, so those are words.
-Value shown(double number);
+Value shown_number(double number);
 
 }  // namespace tia

@@ -64,6 +64,15 @@ TEST_F(ModelCommand, NamesWhatIsMissing) {
   EXPECT_THAT(end.err, HasSubstr("not.bin"));
 }
 
+// A picture that stands beside the OBJ is not the one that its materials mean in their folder.
+TEST_F(ModelCommand, AsksForNothingTwice) {
+  write("a.obj", "mtllib m/a.mtl\n" + square + "usemtl red\nf 1/1 2/2 3/3 4/4\n");
+  write("m/a.mtl", "newmtl red\nmap_Kd red.png\n");
+  write("other.mtl", "");
+  write("red.png", std::string("\x89PNG\r\n\x1A\n", 8));
+  EXPECT_EQ(model({"a.obj"}).status, 2);
+}
+
 // A file may not name what is not its own.
 TEST_F(ModelCommand, LooksNowhereElse) {
   write("secret.bin", "1234");

@@ -22,7 +22,8 @@ std::string_view without_mark(std::string_view text) {
 std::optional<Value> parsed(std::string_view json, const ModelLimits& limits, Faults& faults) {
   constexpr std::size_t depth = 64;  // extras are the writer's own
   try {
-    return parse_json(json, {.depth = depth, .values = limits.json_values}, faults.stop());
+    return parse_json(json, {.depth = depth, .values = limits.json_values, .option = {}},
+                      faults.stop());
   } catch (const InputError& error) {
     for (const Fault& fault : error.faults()) faults.add(fault);
   }

@@ -207,7 +207,7 @@ std::vector<Accessor> read_accessors(const GltfObject& root, const std::vector<G
     object.with("sparse", [&](const GltfObject& sparse) {
       if (accessor.count > 0) accessor.good &= read_sparse(sparse, views, accessor);
     });
-    all.push_back(std::move(accessor));
+    all.push_back(accessor);
   });
   return all;
 }

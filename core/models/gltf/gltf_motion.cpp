@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <functional>
+#include <tuple>
 
 #include "core/models/gltf/gltf_attributes.h"
 #include "core/models/gltf/gltf_skins.h"
@@ -103,7 +105,6 @@ class AnimationReader {
     ModelIndex node;
     AnimatedPath path;
     std::size_t channel;
-    auto operator<=>(const Target&) const = default;
   };
 
   // Which node and what of it; false where nothing of Tia's is meant.
@@ -164,7 +165,7 @@ class AnimationReader {
     std::uint64_t each = sampler.values_a_time();
     if (read.path == AnimatedPath::weights) each *= targets_of(read.node);
     const std::uint64_t count = sampler.output->count;
-    if (count % each == 0 && count / each == sampler.input->count) return true;
+    if (each > 0 && count % each == 0 && count / each == sampler.input->count) return true;
     channel.fault(FaultKind::conflict, "sampler",
                   Value(std::to_string(count) + " values for " +
                         std::to_string(sampler.input->count) + " times"),
@@ -208,7 +209,9 @@ class AnimationReader {
   }
 
   void refuse_twice(const Place& channels) {
-    std::ranges::sort(places_);
+    std::ranges::sort(places_, {}, [](const Target& target) {
+      return std::tuple(target.node, target.path, target.channel);
+    });
     for (std::size_t i = 1; i < places_.size() && !source_.faults.full(); ++i) {
       const Target &one = places_[i - 1], &other = places_[i];
       if (one.node == other.node && one.path == other.path)

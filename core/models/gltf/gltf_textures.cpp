@@ -110,7 +110,7 @@ MaybeTexture GltfTextures::use(const GltfObject& owner, std::string_view name,
                                Strength strength) const {
   MaybeTexture out;
   owner.with(name, [&](const GltfObject& info) {
-    must_have(info, "index", "the number of a texture");
+    info.needs("index", "the number of a texture");
     const auto number = info.index("index", numbers_.size());
     TextureUse use;
     const std::uint64_t uv_set = read_transform(info, use);

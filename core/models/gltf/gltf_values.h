@@ -22,10 +22,4 @@ std::optional<std::size_t> word(const GltfObject& object, std::string_view name,
 double capped(const GltfObject& object, std::string_view name, double standard, Range range,
               Model& model);
 
-/// Adds the fault of a member that must be there.
-inline void must_have(const GltfObject& object, std::string_view name, std::string allowed) {
-  if (object.there() && !object.has(name))
-    object.fault(FaultKind::missing, name, std::nullopt, std::move(allowed));
-}
-
 }  // namespace tia::gltf

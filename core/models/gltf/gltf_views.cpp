@@ -14,7 +14,7 @@ constexpr double half_turn = 3.141592653589793, right_angle = 1.5707963267948966
 // ---- cameras ------------------------------------------------------------------------------------
 
 void read_perspective(const GltfObject& from, ModelCamera& to) {
-  must_have(from, "yfov", "an angle in radians");
+  from.needs("yfov", "an angle in radians");
   to.yfov = positive(from, "yfov").value_or(1);
   if (to.yfov >= half_turn)
     from.fault(FaultKind::out_of_range, "yfov", Value(to.yfov), "a number above 0 and below pi");
@@ -23,7 +23,7 @@ void read_perspective(const GltfObject& from, ModelCamera& to) {
 }
 
 double read_mag(const GltfObject& from, std::string_view name) {
-  must_have(from, name, "a number that is not 0");
+  from.needs(name, "a number that is not 0");
   const double mag = from.number_or(name, 1, {-1e9, 1e9});
   if (mag == 0) from.fault(FaultKind::out_of_range, name, Value(mag), "a number that is not 0");
   return mag;
@@ -33,10 +33,10 @@ ModelCamera read_camera(const GltfObject& from) {
   constexpr std::array<std::string_view, 2> kinds{"perspective", "orthographic"};
   ModelCamera to;
   to.name = from.text("name");
-  must_have(from, "type", listed({kinds.begin(), kinds.end()}));
+  from.needs("type", listed({kinds.begin(), kinds.end()}));
   const auto kind = word(from, "type", kinds);
   if (!kind) return to;
-  must_have(from, kinds[*kind], "an object, as the camera's type says");
+  from.needs(kinds[*kind], "an object, as the camera's type says");
   to.orthographic = *kind == 1;
   from.with(kinds[*kind], [&](const GltfObject& camera) {
     if (!to.orthographic) return read_perspective(camera, to);
@@ -63,7 +63,7 @@ ModelLight read_light(const GltfObject& from) {
   constexpr auto& kinds = Names<ModelLightKind>::names;
   ModelLight to;
   to.name = from.text("name");
-  must_have(from, "type", listed({kinds.begin(), kinds.end()}));
+  from.needs("type", listed({kinds.begin(), kinds.end()}));
   to.kind = static_cast<ModelLightKind>(word(from, "type", kinds).value_or(1));
   to.color = from.color_or("color", to.color);
   to.intensity = from.number_or("intensity", to.intensity, {0, Range().max});
@@ -86,7 +86,7 @@ void read_views(const GltfSource& source, Model& model) {
     });
     extensions.with("KHR_materials_variants", [&](const GltfObject& all) {
       all.for_each("variants", [&](const GltfObject& variant, std::size_t) {
-        must_have(variant, "name", "the variant's name");
+        variant.needs("name", "the variant's name");
         model.variants.push_back(variant.text("name"));
       });
     });

@@ -11,7 +11,7 @@
 #include "tests/core/models/gltf_builder.h"
 #include "tests/core/support.h"
 
-namespace tia::test::gltf {
+namespace tia::test::gltf_files {
 namespace {
 
 using tia::gltf::Accessor;
@@ -344,4 +344,4 @@ TEST(GltfAccessors, OnlyFiniteNumbersAreTaken) {
 }
 
 }  // namespace
-}  // namespace tia::test::gltf
+}  // namespace tia::test::gltf_files

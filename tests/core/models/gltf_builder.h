@@ -11,10 +11,9 @@
 
 #include "core/models/gltf/gltf.h"
 #include "tests/core/faults.h"
+#include "tests/core/film/files.h"
 
-namespace tia::test::gltf {
-
-using Bytes = std::vector<std::uint8_t>;
+namespace tia::test::gltf_files {
 
 inline constexpr int gltf_byte = 5120, gltf_ubyte = 5121, gltf_short = 5122, gltf_ushort = 5123,
                      gltf_uint = 5125, gltf_float = 5126;
@@ -29,7 +28,6 @@ inline void append(Bytes& to, const Bytes& from) { to.insert(to.end(), from.begi
 inline void append_word(Bytes& to, std::uint32_t word) {
   append(to, bytes_of<std::uint32_t>({word}));
 }
-inline Bytes bytes_of_text(std::string_view text) { return {text.begin(), text.end()}; }
 inline ModelBytes span_of(const Bytes& bytes) { return {bytes.data(), bytes.size()}; }
 
 /// A member of a JSON object behind others: `, "name":value`.
@@ -42,14 +40,14 @@ inline Bytes glb_chunk(std::string_view type, Bytes bytes, char padding = ' ') {
   while (bytes.size() % 4 != 0) bytes.push_back(static_cast<std::uint8_t>(padding));
   Bytes chunk;
   append_word(chunk, static_cast<std::uint32_t>(bytes.size()));
-  append(chunk, bytes_of_text(type));
+  append(chunk, to_bytes(type));
   append(chunk, bytes);
   return chunk;
 }
 inline Bytes glb_of(const std::vector<Bytes>& chunks, std::uint32_t version = 2) {
   Bytes inside;
   for (const Bytes& chunk : chunks) append(inside, chunk);
-  Bytes file = bytes_of_text("glTF");
+  Bytes file = to_bytes("glTF");
   append_word(file, version);
   append_word(file, static_cast<std::uint32_t>(inside.size() + 12));
   append(file, inside);
@@ -99,7 +97,7 @@ class GltfBuilder {
     return text + "}";
   }
   Bytes glb() const {
-    std::vector<Bytes> chunks{glb_chunk("JSON", bytes_of_text(json()))};
+    std::vector<Bytes> chunks{glb_chunk("JSON", to_bytes(json()))};
     if (!bin.empty()) chunks.push_back(glb_chunk({"BIN\0", 4}, bin, '\0'));
     return glb_of(chunks);
   }
@@ -119,6 +117,29 @@ class GltfBuilder {
 /// A document of one primitive: `{"attributes":{…}, more}`.
 inline std::string one_primitive(const std::string& attributes, const std::string& more = "") {
   return "[{\"primitives\":[{\"attributes\":{" + attributes + "}" + more + "}]}]";
+}
+
+using Indices = std::vector<std::uint32_t>;
+/// The pointer of a document's first primitive.
+inline const std::string primitive = "/meshes/0/primitives/0";
+
+/// `"POSITION":3`.
+inline std::string named(std::string_view attribute, int accessor) {
+  return "\"" + std::string(attribute) + "\":" + std::to_string(accessor);
+}
+
+/// n points in a row.
+inline std::vector<float> row(std::size_t n) {
+  std::vector<float> points(n * 3);
+  for (std::size_t i = 0; i < n; ++i) points[i * 3] = static_cast<float>(i);
+  return points;
+}
+
+/// A primitive of n vertices; `more` behind its attributes.
+inline GltfBuilder of_vertices(std::size_t n, const std::string& more = "") {
+  GltfBuilder builder;
+  builder.set("meshes", one_primitive(named("POSITION", builder.vec3(row(n))), more));
+  return builder;
 }
 
 /// What came of reading.
@@ -192,4 +213,4 @@ inline std::string replaced(std::string text, std::string_view from, std::string
   return at == text.npos ? text : text.replace(at, from.size(), to);
 }
 
-}  // namespace tia::test::gltf
+}  // namespace tia::test::gltf_files

@@ -5,34 +5,18 @@
 #include "tests/core/models/gltf_builder.h"
 #include "tests/core/support.h"
 
-namespace tia::test::gltf {
+namespace tia::test::gltf_files {
 namespace {
-
-std::string base64_text(const Bytes& bytes) {
-  constexpr std::string_view digits =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    std::uint32_t bits = 0;
-    for (std::size_t k = 0; k < 3; ++k)
-      bits = bits << 8U | (i + k < bytes.size() ? bytes[i + k] : 0U);
-    for (std::size_t k = 0; k < 4; ++k)
-      text += i + k > bytes.size() ? '=' : digits[bits >> (18 - 6 * k) & 63U];
-  }
-  return text;
-}
 
 std::string uri_member(const std::string& uri) { return member("uri", "\"" + uri + "\""); }
 
-ReadGltf read_text(const std::string& json) {
-  return read_files({{"a.gltf", bytes_of_text(json)}});
-}
+ReadGltf read_text(const std::string& json) { return read_files({{"a.gltf", to_bytes(json)}}); }
 ReadGltf read_json_chunk(const std::string& json) {
-  return read_glb(glb_of({glb_chunk("JSON", bytes_of_text(json))}));
+  return read_glb(glb_of({glb_chunk("JSON", to_bytes(json))}));
 }
 
 TEST(GltfContainer, KnowsAFileByItsBytes) {
-  const auto known = [](std::string_view text) { return is_gltf(span_of(bytes_of_text(text))); };
+  const auto known = [](std::string_view text) { return is_gltf(span_of(to_bytes(text))); };
   EXPECT_TRUE(known("glTF"));
   EXPECT_TRUE(known("{\"asset\":{}}"));
   EXPECT_TRUE(known("\xEF\xBB\xBF \n\t{\"asset\":{}}"));
@@ -51,14 +35,13 @@ TEST(GltfContainer, TheSameDocumentInThreeWays) {
   boxed.format = "gltf";
   for (const std::string uri : {"data:application/octet-stream;base64,", "DATA:;base64,",
                                 "data:application/gltf-buffer;base64,"}) {
-    const ReadGltf own = read_text(builder.json(uri_member(uri + base64_text(builder.bin))));
+    const ReadGltf own = read_text(builder.json(uri_member(uri + base64(to_text(builder.bin)))));
     expect_faults(own.faults, {});
     EXPECT_TRUE(own.model == boxed);
   }
-  const ReadGltf beside =
-      read_files({{"d/a.gltf", bytes_of_text("\xEF\xBB\xBF" +
-                                             builder.json(uri_member("b%20%C3%A9/../%62.bin")))},
-                  {"d/b.bin", builder.bin}});
+  const ReadGltf beside = read_files(
+      {{"d/a.gltf", to_bytes("\xEF\xBB\xBF" + builder.json(uri_member("b%20%C3%A9/../%62.bin")))},
+       {"d/b.bin", builder.bin}});
   expect_faults(beside.faults, {});
   EXPECT_TRUE(beside.model == boxed);
 }
@@ -66,8 +49,8 @@ TEST(GltfContainer, TheSameDocumentInThreeWays) {
 TEST(GltfContainer, ANameMayStandUnencoded) {
   const GltfBuilder builder = one_triangle();
   for (const std::string name : {"50%.bin", "a b.bin", "%41.bin"}) {
-    const ReadGltf read = read_files(
-        {{"a.gltf", bytes_of_text(builder.json(uri_member(name)))}, {name, builder.bin}});
+    const ReadGltf read =
+        read_files({{"a.gltf", to_bytes(builder.json(uri_member(name)))}, {name, builder.bin}});
     expect_faults(read.faults, {});
   }
 }
@@ -97,7 +80,7 @@ TEST(GltfContainer, ABufferIsAsLongAsItSays) {
   const std::string json = builder.json();
   Bytes longer = builder.bin;
   const auto boxed = [&](const Bytes& bin) {
-    return read_glb(glb_of({glb_chunk("JSON", bytes_of_text(json)), glb_chunk({"BIN\0", 4}, bin)}));
+    return read_glb(glb_of({glb_chunk("JSON", to_bytes(json)), glb_chunk({"BIN\0", 4}, bin)}));
   };
   longer.resize(builder.bin.size() + 2);
   expect_faults(boxed(longer).faults, {});
@@ -108,8 +91,8 @@ TEST(GltfContainer, ABufferIsAsLongAsItSays) {
   longer.resize(builder.bin.size() - 4);
   expect_one_fault(boxed(longer), FaultKind::malformed, "/buffers/0");
   const auto with_length = [&](const std::string& length) {
-    return read_glb(glb_of({glb_chunk("JSON", bytes_of_text(replaced(json, "\"byteLength\":42",
-                                                                     "\"byteLength\":" + length))),
+    return read_glb(glb_of({glb_chunk("JSON", to_bytes(replaced(json, "\"byteLength\":42",
+                                                                "\"byteLength\":" + length))),
                             glb_chunk({"BIN\0", 4}, builder.bin)}));
   };
   ASSERT_EQ(builder.bin.size(), 42U);
@@ -136,7 +119,7 @@ TEST(GltfContainer, CutAnywhereItIsRefused) {
 }
 
 TEST(GltfContainer, OtherBoxesAreRefused) {
-  const Bytes json = glb_chunk("JSON", bytes_of_text(R"({"asset":{"version":"2.0"}})"));
+  const Bytes json = glb_chunk("JSON", to_bytes(R"({"asset":{"version":"2.0"}})"));
   const Bytes bin = glb_chunk({"BIN\0", 4}, {1, 2, 3, 4}), other = glb_chunk("WHAT", {1});
   expect_faults(read_glb(glb_of({json})).faults, {});
   expect_faults(read_glb(glb_of({json, bin})).faults, {});
@@ -211,8 +194,8 @@ TEST(GltfContainer, BrokenTextIsAFaultAtItsPlace) {
   EXPECT_EQ(read.faults[0].kind, FaultKind::malformed);
   ModelLimits few;
   few.json_values = 10;
-  expect_one_fault(read_files({{"a", bytes_of_text(R"({"asset":{"version":"2.0"},"nodes":[{},{},)"
-                                                   R"({},{},{},{},{},{},{},{}]})")}},
+  expect_one_fault(read_files({{"a", to_bytes(R"({"asset":{"version":"2.0"},"nodes":[{},{},)"
+                                              R"({},{},{},{},{},{},{},{}]})")}},
                               few),
                    FaultKind::limit, "/nodes/6");
 }
@@ -236,4 +219,4 @@ TEST(GltfContainer, ChangedAnywhereItIsRefusedOrWhole) {
 }
 
 }  // namespace
-}  // namespace tia::test::gltf
+}  // namespace tia::test::gltf_files

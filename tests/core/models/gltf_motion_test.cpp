@@ -4,7 +4,7 @@
 #include "tests/core/models/gltf_builder.h"
 #include "tests/core/support.h"
 
-namespace tia::test::gltf {
+namespace tia::test::gltf_files {
 namespace {
 
 std::string number(int n) { return std::to_string(n); }
@@ -221,4 +221,4 @@ TEST(GltfMotion, ChangedAnywhereItIsRefusedOrWhole) {
 }
 
 }  // namespace
-}  // namespace tia::test::gltf
+}  // namespace tia::test::gltf_files

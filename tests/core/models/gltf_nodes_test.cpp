@@ -4,7 +4,7 @@
 #include "tests/core/models/gltf_builder.h"
 #include "tests/core/support.h"
 
-namespace tia::test::gltf {
+namespace tia::test::gltf_files {
 namespace {
 
 GltfBuilder of_nodes(const std::string& nodes) {
@@ -267,4 +267,4 @@ TEST(GltfNodes, InstancesStandWhereTheirListsSay) {
 }
 
 }  // namespace
-}  // namespace tia::test::gltf
+}  // namespace tia::test::gltf_files

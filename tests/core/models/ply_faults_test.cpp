@@ -20,7 +20,7 @@ struct PlyRefused {
 
 void expect_refused(const std::vector<PlyRefused>& files) {
   for (const PlyRefused& each : files) {
-    const ReadFile read = read_ply_file(each.file);
+    const ReadModel read = read_ply_file(each.file);
     ASSERT_FALSE(read.faults.empty()) << each.file;
     EXPECT_EQ(read.fault().kind, each.kind) << each.file << describe(read.fault());
     EXPECT_EQ(read.fault().line, each.line) << each.file << describe(read.fault());
@@ -36,7 +36,7 @@ std::string ply_quadrilateral(std::string_view encoding) {
   file.element("face", 1).list("uchar", "int", "vertex_indices");
   file.element("tristrips", 1).list("int", "int", "vertex_indices");
   for (const int corner : {0, 1, 3, 2}) {
-    file.put_list("char", "short", {7, 8}).put("float", corner % 2).put("float", corner / 2);
+    file.put_list("char", "short", {7, 8}).put("float", corner & 1).put("float", corner >> 1);
     file.put("float", 0);
     for (int i = 0; i < 3; ++i) file.put("uchar", 60 * i);
     file.end_row();
@@ -121,7 +121,7 @@ TEST(PlyFaults, ABodyTellsItsLine) {
 TEST(PlyFaults, IndependentOnesComeTogether) {
   std::string body;
   for (int i = 0; i < 30; ++i) body += i % 2 == 0 ? "0 0 nan\n" : "0 0 0\n";
-  const ReadFile read = read_ply_file(ply_text(30, "", body));
+  const ReadModel read = read_ply_file(ply_text(30, "", body));
   ASSERT_EQ(read.faults.size(), 15U);
   for (std::size_t i = 0; i < 15; ++i) EXPECT_EQ(read.faults[i].line, 8 + 2 * i);
   EXPECT_EQ(read_ply_file(ply_text(60, "", body + body)).faults.size(), Faults::most);
@@ -134,7 +134,7 @@ TEST(PlyFaults, OfBytesTellTheirRow) {
   for (int i = 0; i < 9; ++i)
     file.put("double", i == 5 ? std::numeric_limits<double>::quiet_NaN() : i);
   for (const std::string_view encoding : {ply_encodings[1], ply_encodings[2]}) {
-    const ReadFile read = read_ply_file(file.in(encoding));
+    const ReadModel read = read_ply_file(file.in(encoding));
     ASSERT_EQ(read.faults.size(), 1U);
     EXPECT_EQ(read.fault().kind, FaultKind::out_of_range);
     EXPECT_EQ(read.fault().line, std::nullopt);
@@ -152,8 +152,9 @@ TEST(PlyFaults, CountsThatTheFileCannotHoldCostNothing) {
                                count +
                                "\nproperty float x\nproperty float y\nproperty float "
                                "z\nend_header\n";
-      const ReadFile read = read_ply_file(file + (encoding == "ascii" ? "0 0 0\n" : "123456789012"),
-                                          {.vertices = std::numeric_limits<std::uint64_t>::max()});
+      const ReadModel read =
+          read_ply_file(file + (encoding == "ascii" ? "0 0 0\n" : "123456789012"),
+                        {.vertices = std::numeric_limits<std::uint64_t>::max()});
       ASSERT_EQ(read.faults.size(), 1U) << count;
       EXPECT_EQ(read.fault().kind, FaultKind::malformed);
       EXPECT_EQ(read.fault().line, 3U);
@@ -175,7 +176,7 @@ TEST(PlyFaults, ListsThatTheFileCannotHoldCostNothing) {
         for (int i = 0; i < 3; ++i) file.put("uchar", i);
         file.put_list("uchar", "int", {0, 0, 0}).put(type, type[0] == 'u' ? 65535 : 2147483647);
         for (int i = 0; i < 9; ++i) file.put("double", 0);
-        const ReadFile read = read_ply_file(file.in(encoding));
+        const ReadModel read = read_ply_file(file.in(encoding));
         ASSERT_EQ(read.faults.size(), 1U);
         EXPECT_EQ(read.fault().kind, FaultKind::malformed);
       }
@@ -183,7 +184,7 @@ TEST(PlyFaults, ListsThatTheFileCannotHoldCostNothing) {
 
 TEST(PlyFaults, LimitsAreThoseThatAreGiven) {
   const auto refused = [](const std::string& file, const ModelLimits& limits) {
-    const ReadFile read = read_ply_file(file, limits);
+    const ReadModel read = read_ply_file(file, limits);
     return !read.faults.empty() && read.fault().kind == FaultKind::limit;
   };
   for (const std::string_view encoding : ply_encodings) {
@@ -203,14 +204,14 @@ TEST(PlyFaults, WhatIsCutOffOrDamagedEnds) {
     const std::string file = ply_quadrilateral(encoding);
     EXPECT_TRUE(read_ply_file(file).faults.empty());
     for (std::size_t size = 0; size < file.size(); ++size) {
-      const ReadFile read = read_ply_file(file.substr(0, size));
-      expect_sound(read);
+      const ReadModel read = read_ply_file(file.substr(0, size));
+      expect_sound_model(read);
       // But for a text's last line end and the blank before it.
       if (encoding != "ascii" || size + 2 < file.size()) {
         EXPECT_FALSE(read.faults.empty()) << size;
       }
     }
-    for (int i = 0; i < 1000; ++i) expect_sound(read_ply_file(damaged(file, random)));
+    for (int i = 0; i < 1000; ++i) expect_sound_model(read_ply_file(damaged_file(file, random)));
   }
 }
 
@@ -228,7 +229,8 @@ TEST(PlyFaults, ReadingEndsWhenAsked) {
     const std::string bytes = file.in(encoding);
     Faults faults(stop.get_token());
     Model model;
-    EXPECT_THROW(read_ply(ModelFiles{{{"a.ply", bytes_of(bytes)}}, 0}, {}, faults, model), Stopped);
+    EXPECT_THROW(read_ply(ModelFiles{{{"a.ply", model_bytes(bytes)}}, 0}, {}, faults, model),
+                 Stopped);
   }
 }
 

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "core/models/ply.h"
-#include "tests/core/models/read_file.h"
+#include "tests/core/models/model_reading.h"
 
 namespace tia::test {
 
@@ -93,8 +93,34 @@ inline const std::string ply_face_lines =
     "element face 1\nproperty list uchar int vertex_indices\n";
 inline const std::string ply_corners = "0 0 0\n1 0 0\n0 1 0\n";
 
-inline ReadFile read_ply_file(const std::string& file, const ModelLimits& limits = {}) {
-  return read_file(read_ply, file, limits);
+inline ReadModel read_ply_file(const std::string& file, const ModelLimits& limits = {}) {
+  return read_model_file(read_ply, file, limits);
+}
+
+/// A text's warnings may have lines where bytes have none.
+inline Model without_lines(Model model) {
+  for (ModelWarning& warning : model.warnings) warning.line = 0;
+  return model;
+}
+
+/// The text, which is the same in every other encoding.
+inline ReadModel read_in_all(const PlyFile& file) {
+  ReadModel text = read_ply_file(file.in("ascii"));
+  for (const std::string_view encoding : ply_encodings) {
+    const ReadModel read = read_ply_file(file.in(encoding));
+    for (const Fault& fault : read.faults) ADD_FAILURE() << encoding << ": " << describe(fault);
+    EXPECT_TRUE(without_lines(read.model) == without_lines(text.model)) << encoding;
+    expect_sound_model(read);
+  }
+  return text;
+}
+
+/// A file of so many vertices of float x, y, z, to be gone on with.
+inline PlyFile ply_vertices(std::size_t count) {
+  PlyFile file;
+  file.element("vertex", count);
+  for (const char* name : {"x", "y", "z"}) file.property("float", name);
+  return file;
 }
 
 }  // namespace tia::test

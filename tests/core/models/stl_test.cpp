@@ -1,68 +1,19 @@
-// STL as bytes and as text: what is known as such, which corners are one vertex, what is refused.
+// STL as bytes and as text: what is known as such, which corners are one vertex.
 #include "core/models/stl.h"
 
 #include <gtest/gtest.h>
 
 #include <array>
-#include <limits>
 #include <map>
 #include <string>
 #include <vector>
 
-#include "tests/core/models/read_file.h"
+#include "tests/core/models/stl_files.h"
 
 namespace tia {
 namespace {
 
 using namespace test;
-
-using StlTriangle = std::array<float, 9>;
-
-std::string stl_bytes(const std::vector<StlTriangle>& triangles, const std::string& head = "") {
-  std::string file = head;
-  file.resize(80, ' ');
-  file += bytes_of_number(static_cast<std::uint32_t>(triangles.size()));
-  for (const StlTriangle& triangle : triangles) {
-    for (int i = 0; i < 3; ++i) file += bytes_of_number(std::numeric_limits<float>::quiet_NaN());
-    for (const float x : triangle) file += bytes_of_number(x);
-    file += "\x7F\x7F";  // attributes
-  }
-  return file;
-}
-
-// As many digits as tell doubles apart.
-std::string stl_text(const std::vector<StlTriangle>& triangles, const std::string& name) {
-  std::ostringstream text;
-  text.precision(17);
-  text << "solid " << name << "\n";
-  for (const StlTriangle& t : triangles) {
-    text << "  facet normal 0 0 1\n    outer loop\n";
-    for (std::size_t i = 0; i < 9; i += 3)
-      text << "      vertex " << double{t[i]} << " " << double{t[i + 1]} << " " << double{t[i + 2]}
-           << "\n";
-    text << "    endloop\n  endfacet\n";
-  }
-  text << "endsolid " << name << "\n";
-  return text.str();
-}
-
-ReadFile read_stl_file(const std::string& file, const ModelLimits& limits = {}) {
-  return read_file(read_stl, file, limits);
-}
-
-const std::string stl_facet =
-    "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n";
-
-// Corners on a coarse grid, so that many are equal; 0 of either sign.
-std::vector<StlTriangle> stl_on_a_grid(Random& random, int count, int grid) {
-  std::vector<StlTriangle> triangles(static_cast<std::size_t>(count));
-  for (StlTriangle& triangle : triangles)
-    for (float& x : triangle) {
-      x = static_cast<float>(random.whole(-grid, grid)) * 0.1F;
-      if (x == 0 && random.chance(0.5)) x = -x;
-    }
-  return triangles;
-}
 
 // By a search tree of triples.
 void expect_shared(const std::vector<StlTriangle>& triangles, const ModelPart& part) {
@@ -85,12 +36,12 @@ void expect_shared(const std::vector<StlTriangle>& triangles, const ModelPart& p
 TEST(Stl, BytesAreKnownByTheirNumberAlone) {
   const std::string file = stl_bytes({StlTriangle{}, StlTriangle{}});
   EXPECT_EQ(file.size(), 184U);
-  EXPECT_TRUE(is_stl(bytes_of(file)));
-  EXPECT_FALSE(is_stl(bytes_of(file + "x")));
-  EXPECT_FALSE(is_stl(bytes_of(file.substr(0, 183))));
+  EXPECT_TRUE(is_stl(model_bytes(file)));
+  EXPECT_FALSE(is_stl(model_bytes(file + "x")));
+  EXPECT_FALSE(is_stl(model_bytes(file.substr(0, 183))));
   EXPECT_FALSE(is_stl({}));
   for (std::size_t size = 0; size < file.size(); ++size) {
-    EXPECT_FALSE(is_stl(bytes_of(file).first(size))) << size;
+    EXPECT_FALSE(is_stl(model_bytes(file).first(size))) << size;
     EXPECT_EQ(read_stl_file(file.substr(0, size)).fault().kind, FaultKind::malformed) << size;
   }
 }
@@ -100,23 +51,23 @@ TEST(Stl, CountsThatOverflowAreNone) {
   const auto with_count = [&](std::uint32_t count) {
     return file.replace(80, 4, bytes_of_number(count));
   };
-  EXPECT_FALSE(is_stl(bytes_of(with_count(0xFFFFFFFFU))));
+  EXPECT_FALSE(is_stl(model_bytes(with_count(0xFFFFFFFFU))));
   // 50 times 2^31 is a multiple of 2^32.
-  EXPECT_FALSE(is_stl(bytes_of(with_count(0x80000001U))));
-  EXPECT_TRUE(is_stl(bytes_of(with_count(1))));
+  EXPECT_FALSE(is_stl(model_bytes(with_count(0x80000001U))));
+  EXPECT_TRUE(is_stl(model_bytes(with_count(1))));
 }
 
 TEST(Stl, BytesThatBeginAsATextAreBytes) {
-  const ReadFile read = read_stl_file(stl_bytes({{0, 0, 0, 1, 0, 0, 0, 1, 0}}, "solid of bytes"));
+  const ReadModel read = read_stl_file(stl_bytes({{0, 0, 0, 1, 0, 0, 0, 1, 0}}, "solid of bytes"));
   EXPECT_TRUE(read.faults.empty());
   EXPECT_EQ(read.part().triangles(), 1U);
 }
 
 TEST(Stl, TextsBeginWithTheWordSolid) {
   for (const char* text : {"solid", "solid x", " \r\n\tSOLID\nfacet"})
-    EXPECT_TRUE(is_stl(bytes_of(text))) << text;
+    EXPECT_TRUE(is_stl(model_bytes(text))) << text;
   for (const char* text : {"", "soli", "solids", "so lid", "x solid", "ply\n"})
-    EXPECT_FALSE(is_stl(bytes_of(text))) << text;
+    EXPECT_FALSE(is_stl(model_bytes(text))) << text;
 }
 
 // ---- what comes out -------------------------------------------------------------------------
@@ -137,7 +88,7 @@ TEST(Stl, ACubeHasEightVertices) {
        {std::array{0, 2, 3, 1}, std::array{4, 5, 7, 6}, std::array{0, 1, 5, 4},
         std::array{2, 6, 7, 3}, std::array{0, 4, 6, 2}, std::array{1, 3, 7, 5}})
     add(side);
-  const ReadFile read = read_stl_file(stl_bytes(cube));
+  const ReadModel read = read_stl_file(stl_bytes(cube));
   ASSERT_TRUE(read.faults.empty());
   EXPECT_EQ(read.part().vertices(), 8U);
   EXPECT_EQ(read.part().triangles(), 12U);
@@ -166,7 +117,7 @@ TEST(Stl, EqualCornersAreOneVertexInTheOrderOfTheFile) {
   for (const int count : {1, 10, 11, 300, 6000})
     for (const int grid : {0, 1, 4, 60}) {
       const auto triangles = stl_on_a_grid(random, count, grid);
-      const ReadFile read = read_stl_file(stl_bytes(triangles));
+      const ReadModel read = read_stl_file(stl_bytes(triangles));
       ASSERT_TRUE(read.faults.empty());
       expect_shared(triangles, read.part());
     }
@@ -192,7 +143,7 @@ TEST(Stl, CornersOfOneHashAreSharedAsOthersAre) {
   std::vector<StlTriangle> triangles(2 * corners.size() / 9);
   for (std::size_t i = 0; i < triangles.size(); ++i)
     for (std::size_t k = 0; k < 9; ++k) triangles[i][k] = corners[(9 * i + k) % corners.size()];
-  const ReadFile read = read_stl_file(stl_bytes(triangles));
+  const ReadModel read = read_stl_file(stl_bytes(triangles));
   ASSERT_TRUE(read.faults.empty());
   EXPECT_EQ(read.part().vertices(), 30'000U);
   expect_shared(triangles, read.part());
@@ -202,8 +153,8 @@ TEST(Stl, TextEqualsBytes) {
   Random random(812);
   for (int i = 0; i < 20; ++i) {
     const auto triangles = stl_on_a_grid(random, random.whole(1, 40), 3);
-    const ReadFile bytes = read_stl_file(stl_bytes(triangles)),
-                   text = read_stl_file(stl_text(triangles, ""));
+    const ReadModel bytes = read_stl_file(stl_bytes(triangles)),
+                    text = read_stl_file(stl_text(triangles, ""));
     ASSERT_TRUE(text.faults.empty()) << describe(text.fault());
     EXPECT_EQ(text.model, bytes.model);
   }
@@ -213,7 +164,7 @@ TEST(Stl, NumbersOfATextAreDoublesButEqualAsFloats) {
   const std::string text =
       "solid\nfacet normal a b c outer loop vertex +0.1 -.5e+1 5. vertex 0.10000000001 -5 +5\n"
       "vertex 1e-400 -1e-400 1e-30 endloop endfacet endsolid";
-  const ReadFile read = read_stl_file(text);
+  const ReadModel read = read_stl_file(text);
   ASSERT_TRUE(read.faults.empty());
   EXPECT_EQ(read.part().positions, (std::vector<double>{0.1, -5, 5, 0, 0, 1e-30}));
   EXPECT_EQ(read.part().indices, (std::vector<std::uint32_t>{0, 0, 1}));
@@ -224,7 +175,7 @@ TEST(Stl, EachSolidIsAMeshAndANodeOfItsName) {
   std::string loud = stl_facet;
   for (char& c : loud) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
   text += loud + "endsolid other name\nsolid none\nendsolid none\n";
-  const ReadFile read = read_stl_file(text);
+  const ReadModel read = read_stl_file(text);
   ASSERT_TRUE(read.faults.empty()) << describe(read.fault());
   ASSERT_EQ(read.model.meshes.size(), 2U);
   EXPECT_EQ(read.model.meshes[0].name, "a lid");
@@ -236,103 +187,6 @@ TEST(Stl, EachSolidIsAMeshAndANodeOfItsName) {
   EXPECT_EQ(read.part(1).triangles(), 1U);
   ASSERT_EQ(read.model.warnings.size(), 1U);
   EXPECT_EQ(read.model.warnings[0].line, 27U);
-}
-
-// ---- what is refused ------------------------------------------------------------------------
-
-struct StlRefused {
-  std::string text;
-  FaultKind kind;
-  std::size_t line;
-};
-
-TEST(Stl, AFaultOfATextTellsItsLine) {
-  const std::string head = "solid x\nfacet normal 0 0 1\nouter loop\n";
-  for (const StlRefused& each :
-       std::vector<StlRefused>{{"solid x\n", FaultKind::malformed, 2},
-                               {"solid x\nfacets", FaultKind::malformed, 2},
-                               {"solid x\nendsolid\n\nsolit", FaultKind::malformed, 4},
-                               {"solid x\r\nfacet\r\nabnormal", FaultKind::malformed, 3},
-                               {"solid x\rfacet\rabnormal", FaultKind::malformed, 3},
-                               {"solid x\nfacet normal 0 0\nouter loop", FaultKind::malformed, 3},
-                               {head + "vertex 1 2\nvertex 1 2 3", FaultKind::malformed, 5},
-                               {head + "vertex 1 2 0x3", FaultKind::malformed, 4},
-                               {head + "vertex 1 2 +-3", FaultKind::malformed, 4},
-                               {head + "vertex 1 2 3 4", FaultKind::malformed, 4},
-                               {head + "vertex 1 2 nan\n", FaultKind::out_of_range, 4},
-                               {head + "vertex 1 1e10 3\n", FaultKind::out_of_range, 4},
-                               {head + "vertex 1 -1e999 3\n", FaultKind::out_of_range, 4},
-                               {head + "vertex 0 0 0\nvertex 0 0 0\nvertex 0 0 0\nvertex 0 0 0",
-                                FaultKind::malformed, 7}}) {
-    const ReadFile read = read_stl_file(each.text);
-    ASSERT_FALSE(read.faults.empty()) << each.text;
-    EXPECT_EQ(read.fault().kind, each.kind) << each.text;
-    EXPECT_EQ(read.fault().line, each.line) << each.text;
-  }
-}
-
-TEST(Stl, CornersAreFiniteAndNear) {
-  for (const float x : {std::numeric_limits<float>::quiet_NaN(), 2e9F, -2e9F,
-                        std::numeric_limits<float>::infinity()}) {
-    std::vector<StlTriangle> triangles(30, StlTriangle{0, 0, 0, 1, 0, 0, 0, 1, 0});
-    triangles[3][7] = x;
-    ReadFile read = read_stl_file(stl_bytes(triangles));
-    ASSERT_EQ(read.faults.size(), 1U);
-    EXPECT_EQ(read.fault().kind, FaultKind::out_of_range);
-    EXPECT_NE(read.fault().allowed.find("triangle 3"), std::string::npos);
-    for (StlTriangle& triangle : triangles) triangle[0] = x;
-    EXPECT_EQ(read_stl_file(stl_bytes(triangles)).faults.size(), Faults::most);
-  }
-  EXPECT_TRUE(read_stl_file(stl_bytes({{1e9F, -1e9F, 0, 0, 0, 0, 0, 0, 1}})).faults.empty());
-}
-
-TEST(Stl, LimitsAreThoseThatAreGiven) {
-  const auto refused = [](const std::string& file, const ModelLimits& limits) {
-    const ReadFile read = read_stl_file(file, limits);
-    return !read.faults.empty() && read.fault().kind == FaultKind::limit;
-  };
-  const std::string bytes = stl_bytes({{0, 0, 0, 1, 0, 0, 0, 1, 0}, {0, 0, 0, 2, 0, 0, 0, 2, 0}}),
-                    text = "solid a\n" + stl_facet + "endsolid\nsolid b\n" + stl_facet + "endsolid";
-  for (const std::string& file : {bytes, text}) {
-    EXPECT_TRUE(refused(file, {.triangles = 1}));
-    EXPECT_FALSE(refused(file, {.triangles = 2}));
-  }
-  EXPECT_TRUE(refused(bytes, {.vertices = 4}));
-  EXPECT_FALSE(refused(bytes, {.vertices = 5}));
-  EXPECT_TRUE(refused(text, {.vertices = 5}));
-  EXPECT_FALSE(refused(text, {.vertices = 6}));
-  EXPECT_TRUE(refused(text, {.nodes = 1}));
-  EXPECT_FALSE(refused(text, {.nodes = 2}));
-}
-
-TEST(Stl, NothingIsAModelOfNothing) {
-  const ReadFile read = read_stl_file(stl_bytes({}));
-  EXPECT_TRUE(read.faults.empty());
-  EXPECT_TRUE(read.model.meshes.empty());
-}
-
-TEST(Stl, WhatIsCutOffOrDamagedEnds) {
-  const std::string text = "solid a\n" + stl_facet + "endsolid\nsolid b\n" + stl_facet + "endsolid";
-  for (std::size_t size = 0; size <= text.size(); ++size)
-    expect_sound(read_stl_file(text.substr(0, size)));
-  Random random(813);
-  const std::string bytes = stl_bytes(stl_on_a_grid(random, 5, 2));
-  for (int i = 0; i < 1000; ++i) {
-    expect_sound(read_stl_file(damaged(text, random)));
-    expect_sound(read_stl_file(damaged(bytes, random)));
-  }
-}
-
-TEST(Stl, ReadingEndsWhenAsked) {
-  std::stop_source stop;
-  stop.request_stop();
-  std::string text = "solid\n";
-  for (int i = 0; i < 5000; ++i) text += stl_facet;
-  for (const std::string& file : {stl_bytes(std::vector<StlTriangle>(5000)), text + "endsolid\n"}) {
-    Faults faults(stop.get_token());
-    Model model;
-    EXPECT_THROW(read_stl(ModelFiles{{{"a.stl", bytes_of(file)}}, 0}, {}, faults, model), Stopped);
-  }
 }
 
 }  // namespace

@@ -87,7 +87,7 @@ TEST(ModelReader, NamesTheOptionWhereMemoryIsShort) {
   std::string large;
   while (large.size() < 100'000'000) large += std::string(1'000'000, ' ');
   try {
-    reader(200'000'000).read(files_of("solid " + large), {});
+    reader(150'000'000).read(files_of("solid " + large), {});
     ADD_FAILURE();
   } catch (const InputError& error) {
     EXPECT_EQ(error.faults().front().kind, FaultKind::limit);

@@ -8,18 +8,18 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 #include "core/input/errors.h"
 #include "core/models/model.h"
 #include "core/models/model_files.h"
-#include "tests/core/models/file_bytes.h"
 #include "tests/core/support.h"
 
 namespace tia::test {
 
-/// ReadFile: what a reader made of a file.
-struct ReadFile {
+/// ReadModel: what a reader made of a file.
+struct ReadModel {
   Model model;
   std::vector<Fault> faults;
 
@@ -27,12 +27,17 @@ struct ReadFile {
   const Fault& fault() const { return faults.at(0); }
 };
 
+inline ModelBytes model_bytes(std::string_view text) {
+  return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
+}
+
 using ModelReader = void(const ModelFiles&, const ModelLimits&, Faults&, Model&);
 
-inline ReadFile read_file(ModelReader read, std::string_view file, const ModelLimits& limits = {}) {
+inline ReadModel read_model_file(ModelReader read, std::string_view file,
+                                 const ModelLimits& limits = {}) {
   Faults faults;
-  ReadFile out;
-  read(ModelFiles{{{"folder/model", bytes_of(file)}}, 0}, limits, faults, out.model);
+  ReadModel out;
+  read(ModelFiles{{{"folder/model", model_bytes(file)}}, 0}, limits, faults, out.model);
   out.faults = faults.list();
   return out;
 }
@@ -43,7 +48,7 @@ std::string bytes_of_number(Number number) {
   std::uint64_t bits = 0;
   if constexpr (sizeof(Number) == 8) bits = std::bit_cast<std::uint64_t>(number);
   else if constexpr (std::is_same_v<Number, float>) bits = std::bit_cast<std::uint32_t>(number);
-  else bits = static_cast<std::uint64_t>(number);
+  else bits = static_cast<std::make_unsigned_t<Number>>(number);
   std::string bytes;
   for (std::size_t i = 0; i < sizeof number; ++i)
     bytes += static_cast<char>(static_cast<std::uint8_t>(bits >> (8 * i)));
@@ -51,7 +56,7 @@ std::string bytes_of_number(Number number) {
 }
 
 /// A part whose lists fit each other, whose indices are there and whose numbers are finite.
-inline void expect_sound(const ModelPart& part) {
+inline void expect_sound_part(const ModelPart& part) {
   const std::size_t vertices = part.vertices();
   EXPECT_EQ(part.positions.size(), 3 * vertices);
   EXPECT_TRUE(part.normals.empty() || part.normals.size() == 3 * vertices);
@@ -66,15 +71,15 @@ inline void expect_sound(const ModelPart& part) {
 }
 
 /// Either faults, each in words, or a sound model.
-inline void expect_sound(const ReadFile& read) {
+inline void expect_sound_model(const ReadModel& read) {
   for (const Fault& fault : read.faults) EXPECT_FALSE(fault.allowed.empty());
   if (!read.faults.empty()) return;
   for (const ModelMesh& mesh : read.model.meshes)
-    for (const ModelPart& part : mesh.parts) expect_sound(part);
+    for (const ModelPart& part : mesh.parts) expect_sound_part(part);
 }
 
 /// The file, of which some bytes are others.
-inline std::string damaged(std::string file, Random& random) {
+inline std::string damaged_file(std::string file, Random& random) {
   for (int i = random.whole(1, 4); i > 0; --i) {
     const auto at = static_cast<std::size_t>(random.below(static_cast<int>(file.size())));
     file[at] = static_cast<char>(random.chance(0.5) ? random.below(256) : random.whole(' ', '9'));
