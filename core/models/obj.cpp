@@ -4,9 +4,9 @@
 #include <array>
 #include <string_view>
 
-#include "core/models/obj_content.h"
 #include "core/models/obj_lines.h"
 #include "core/models/obj_parts.h"
+#include "core/models/obj_statements.h"
 
 namespace tia {
 namespace {

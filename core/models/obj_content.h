@@ -7,9 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "core/input/errors.h"
-#include "core/models/model.h"
-#include "core/models/model_files.h"
 #include "core/models/obj_corner.h"
 
 namespace tia {
@@ -54,10 +51,5 @@ struct ObjContent {
     return !has_zero_normals || n[0] != 0 || n[1] != 0 || n[2] != 0;
   }
 };
-
-/// Reads the main file, and the materials of the files that it names into the model. Errors: as
-/// faults, with lines. Cost: linear in the files.
-ObjContent read_obj_content(const ModelFiles& files, const ModelLimits& limits, Faults& faults,
-                            Model& model);
 
 }  // namespace tia

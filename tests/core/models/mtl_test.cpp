@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "core/models/mtl_maps.h"
 #include "tests/core/models/obj_files.h"
 
 namespace tia::test {

@@ -1,4 +1,4 @@
-#include "core/models/obj_content.h"
+#include "core/models/obj_statements.h"
 
 #include <functional>
 #include <map>
