@@ -124,16 +124,26 @@ in_shares() {
 fixed_addresses=()
 if setarch -R true 2>/dev/null; then fixed_addresses=(setarch -R); fi
 
-# googletest PRESET PROGRAM [WAITING]: as many shares of the tests at once as there are processors;
-# and as many more of those that match WAITING, which use none.
-googletest() { in_shares $(($(nproc) * ${3:+2*}1)) googletest "$@"; }
+# googletest PRESET PROGRAM [WAITING MEASURING]: as many shares of the tests at once as there are
+# processors; and as many more of those that match WAITING, which use none. Then those that match
+# MEASURING, alone.
+googletest() {
+  in_shares $(($(nproc) * ${3:+2*}1)) googletest "$@"
+  if [ -n "${4:-}" ]; then in_shares 1 alone "$@"; fi
+}
 emulator=()  # that it runs in
 googletest_share() {
-  local processors filter=${4:+-$4}
+  local processors filter=${4:+-$4:$5}
   processors=$(nproc)
   if [ "$1" -ge "$processors" ]; then filter=$4; fi
-  GTEST_TOTAL_SHARDS=$processors GTEST_SHARD_INDEX=$(($1 % processors)) timeout 900 \
-    "${fixed_addresses[@]}" "${emulator[@]}" "build/$2/tests/$3" --gtest_filter="${filter:-*}"
+  test_program $(($1 % processors)) "$processors" "${filter:-*}" "${@:2}"
+}
+alone_share() { test_program 0 1 "$5" "${@:2}"; }
+alone_count() { googletest_count "$@"; }
+# test_program SHARE SHARES FILTER PRESET PROGRAM...
+test_program() {
+  GTEST_SHARD_INDEX=$1 GTEST_TOTAL_SHARDS=$2 timeout 900 \
+    "${fixed_addresses[@]}" "${emulator[@]}" "build/$4/tests/$5" --gtest_filter="$3"
 }
 googletest_count() {
   local total good skipped
@@ -177,8 +187,9 @@ step_release() {
   build_release || true
 }
 step_core() { googletest release core_tests; }
-step_server() { googletest release server_tests "$waiting"; }
+step_server() { googletest release server_tests "$waiting" "$measuring"; }
 waiting='Timeouts.*:Body.*:Drain.*:*Ending.*:Connections.*:Serve.*'  # for limits of time to pass
+measuring='SoakOverload.*'  # how soon the program answers
 step_memory() { googletest release memory_tests; }
 step_page() {
   ahead portable asan
@@ -306,7 +317,7 @@ step_asan() {
   rm -rf build/asan/counts
   googletest asan core_tests
   ahead tsan
-  googletest asan server_tests "$waiting"
+  googletest asan server_tests "$waiting" "$measuring"
   googletest asan memory_tests
 }
 
@@ -327,7 +338,7 @@ step_tsan() {
   build_tsan || return 0
   # Its packages, if they are to come, may renew headers.
   if [ -z "$(missing_packages arm64)" ]; then ahead arm64; fi
-  TSAN_OPTIONS="suppressions=$ROOT/tests/tsan.supp" googletest tsan server_tests "$waiting"
+  TSAN_OPTIONS="suppressions=$ROOT/tests/tsan.supp" googletest tsan server_tests "$waiting" "$measuring"
 }
 
 # Each fuzzer for FUZZ_SECONDS, from the seeds on, all at once, each with a third of a processor,
