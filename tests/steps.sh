@@ -82,7 +82,8 @@ await_ahead() {
   wait "$being_built" || true
   being_built=
 }
-leave_ahead() { if [ -n "$being_built" ]; then kill -- -"$being_built" || true; fi; }
+signal_ahead() { if [ -n "$being_built" ]; then kill -s "$1" -- -"$being_built" || true; fi; }
+leave_ahead() { signal_ahead TERM && signal_ahead CONT; }
 
 # show FILE: an output but for the tests that pass.
 show() {
@@ -126,10 +127,13 @@ if setarch -R true 2>/dev/null; then fixed_addresses=(setarch -R); fi
 
 # googletest PRESET PROGRAM [WAITING MEASURING]: as many shares of the tests at once as there are
 # processors; and as many more of those that match WAITING, which use none. Then those that match
-# MEASURING, alone.
+# MEASURING, alone: what is built ahead stands still.
 googletest() {
   in_shares $(($(nproc) * ${3:+2*}1)) googletest "$@"
-  if [ -n "${4:-}" ]; then in_shares 1 alone "$@"; fi
+  [ -n "${4:-}" ] || return 0
+  signal_ahead STOP
+  in_shares 1 alone "$@"
+  signal_ahead CONT
 }
 emulator=()  # that it runs in
 googletest_share() {
