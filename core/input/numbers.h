@@ -6,17 +6,18 @@
 #include <vector>
 
 #include "core/input/codec.h"
+#include "core/input/shared_list.h"
 
 namespace tia {
 
 /// Numbers: a list of T, which is float or std::uint32_t. In JSON an array of numbers, or the
 /// little-endian bytes of the T in base64: {"float32": "…"}, {"uint32": "…"}. It is always written
 /// as the array, so that equal lists have equal text. Float lists keep double, which holds the
-/// numbers of both spellings exactly.
+/// numbers of both spellings exactly. Copies share the list until one of them changes it.
 template <class T>
 struct Numbers {
   using Number = std::conditional_t<std::is_floating_point_v<T>, double, T>;
-  std::vector<Number> values;
+  SharedList<Number> values;
   bool operator==(const Numbers&) const = default;
 };
 

@@ -47,6 +47,21 @@ class SharedList {
   T& front() { return edit().front(); }
   T& back() { return edit().back(); }
   void clear() { list_.reset(); }
+  void assign(std::initializer_list<T> values) { edit().assign(values); }
+  template <class Iterator>
+  void assign(Iterator first, Iterator last) {
+    edit().assign(first, last);
+  }
+  /// Puts values before one of its own. Cost: as std::vector's.
+  void insert(typename List::const_iterator before, std::initializer_list<T> values) {
+    insert(before, values.begin(), values.end());
+  }
+  template <class Iterator>
+  void insert(typename List::const_iterator before, Iterator first, Iterator last) {
+    const auto at = before - begin();  // its own list may be another one
+    List& list = edit();
+    list.insert(list.begin() + at, first, last);
+  }
   void push_back(T value) { edit().push_back(std::move(value)); }
   template <class... Arguments>
   T& emplace_back(Arguments&&... arguments) {

@@ -69,7 +69,7 @@ std::size_t heap(const SharedValue& value) { return block + sizeof(Value) + heap
 std::size_t heap(const TransformSteps& placement) { return heap_of(placement.steps); }
 template <class T>
 std::size_t heap(const Numbers<T>& numbers) {
-  return heap_of(numbers.values);
+  return numbers.values.empty() ? 0 : heap_of(numbers.values);
 }
 std::size_t heap(const VoxelList& occupied) { return heap_of(occupied.numbers); }
 std::size_t heap(const PictureFile& file) {

@@ -59,7 +59,7 @@ class Digester {
   }
   template <class T>
   void add(const Numbers<T>& numbers) {
-    const auto& values = numbers.values;
+    const auto& values = numbers.values.get();
     add(values.size());
     add(values.data(), values.size() * sizeof(values[0]));
   }

@@ -19,14 +19,15 @@ double extent(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
 
 }  // namespace
 
-MeshIndex::MeshIndex(const Mesh& mesh, const Workers& workers) : positions(mesh.positions.values) {
+MeshIndex::MeshIndex(const Mesh& mesh, const Workers& workers)
+    : positions(mesh.positions.values.get()) {
   normals.reserve(mesh.normals.values.size() / 3);
   for (std::size_t i = 0; i < mesh.normals.values.size() / 3; ++i)
-    normals.push_back(normalize(triple(mesh.normals.values, i)));
+    normals.push_back(normalize(triple(mesh.normals.values.get(), i)));
   uvs.reserve(mesh.uvs.values.size() / 2);
   for (std::size_t i = 0; i < mesh.uvs.values.size() / 2; ++i)
     uvs.push_back({mesh.uvs.values[2 * i], mesh.uvs.values[2 * i + 1]});
-  const auto& numbers = mesh.indices.values;
+  const auto& numbers = mesh.indices.values.get();
   triangles.reserve(numbers.size() / 3);
   for (std::size_t i = 0; i < numbers.size(); i += 3)
     triangles.push_back({numbers[i], numbers[i + 1], numbers[i + 2]});

@@ -60,8 +60,8 @@ Forms areas_of(const Cylinder& c, const Affine& place) {
   return {CylinderArea{place.point(c.base), place.vector(c.cap - c.base), c.radius * scale}};
 }
 Forms areas_of(const Mesh& mesh, const Affine& place) {
-  const auto& indices = mesh.indices.values;
-  const auto& positions = mesh.positions.values;
+  const auto& indices = mesh.indices.values.get();
+  const auto& positions = mesh.positions.values.get();
   if (indices.size() / 3 > most_areas) return {};
   const auto corner = [&](std::size_t i) {
     const auto at = 3 * static_cast<std::size_t>(indices[i]);

@@ -38,7 +38,7 @@ void Mesh::check(const Place& at, Faults& faults) const {
       faults.add({FaultKind::out_of_range, all_indices.at(i).pointer(),
                   Value(static_cast<double>(indices.values[i])),
                   "the index of a position, from 0 to " + std::to_string(vertices() - 1)});
-  const auto& n = normals.values;
+  const auto& n = normals.values.get();
   for (std::size_t i = 0; i + 2 < n.size() && !faults.full(); i += 3) {
     const Vec3d normal{n[i], n[i + 1], n[i + 2]};
     if (dot(normal, normal) == 0)

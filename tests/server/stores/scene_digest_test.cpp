@@ -133,10 +133,11 @@ TEST(SceneDigest, TellsWhichListANumberIsIn) {
   many.positions.values = {0, 0, 0, 1, 0, 0, 0, 1, 0};
   many.indices.values = {0, 1, 2, 0, 1, 2, 0, 1, 2};
   Mesh few = many;
-  few.indices.values.resize(3);
+  few.indices.values.edit().resize(3);
   static_assert(sizeof(many.positions.values[0]) == 2 * sizeof(many.indices.values[0]));
-  few.positions.values.resize(12);
-  std::memcpy(&few.positions.values[9], many.indices.values.data(), 6 * sizeof(std::uint32_t));
+  few.positions.values.edit().resize(12);
+  std::memcpy(&few.positions.values[9], many.indices.values.get().data(),
+              6 * sizeof(std::uint32_t));
   EXPECT_TRUE(expect_told_apart(one_mesh(many), one_mesh(few)));
 }
 
