@@ -120,26 +120,6 @@ void move_with_skin(const Pose& pose, const ModelSkin& skin, const ModelPart& pa
   }
 }
 
-// So many vertices are placed one by one, which takes a second; of those beyond a box is, for a
-// short file may name a large mesh many times.
-constexpr std::uint64_t most_placed_vertices = std::uint64_t{1} << 26U;
-
-Aabb bounds_at(const std::vector<Affine>& places, const PartShape& shape, std::uint64_t& left) {
-  const std::size_t vertices = shape.positions.size() / 3;
-  Aabb own, box;
-  for (std::size_t i = 0; i < vertices; ++i) own = around(own, three_at(shape.positions, i));
-  for (const Affine& place : places) {
-    if (left < vertices) {
-      box = around(box, bounds_of(place, own));
-      continue;
-    }
-    left -= vertices;
-    for (std::size_t i = 0; i < vertices; ++i)
-      box = around(box, place.point(three_at(shape.positions, i)));
-  }
-  return box;
-}
-
 bool has_nothing(const std::vector<double>& normals) {
   for (std::size_t i = 0; i + 2 < normals.size(); i += 3) {
     const double squared =
@@ -201,6 +181,23 @@ PartShape shape_of(const Model& model, const Pose& pose, ModelIndex number, cons
   return shape;
 }
 
+Aabb bounds_at(const std::vector<Affine>& places, const std::vector<double>& positions,
+               std::uint64_t& left) {
+  const std::size_t vertices = positions.size() / 3;
+  Aabb own, box;
+  for (std::size_t i = 0; i < vertices; ++i) own = around(own, three_at(positions, i));
+  for (const Affine& place : places) {
+    if (left < vertices) {
+      box = around(box, bounds_of(place, own));
+      continue;
+    }
+    left -= vertices;
+    for (std::size_t i = 0; i < vertices; ++i)
+      box = around(box, place.point(three_at(positions, i)));
+  }
+  return box;
+}
+
 Aabb bounds_of(const Model& model, const Pose& pose) {
   Aabb box;
   std::uint64_t left = most_placed_vertices;
@@ -210,7 +207,7 @@ Aabb bounds_of(const Model& model, const Pose& pose) {
     const std::vector<Affine> places =
         node.skin ? std::vector<Affine>{{}} : places_of(node, pose.places[number]);
     for (const ModelPart& part : model.meshes[*node.mesh].parts)
-      box = around(box, bounds_at(places, shape_of(model, pose, number, part), left));
+      box = around(box, bounds_at(places, shape_of(model, pose, number, part).positions, left));
   }
   return box;
 }

@@ -1,6 +1,7 @@
 // Where a model's nodes are at a moment.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "core/math/aabb.h"
@@ -38,8 +39,13 @@ struct PartShape {
 };
 PartShape shape_of(const Model& model, const Pose& pose, ModelIndex node, const ModelPart& part);
 
-/// The box around all vertices that a pose shows; empty where it shows none. Of more than 2^26,
-/// each as often as its mesh is placed, the boxes of the rest count, which may be larger.
+/// So many vertices are placed one by one for their box, which takes a second; of those beyond a
+/// box is, which may be larger: a short file may name a large mesh many times.
+inline constexpr std::uint64_t most_placed_vertices = std::uint64_t{1} << 26U;
+/// The box around a part's vertices in all its places, as many of them one by one as are `left`.
+Aabb bounds_at(const std::vector<Affine>& places, const std::vector<double>& positions,
+               std::uint64_t& left);
+/// The box around all vertices that a pose shows, as bounds_at finds it; empty where it shows none.
 Aabb bounds_of(const Model& model, const Pose& pose);
 
 }  // namespace tia

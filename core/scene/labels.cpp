@@ -8,12 +8,17 @@ namespace {
 /// What a visit is told of each thing that a ray can meet: its name, if it has one, and its type.
 using Visit = std::function<void(const std::string& name, std::string_view type, const Place&)>;
 
-void visit_objects(const std::vector<Object>& list, const Place& at, const Visit& visit) {
+// What a model stands for is not in the JSON: its place is the model's.
+void visit_objects(const std::vector<Object>& list, const Place& at, bool in_model,
+                   const Visit& visit) {
   for (std::size_t i = 0; i < list.size(); ++i) {
     const Object& object = list[i];
-    const Place here = at.at(i);
+    const Place element = at.at(i);
+    const Place& here = in_model ? at : element;
     if (is_many(object)) {
-      visit_objects(*children_of(object), here.at("children"), visit);
+      const Place children = here.at("children");
+      const bool inside = in_model || std::holds_alternative<PlacedModel>(object.shape);
+      visit_objects(*children_of(object), inside ? here : children, inside, visit);
       continue;
     }
     const auto type = [](const auto& shape) { return std::string_view(shape.type); };
@@ -29,7 +34,7 @@ void visit_light(const Light& light, const Place& at, const Visit& visit) {
 // Of all of them, in the order of their numbers.
 void visit_all(const Scene& scene, const Visit& visit) {
   const Place all{}, lights = all.at("lights");
-  visit_objects(scene.objects, all.at("objects"), visit);
+  visit_objects(scene.objects, all.at("objects"), false, visit);
   for (std::size_t i = 0; i < scene.lights.size(); ++i)
     visit_light(scene.lights[i], lights.at(i), visit);
   if (scene.key_light) visit_light(*scene.key_light, all.at("key_light"), visit);

@@ -83,8 +83,9 @@ class TreeCheck {
 
   // Each is a part of its own to the tracer: a few bytes would cost hundreds.
   void count_materials(const Object& object, const Place& at) {
-    numbered_ += object.materials.size();
-    if (!object.materials.empty() && numbered_ > most_numbered)
+    const std::size_t own = numbered_materials(object).size();
+    numbered_ += own;
+    if (own > 0 && numbered_ > most_numbered)
       faults_.add({FaultKind::limit, at.at("materials").pointer(), std::nullopt,
                    "at most " + std::to_string(most_numbered) +
                        " numbered materials of all objects together"});
@@ -211,9 +212,12 @@ void Scene::check_material_names(const std::vector<Object>& list, const Place& a
     if (const auto* children = children_of(list[i]))
       check_material_names(*children, object.at("children"), faults);
     if (list[i].material) check_material_name(*list[i].material, object.at("material"), faults);
-    const Place numbered = object.at("materials");
-    for (std::size_t k = 0; k < list[i].materials.size() && !faults.full(); ++k)
-      check_material_name(list[i].materials[k], numbered.at(k), faults);
+    const Place several = object.at("materials");
+    const std::vector<MaterialRef>& numbered = numbered_materials(list[i]);
+    for (std::size_t k = 0; k < numbered.size() && !faults.full(); ++k)
+      check_material_name(numbered[k], several.at(k), faults);
+    for (const auto& [name, material] : named_materials(list[i]))
+      if (!faults.full()) check_material_name(material, several.at(name), faults);
   }
 }
 

@@ -12,6 +12,7 @@
 #include "core/shapes/algebraic/quadric.h"
 #include "core/shapes/composite/csg.h"
 #include "core/shapes/composite/group.h"
+#include "core/shapes/composite/placed_model.h"
 #include "core/shapes/crossing.h"
 #include "core/shapes/formula/explicit.h"
 #include "core/shapes/formula/implicit.h"
@@ -46,11 +47,11 @@ concept ChecksItsNumbers = !IsSurface<S> || requires {
   requires IsNumbered<S>
   == NumbersMaterials<FormOf<S>>;
 };
-/// A kind that holds other objects: `children`, and whether they are `one_object`, parts of one
+/// A kind that holds other objects: its children, and whether they are `one_object`, parts of one
 /// solid, or objects of their own.
 template <class S>
 concept IsComposite = requires(const S& s) {
-  { s.children } -> std::same_as<const std::vector<Object>&>;
+  { children_in(s) } -> std::same_as<const std::vector<Object>&>;
   { S::one_object } -> std::convertible_to<bool>;
 };
 /// What a kind must bring: its name and fields, and what it is made of. (A mesh is triangles, for
@@ -67,7 +68,7 @@ using ShapeList = std::variant<ListedShape<Kinds>...>;
 
 using Shape = ShapeList<Sphere, Plane, Disc, Box, Cylinder, Cone, Capsule, Triangle, Mesh, Torus,
                         Quadric, Algebraic, Steiner, BarthSextic, Chmutov, Heart, Clebsch, Cayley,
-                        Implicit, Explicit, Parametric, Blend, Voxels, Csg, Group>;
+                        Implicit, Explicit, Parametric, Blend, Voxels, Csg, Group, PlacedModel>;
 
 /// Form: what the kinds of the list prepare to, several of them perhaps to the same.
 using Form = FormsOf<Shape>;

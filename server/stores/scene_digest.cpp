@@ -2,6 +2,7 @@
 
 #include <openssl/evp.h>
 
+#include <map>
 #include <memory>
 #include <new>
 #include <type_traits>
@@ -103,12 +104,20 @@ class Digester {
     add(step.by);
   }
   void add(const Mesh& mesh) {
-    Digester own(meshes_);
-    Mesh::fields(Fields<Mesh>{own, mesh});
-    const ObjectsName name = own.done();
-    meshes_.emplace(&mesh, name.digest);
-    add(name.digest);
-    bytes_ += name.bytes;
+    auto [known, is_new] = known_.try_emplace(lists_of(mesh));
+    if (is_new) {  // of meshes that share their lists only one is gone through, and takes memory
+      Digester own(meshes_);
+      Mesh::fields(Fields<Mesh>{own, mesh});
+      const ObjectsName name = own.done();
+      known->second = name.digest;
+      bytes_ += name.bytes;
+    }
+    meshes_.emplace(&mesh, known->second);
+    add(known->second);
+  }
+  void add(const PlacedModel& model) {
+    PlacedModel::fields(Fields<PlacedModel>{*this, model});
+    add(children_in(model));
   }
   template <Described T>
   void add(const T& value) {
@@ -150,6 +159,7 @@ class Digester {
     void operator()(EVP_MD_CTX* context) const { EVP_MD_CTX_free(context); }
   };
   Meshes& meshes_;
+  std::map<MeshLists, Digest> known_;
   std::unique_ptr<EVP_MD_CTX, Free> context_;
   std::array<unsigned char, 1024> buffer_;  // calls for a number each would cost more than SHA-256
   std::size_t used_ = 0, bytes_ = 0;

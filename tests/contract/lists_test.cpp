@@ -67,6 +67,7 @@ static_assert(IsSurface<UncheckedNumbers> && !IsShape<UncheckedNumbers>);
 struct UntoldComposite : Described<UntoldComposite> {
   std::vector<Object> children;
 };
+const std::vector<Object>& children_in(const UntoldComposite& composite);
 static_assert(!IsShape<UntoldComposite>);
 
 // ---- materials, textures --------------------------------------------------------------------

@@ -330,6 +330,7 @@ export default {
     type_quad: 'luminous panel',
     type_sky: 'sky',
     type_voxels: 'voxels',
+    type_model: 'model',
   },
   compare: {
     tab: 'Compare',

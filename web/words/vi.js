@@ -330,6 +330,7 @@ export default {
     type_quad: 'tấm phát sáng',
     type_sky: 'bầu trời',
     type_voxels: 'khối lập phương nhỏ',
+    type_model: 'mô hình',
   },
   compare: {
     tab: 'So sánh',

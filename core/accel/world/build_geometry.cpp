@@ -61,9 +61,9 @@ class Compiler {
   }
   // Domain: the object's primitive has just been added.
   void add_numbered(const Object& object) {
-    if (object.materials.empty()) return;
+    if (numbered_materials(object).empty()) return;
     std::vector<int> shadings;
-    for (const MaterialRef& material : object.materials)
+    for (const MaterialRef& material : numbered_materials(object))
       shadings.push_back(shading_index(material));
     builder_.add_numbered(shadings);
   }
@@ -141,7 +141,11 @@ class Compiler {
     return light;
   }
 
-  void add_kind(const Mesh& mesh, const Setting& own) { builder_.add(mesh_(mesh, workers_), own); }
+  void add_kind(const Mesh& mesh, const Setting& own) {
+    SharedMesh& index = indices_[lists_of(mesh)];
+    if (!index) index = mesh_(mesh, workers_);
+    builder_.add(index, own);
+  }
 
   // ---- composites -----------------------------------------------------------------------------
 
@@ -156,6 +160,10 @@ class Compiler {
     const int inside = geometry_.grids[static_cast<std::size_t>(grid)].inside;
     for (const Object& child : group.children) add(child, {Affine{}, own.shading, inside, false});
     builder_.end_grid(grid, own);
+  }
+
+  void add_kind(const PlacedModel& model, const Setting& own) {
+    for (const Object& child : children_in(model)) add(child, own);
   }
 
   void add_kind(const Csg& csg, const Setting& own) {
@@ -210,6 +218,7 @@ class Compiler {
   Geometry geometry_;
   GeometryBuilder builder_{geometry_, workers_};
   std::map<std::string, int> named_;
+  std::map<MeshLists, SharedMesh> indices_;  // of meshes that share their lists one
 };
 
 }  // namespace

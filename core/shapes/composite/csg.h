@@ -35,6 +35,7 @@ struct Csg {
   }
   bool operator==(const Csg&) const;
 };
+inline const std::vector<Object>& children_in(const Csg& csg) { return csg.children; }
 
 /// Boundary: where a line enters or leaves a solid, and whose surface is there.
 struct Boundary {

@@ -56,5 +56,6 @@ struct Group {
   }
   bool operator==(const Group&) const;
 };
+inline const std::vector<Object>& children_in(const Group& group) { return group.children; }
 
 }  // namespace tia

@@ -1,6 +1,8 @@
 // Triangles that share vertices, as the scene writes them.
 #pragma once
 
+#include <array>
+
 #include "core/input/numbers.h"
 
 namespace tia {
@@ -45,5 +47,12 @@ struct Mesh {
   void check(const Place& at, Faults& faults) const;
   bool operator==(const Mesh&) const = default;
 };
+
+/// MeshLists: where a mesh's lists are in memory. Meshes in which that is the same are equal.
+using MeshLists = std::array<const void*, 4>;
+inline MeshLists lists_of(const Mesh& mesh) {
+  return {mesh.positions.values.get().data(), mesh.indices.values.get().data(),
+          mesh.normals.values.get().data(), mesh.uvs.values.get().data()};
+}
 
 }  // namespace tia

@@ -63,7 +63,10 @@ constexpr const char* rare = R"({"objects": [
     {"type": "triangle", "a": [0, 0, 0], "b": [1, 0, 0], "c": [0, 1, 0], "transform":
       [{"translate": [1, 2, 3]}, {"rotate_degrees": [1, 2, 3]}, {"scale": [1, 2, 3]}]},
     {"type": "mesh", "positions": [0, 0, 0, 1, 0, 0, 0, 1, 0], "indices": [0, 1, 2],
-      "normals": [0, 0, 1, 0, 0.5, 1, 0, 0.25, 1], "uvs": [0, 0, 1, 0, 0, 1]}]})";
+      "normals": [0, 0, 1, 0, 0.5, 1, 0, 0.25, 1], "uvs": [0, 0, 1, 0, 0, 1]},
+    {"type": "model", "id": "a", "scene": 1, "up": "z", "fit": {"min": [0, 0, 0],
+      "max": [1, 2, 3]}, "time": 2, "animation": 3, "variant": "b", "hide": ["c", "d"],
+      "point_radius": 2, "materials": {"e": {"color": 0.5}}}]})";
 
 void collect_leaves(Value& value, std::vector<Value*>& leaves) {
   if (auto* list = value.as<Value::Array>())

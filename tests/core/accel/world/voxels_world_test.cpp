@@ -17,8 +17,10 @@ Object voxels_of(const Voxels& shape) {
   Object object;
   object.shape = shape;
   object.material = matte({0.5, 0.5, 0.5});
-  if (shape.occupied.has_materials())
-    for (const Color& color : cell_colors) object.materials.push_back(matte(color));
+  if (!shape.occupied.has_materials()) return object;
+  std::vector<MaterialRef> materials;
+  for (const Color& color : cell_colors) materials.emplace_back(matte(color));
+  object.materials = std::move(materials);
   return object;
 }
 

@@ -1,0 +1,117 @@
+#include "core/scene/model_objects.h"
+
+#include <utility>
+
+#include "core/scene/model_material.h"
+#include "core/scene/model_place.h"
+
+namespace tia {
+namespace {
+
+TransformSteps steps_of(const Affine& map) {
+  if (map == Affine{}) return {};
+  const auto row = [](double x, double y, double z, double w) {
+    return std::array<double, 4>{x, y, z, w};
+  };
+  return {{Matrix{
+      {{row(map.x.x, map.y.x, map.z.x, map.offset.x), row(map.x.y, map.y.y, map.z.y, map.offset.y),
+        row(map.x.z, map.y.z, map.z.z, map.offset.z), row(0, 0, 0, 1)}}}}};
+}
+
+Vec3d vertex(const std::vector<double>& positions, std::size_t i) {
+  return {positions[3 * i], positions[3 * i + 1], positions[3 * i + 2]};
+}
+
+// The mesh with its vertices moved. Where the map mirrors, front is what turns clockwise.
+Mesh moved(const Mesh& mesh, const Affine& map) {
+  Mesh moved = mesh;
+  moved.normals.values.clear();
+  auto& positions = moved.positions.values.edit();
+  for (std::size_t i = 0; i < moved.vertices(); ++i) {
+    const Vec3d p = map.point(vertex(positions, i));
+    positions[3 * i] = p.x, positions[3 * i + 1] = p.y, positions[3 * i + 2] = p.z;
+  }
+  if (map.determinant() < 0) {
+    auto& indices = moved.indices.values.edit();
+    for (std::size_t i = 0; i + 2 < indices.size(); i += 3)
+      std::swap(indices[i + 1], indices[i + 2]);
+  }
+  return moved;
+}
+
+/// Making: objects of pieces, one after the other.
+class Making {
+ public:
+  Making(const Model& model, const Object& object, const Affine& map, double point_radius)
+      : model_(model), object_(object), map_(map), point_radius_(point_radius) {}
+
+  Object object_of(const ModelPiece& piece, ModelBudget& budget) const {
+    std::vector<Object> all;
+    for (const Affine& place : piece.places) {
+      const Affine whole = map_ * place;
+      if (piece.points) add_balls(piece, whole, all);
+      else all.push_back(placed(piece, whole, budget));
+    }
+    Object made;
+    if (all.size() == 1) made = std::move(all.front());
+    else made.shape = Group{std::move(all), {}};
+    if (!object_.material) made.material = material_for(piece);
+    return made;
+  }
+
+ private:
+  Object placed(const ModelPiece& piece, const Affine& map, ModelBudget& budget) const {
+    if (is_usable(map)) return {piece.name, piece.mesh, steps_of(map), {}};
+    const Mesh& mesh = piece.mesh;
+    if (!budget.take(0, static_cast<std::int64_t>(mesh.vertices() + mesh.triangles()))) return {};
+    return {piece.name, moved(mesh, map), {}, {}};
+  }
+
+  void add_balls(const ModelPiece& piece, const Affine& map, std::vector<Object>& all) const {
+    for (std::size_t i = 0; i < piece.mesh.vertices(); ++i)
+      all.push_back({piece.name,
+                     Sphere{map.point(vertex(piece.mesh.positions.values, i)), point_radius_},
+                     {},
+                     {}});
+  }
+
+  MaterialRef material_for(const ModelPiece& piece) const {
+    const ModelMaterial plain;
+    const ModelMaterial& own = piece.material ? model_.materials[*piece.material] : plain;
+    const auto& named = named_materials(object_);
+    const auto instead = named.find(own.name);
+    return instead != named.end() ? instead->second : Boxed<Material>(material_of(own));
+  }
+
+  const Model& model_;
+  const Object& object_;
+  const Affine map_;
+  const double point_radius_;
+};
+
+// Where there is one point only it has no box to go by.
+double point_radius_of(const PlacedModel& asked, const Aabb& box) {
+  const double diagonal = length(box.size());
+  return asked.point_radius.value_or(diagonal > 0 ? diagonal / 500 : 1.0 / 500);
+}
+
+}  // namespace
+
+std::vector<Object> model_objects(const Model& model, const Object& object,
+                                  const ModelChoice& choice, ModelBudget& budget) {
+  const std::vector<ModelPiece> pieces = pieces_of(model, choice, budget);
+  if (pieces.empty()) return {};
+  const auto& asked = std::get<PlacedModel>(object.shape);
+  const Affine up = upright(choice.up);
+  const Aabb box = bounds_of(up, bounds_of(pieces));
+  const Affine fit = asked.fit ? fitted(*asked.fit, box) : Affine{};
+  const Making making(model, object, fit * up, point_radius_of(asked, bounds_of(fit, box)));
+  std::vector<Object> all;
+  for (const ModelPiece& piece : pieces) {
+    all.push_back(making.object_of(piece, budget));
+    if (budget.is_exceeded()) return {};
+  }
+  return all;
+}
+
+}  // namespace tia

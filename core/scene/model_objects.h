@@ -1,0 +1,19 @@
+// The objects that a model stands for.
+#pragma once
+
+#include <vector>
+
+#include "core/scene/model_pieces.h"
+
+namespace tia {
+
+/// A mesh for each part that a node shows, a group of them where the node has several instances; a
+/// group of balls where the part is points. Each has the part's material, unless the object has one
+/// for all. Where a place is not one that objects can have (is_usable), the vertices are moved
+/// themselves, and their normals are left out. Colours of vertices are left out.
+/// Returns: none where the budget does not reach, which is then exceeded.
+/// Space/units: the object's own, before its transform. Domain: what choice_of has made of both.
+std::vector<Object> model_objects(const Model& model, const Object& object,
+                                  const ModelChoice& choice, ModelBudget& budget);
+
+}  // namespace tia

@@ -1,0 +1,116 @@
+#include "core/scene/model_pieces.h"
+
+#include <map>
+#include <utility>
+
+namespace tia {
+namespace {
+
+// Whether a node moves a part's vertices one by one.
+bool is_posed(const ModelNode& node, const ModelPart& part) {
+  return !part.targets.empty() || (node.skin && !part.joints.empty());
+}
+
+// glTF's v goes downward, the scene's upward.
+Numbers<float> uvs_of(const ModelPart& part) {
+  std::vector<double> uvs = part.uvs[0];
+  for (std::size_t i = 1; i < uvs.size(); i += 2) uvs[i] = 1 - uvs[i];
+  return {std::move(uvs)};
+}
+
+std::int64_t size_of(const ModelPart& part) {
+  return static_cast<std::int64_t>(part.vertices() + part.triangles());
+}
+
+/// Gathering: goes through what a pose shows.
+class Gathering {
+ public:
+  Gathering(const Model& model, const ModelChoice& choice, ModelBudget& budget)
+      : model_(model), choice_(choice), budget_(budget), pose_(pose_of(model, choice.moment)) {}
+
+  std::vector<ModelPiece> pieces() {
+    std::vector<bool> hidden(model_.nodes.size());
+    for (const ModelIndex number : pose_.shown) {  // each after its parent
+      const ModelNode& node = model_.nodes[number];
+      if (is_hidden(node.name)) hidden[number] = true;
+      if (hidden[number])
+        for (const ModelIndex child : node.children) hidden[child] = true;
+      else if (node.mesh && !is_hidden(model_.meshes[*node.mesh].name) && !add(number)) return {};
+    }
+    return std::move(pieces_);
+  }
+
+ private:
+  bool is_hidden(const std::string& name) const { return choice_.hidden.contains(name); }
+
+  MaybeIndex worn_by(const ModelPart& part) const {
+    for (const VariantMaterial& each : part.variants)
+      if (each.variant == choice_.variant) return each.material;
+    return part.material;
+  }
+
+  // Returns: whether the budget reaches.
+  bool add(ModelIndex number) {
+    const ModelNode& node = model_.nodes[number];
+    const ModelMesh& mesh = model_.meshes[*node.mesh];
+    const std::string& name = node.name.empty() ? mesh.name : node.name;
+    // What a skin moves stands in the model's space already.
+    const std::vector<Affine> places =
+        node.skin ? std::vector<Affine>{{}} : places_of(node, pose_.places[number]);
+    for (const ModelPart& part : mesh.parts) {
+      const MaybeIndex material = worn_by(part);
+      if (!part.points && part.indices.empty()) continue;
+      if (material && is_hidden(model_.materials[*material].name)) continue;
+      if (!afford(part, places.size(), is_posed(node, part))) return false;
+      pieces_.push_back(
+          {excerpt_of(name, longest_name), places, material, part.points, mesh_of(number, part)});
+    }
+    return true;
+  }
+
+  bool afford(const ModelPart& part, std::size_t places, bool posed) {
+    const std::int64_t each = part.points ? static_cast<std::int64_t>(part.vertices()) : 1;
+    const bool is_new = posed || !known_.contains(&part);
+    return budget_.take(each * static_cast<std::int64_t>(places), is_new ? size_of(part) : 0);
+  }
+
+  Mesh mesh_of(ModelIndex number, const ModelPart& part) {
+    const bool posed = is_posed(model_.nodes[number], part);
+    const auto [known, is_new] = known_.try_emplace(&part);
+    Mesh& mesh = known->second;
+    if (is_new && !part.points) {
+      mesh.indices.values = part.indices;
+      mesh.uvs = uvs_of(part);
+    }
+    if (is_new || posed) {
+      PartShape shape = shape_of(model_, pose_, number, part);
+      mesh.positions.values = std::move(shape.positions);
+      mesh.normals.values = std::move(shape.normals);
+    }
+    return mesh;
+  }
+
+  const Model& model_;
+  const ModelChoice& choice_;
+  ModelBudget& budget_;
+  Pose pose_;
+  std::map<const ModelPart*, Mesh> known_;
+  std::vector<ModelPiece> pieces_;
+};
+
+}  // namespace
+
+std::vector<ModelPiece> pieces_of(const Model& model, const ModelChoice& choice,
+                                  ModelBudget& budget) {
+  return Gathering(model, choice, budget).pieces();
+}
+
+Aabb bounds_of(const std::vector<ModelPiece>& pieces) {
+  Aabb box;
+  std::uint64_t left = most_placed_vertices;
+  for (const ModelPiece& piece : pieces)
+    box = around(box, bounds_at(piece.places, piece.mesh.positions.values, left));
+  return box;
+}
+
+}  // namespace tia
