@@ -108,6 +108,7 @@ Application application(Service& service) {
                     const Request& request) { return refusal(failure, request, service); },
       .at_once = is_answered_at_once,
       .from_memory = [&](const Request& request) { return answer_from_memory(request, service); },
+      .body_limit = [&](const Request& request) { return body_limit(request, service.config); },
       .retry_after = [&] { return service.admission.retry_after(); },
       .rested = give_memory_back,
       .held = [&](std::ptrdiff_t bytes) { service.memory.add(MemoryAccount::connections, bytes); },
@@ -122,6 +123,10 @@ std::unique_ptr<SceneFile> scene_file(const Config& config) {
   if (config.data_dir.empty()) return nullptr;
   return std::make_unique<SceneFile>(config.data_dir, config.max_data_bytes);
 }
+std::unique_ptr<ModelFolder> model_folder(const Config& config) {
+  if (config.data_dir.empty()) return nullptr;
+  return std::make_unique<ModelFolder>(config.data_dir, config.max_data_bytes);
+}
 
 void serve_until_told(const Config& config) {
   bound_idle_memory(config.memory_bytes);
@@ -134,7 +139,7 @@ void serve_until_told(const Config& config) {
   pthread_sigmask(SIG_BLOCK, &signals, nullptr);
 
   const Gallery gallery;
-  Backend backend(config, gallery, scene_file(config));
+  Backend backend(config, gallery, {scene_file(config), model_folder(config)});
   Service& service = backend.service;
   HttpServer server(http_options(config), application(service));
   service.connections = [&] { return server.connections(); };

@@ -106,7 +106,8 @@ CONSTANTS = [
      "OptionLimits.ARequest*"),
 ]
 # Options, which a test sets and then meets and passes by one. Not those of time, which no test can
-# tell to a millisecond, and not max_data_bytes, which counts in pages of the database.
+# tell to a millisecond, and not max_data_bytes, which counts in pages of the database, nor
+# model_memory_bytes, of which a process takes pages.
 OPTIONS = [
     ("renders", SERVER, "OptionLimits.AsManyPictures*"),
     ("queue", SERVER, "OptionLimits.AsManyWait*"),
@@ -117,6 +118,10 @@ OPTIONS = [
     ("max_scenes_bytes", SERVER, "OptionLimits.AScene*"),
     ("max_geometry_bytes", SERVER, "OptionLimits.ACompiledScene*"),
     ("cache_bytes", SERVER, "OptionLimits.APictureIsKept*"),
+    ("max_model_bytes", SERVER, "OptionLimits.AModelMayHaveMaxModelBytes*"),
+    ("max_models_bytes", SERVER, "OptionLimits.AModelIsKept*"),
+    ("max_triangles", SERVER, "OptionLimits.AModelMayHaveMaxTriangles"),
+    ("max_texture_pixels", SERVER, "OptionLimits.AModelsTextures*"),
     ("max_pixels", SERVER, "RenderLimits.MaxPixels*"),
     ("max_rays", SERVER, "RenderLimits.*Rays*"),
     ("max_work", SERVER, "OptionLimits.APictureMayTake*"),

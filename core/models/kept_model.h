@@ -1,4 +1,4 @@
-// KeptModel: a model as it is kept for scenes to show.
+// A model as it is kept to be used: what was read of its files.
 #pragma once
 
 #include <memory>
@@ -9,11 +9,14 @@
 
 namespace tia {
 
-/// KeptModel. Domain: a model that check_model has passed; the pictures of its images, as
-/// decode_images gives them.
+/// KeptModel: a model that fits together, with the pictures of its images.
 struct KeptModel {
   std::shared_ptr<const Model> model;
-  std::vector<std::shared_ptr<const ImageRgba8>> images{};
+  /// One an image of the model's, as decode_images() gives them; null where it has no file.
+  std::vector<std::shared_ptr<const ImageRgba8>> images;
 };
+
+/// SharedModel: one that is in use outlives its place in a store.
+using SharedModel = std::shared_ptr<const KeptModel>;
 
 }  // namespace tia

@@ -102,10 +102,9 @@ Response memory_problem(const Request& request) {
 Response storage_problem(const StorageError& error, const Request& request) {
   return for_the_log(
       error.what(),
-      passing_problem(
-          "storage",
-          "the file of kept scenes cannot be used; what is wrong with it is in the server's log",
-          request));
+      passing_problem("storage",
+                      "what is kept cannot be used; what is wrong with it is in the server's log",
+                      request));
 }
 
 Response internal_problem(const char* what, const Request& request) {

@@ -40,13 +40,15 @@ constexpr std::array table{
                "A body needs Content-Length, or to be chunked."},
     ProblemRow{
         "too-large", 413, "The request's body is too large", Met::by_body,
-        "More bytes than TIA_MAX_BODY_BYTES, or, of type image/png, TIA_MAX_PNG_BYTES; or what "
-        "it asks for may take more memory than TIA_MEMORY_BYTES gives one request."},
+        "More bytes than TIA_MAX_BODY_BYTES, or, of type image/png, TIA_MAX_PNG_BYTES, or, of a "
+        "model, TIA_MAX_MODEL_BYTES; or what it asks for may take more memory than "
+        "TIA_MEMORY_BYTES gives one request."},
     ProblemRow{"uri-too-long", 414,
                "The URL is too long; POST /render takes the same as a JSON object", Met::by_any,
                "More than 4096 bytes."},
     ProblemRow{"media-type", 415, "The body is of a type that is not read here", Met::by_body,
-               "Neither JSON nor, where one is taken, a PNG; or compressed.", "Accept-Encoding"},
+               "Neither JSON nor, where one is taken, a PNG or a model; or compressed.",
+               "Accept-Encoding"},
     ProblemRow{"expectation", 417, "The expectation cannot be met", Met::by_any,
                "Expect with something else than 100-continue."},
     ProblemRow{"misdirected", 421, "The server is not called that", Met::by_any,
@@ -68,13 +70,16 @@ constexpr std::array table{
                "Ask again, or for less.", "Retry-After"},
     ProblemRow{"draining", 503, "The server is going down", Met::by_any,
                "Ask again: another one may answer.", "Retry-After"},
-    ProblemRow{"storage", 503, "What is kept cannot be reached", Met::by_any,
-               "The file of kept scenes cannot be read or written; the log says why.",
-               "Retry-After"},
+    ProblemRow{
+        "storage", 503, "What is kept cannot be reached", Met::by_any,
+        "The file of kept scenes or the folder of kept models cannot be read or written; the log "
+        "says why.",
+        "Retry-After"},
     ProblemRow{"version", 505, "The server does not speak this version of HTTP", Met::by_any,
                "It speaks HTTP/1.1 and HTTP/1.0."},
     ProblemRow{"storage-full", 507, "There is no room to keep more", Met::by_body,
-               "The file of kept scenes is as large as TIA_MAX_DATA_BYTES, or the disk is full."},
+               "The file of kept scenes, or the folder of kept models, is as large as "
+               "TIA_MAX_DATA_BYTES, or the disk is full."},
 };
 
 Value error_schema() {

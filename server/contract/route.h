@@ -8,10 +8,12 @@
 #include <vector>
 
 #include "server/contract/contract.h"
+#include "server/http/head.h"
 #include "server/http/message.h"
 
 namespace tia::server {
 
+struct Config;   // the options (operation/config.h)
 struct Service;  // what handlers share (handlers/service.h)
 
 /// A handler takes the request and what the path's {} stands for, percent-decoded.
@@ -33,8 +35,10 @@ struct Route {
   bool chooses = false;  ///< whether the handler lets Accept choose among the answer's types
   Value::Array (*query)(Definitions&) = nullptr;  ///< the parameters of a query
   std::vector<Content> body = {};                 ///< what may be sent, one of them
-  Segment segment = {};                           ///< what the path's {} stands for
-  std::vector<std::string_view> segments = {};    ///< all that there are; none = any text
+  /// How long the body may be; null = as long as all others.
+  BodyLimit (*body_limit)(const Config&) = nullptr;
+  Segment segment = {};                         ///< what the path's {} stands for
+  std::vector<std::string_view> segments = {};  ///< all that there are; none = any text
   /// Which paths there are, where it shares its place with what is not here; null = all that fit.
   bool (*has)(std::string_view path) = nullptr;
   std::vector<std::string_view> examples = {};  ///< targets, of GET

@@ -11,27 +11,36 @@ Admission::Options admission_options(const Config& config) {
   return {config.renders, config.queue, config.threads, most_wait_s};
 }
 
+ModelReader model_reader(const Config& config, const std::string& program) {
+  return ModelReader({.memory_bytes = static_cast<std::uint64_t>(config.model_memory_bytes)},
+                     program);
+}
+
 }  // namespace
 
-Backend::Backend(const Config& given, const Gallery& gallery, std::unique_ptr<SceneFile> file)
+Backend::Backend(const Config& given, const Gallery& gallery, DataFiles files,
+                 const std::string& reader)
     : config(given),
       memory(config.memory_bytes),
-      kept(config.max_scenes_bytes, std::move(file)),
+      kept(config.max_scenes_bytes, std::move(files.scenes)),
       admission(admission_options(config)),
       pool(config.threads),
       geometries(config.max_geometry_bytes, &memory),
       pressed(config.max_scenes_bytes, long_work, memory),
       pictures(config.cache_bytes, &memory),
-      service{config,  {gallery, kept, geometries, pressed, pool, long_work, config.limits()},
-              memory,  admission,
-              costs,   metrics,
-              pictures} {
+      models(model_reader(config, reader), {config.max_models_bytes, config.model_limits()},
+             {memory, long_work, metrics}, std::move(files.models)),
+      service{config,   {gallery, kept, geometries, pressed, pool, long_work, config.limits()},
+              memory,   admission,
+              costs,    metrics,
+              pictures, models} {
   kept.book_with(memory);
   kept.read_as(long_work, config.json_limits().values);
   kept.forget_after(config.scene_keep_s);
   // Under shortage what is cheapest to make again goes first.
   memory.on_shortage([this](std::int64_t bytes) { return pictures.give_way(bytes); });
   memory.on_shortage([this](std::int64_t bytes) { return geometries.give_way(bytes); });
+  memory.on_shortage([this](std::int64_t bytes) { return models.give_way(bytes); });
   memory.on_shortage([this](std::int64_t bytes) { return pressed.give_way(bytes); });
 }
 

@@ -7,10 +7,17 @@
 
 namespace tia::server {
 
+/// DataFiles: where what is kept outlives the process; null: it does not.
+struct DataFiles {
+  std::unique_ptr<SceneFile> scenes;
+  std::unique_ptr<ModelFolder> models;
+};
+
 class Backend {
  public:
-  /// `file`: where kept scenes outlive the process; null: they do not. The gallery outlives this.
-  Backend(const Config& config, const Gallery& gallery, std::unique_ptr<SceneFile> file = nullptr);
+  /// The gallery outlives this. `reader`: the program that reads models, this one unless told.
+  Backend(const Config& config, const Gallery& gallery, DataFiles files = {},
+          const std::string& reader = "/proc/self/exe");
 
   Config config;
   MemoryAccount memory;
@@ -23,6 +30,7 @@ class Backend {
   PressedScenes pressed;
   Metrics metrics;
   PictureStore pictures;
+  ModelStore models;
   Service service;
 };
 

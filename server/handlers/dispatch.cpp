@@ -85,6 +85,14 @@ Response answer_or_refusal(const Request& request, MemoryClaim& claim, Service& 
   }
 }
 
+const Route* route_of(const Request& request) {
+  const std::string_view method = request.is_head() ? "GET" : std::string_view(request.method);
+  std::string_view name;
+  for (const Route& route : routes())
+    if (route.method == method && matches(route, request.path(), name)) return &route;
+  return nullptr;
+}
+
 }  // namespace
 
 Response answer(const Request& request, Service& service) {
@@ -124,12 +132,14 @@ std::string_view route_label(const Request& request) {
 }
 
 bool is_answered_at_once(const Request& request) {
-  const std::string_view method = request.is_head() ? "GET" : std::string_view(request.method);
-  std::string_view name;
-  for (const Route& route : routes())
-    if (route.method == method && matches(route, request.path(), name))
-      return route.pace == Pace::at_once;
-  return true;  // nothing that is here
+  const Route* const route = route_of(request);
+  return route == nullptr || route->pace == Pace::at_once;
+}
+
+std::optional<BodyLimit> body_limit(const Request& request, const Config& config) {
+  const Route* const route = route_of(request);
+  if (route == nullptr || route->body_limit == nullptr) return std::nullopt;
+  return route->body_limit(config);
 }
 
 }  // namespace tia::server

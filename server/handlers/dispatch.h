@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "server/handlers/service.h"
+#include "server/http/head.h"
 #include "server/http/message.h"
 
 namespace tia::server {
@@ -27,5 +28,8 @@ std::string_view route_label(const Request& request);
 
 /// Whether the request's route, if it has one, is answered at once.
 bool is_answered_at_once(const Request& request);
+
+/// How long the body of such a request may be, where its route says so.
+std::optional<BodyLimit> body_limit(const Request& request, const Config& config);
 
 }  // namespace tia::server

@@ -52,6 +52,7 @@ Response get_metrics(const Request&, const std::string&, Service& service) {
                       .data_bytes = kept.file_bytes(),
                       .geometry = service.rendering.geometries.counts(),
                       .pictures = service.pictures.counts(),
+                      .models = service.models.counts(),
                       .memory = &service.memory};
   return {.content_type = std::string(Metrics::media_type),
           .body = service.metrics.text(gauges),

@@ -11,6 +11,7 @@
 #include "server/operation/metrics.h"
 #include "server/requests/render_context.h"
 #include "server/stores/known_targets.h"
+#include "server/stores/model_store.h"
 #include "server/stores/picture_store.h"
 
 namespace tia::server {
@@ -24,6 +25,7 @@ struct Service {
   CostMemory& costs;
   Metrics& metrics;
   PictureStore& pictures;
+  ModelStore& models;
   KnownTargets targets{};
   std::function<int()> connections = [] { return 0; };  ///< that are open
   std::atomic<bool> draining = false;                   ///< the server goes down

@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 
+#include "server/http/head.h"
 #include "server/http/message.h"
 #include "server/http/proxies.h"
 
@@ -53,6 +54,10 @@ struct Application {
   /// The answer that is there already and costs next to nothing to send, or none. Called before
   /// anything that waits for a worker, or is refused for want of one.
   std::function<std::optional<Response>(const Request&)> from_memory = [](const Request&) {
+    return std::nullopt;
+  };
+  /// How long the body of a request may be whose head this is, where it is not as all are.
+  std::function<std::optional<BodyLimit>(const Request&)> body_limit = [](const Request&) {
     return std::nullopt;
   };
   /// Seconds after which one who is refused for want of workers may ask again.

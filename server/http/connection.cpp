@@ -25,6 +25,12 @@ std::string address_of(const tcp::socket& socket) {
   return asio::ip::make_address_v4(asio::ip::v4_mapped, address.to_v6()).to_string();
 }
 
+BodyLimits limits_of(const ServerContext& context) {
+  BodyLimits limits(context.options.max_body_bytes, context.options.max_png_bytes);
+  limits.own = context.application.body_limit;
+  return limits;
+}
+
 bool would_block(const asio::error_code& error) {
   return error == asio::error::would_block || error == asio::error::try_again ||
          error == asio::error::interrupted;
@@ -36,7 +42,7 @@ Connection::Connection(tcp::socket socket, ServerContext& context)
     : socket_(std::move(socket)),
       context_(context),
       peer_(address_of(socket_)),
-      reader_({context.options.max_body_bytes, context.options.max_png_bytes}) {}
+      reader_(limits_of(context)) {}
 
 void Connection::start() {
   asio::error_code error;

@@ -77,11 +77,16 @@ bool RequestReader::read_head() {
   request_.is_http_1_0 = head_.is_http_1_0;
   request_.id = request_id(request_.header("X-Request-Id"));
   request_.trace = trace_context(request_.header("traceparent"));
-  const bool is_png = same_word(request_.header("Content-Type"), "image/png");
-  const BodyLimit& limit = is_png ? limits_.png : limits_.any;
+  const BodyLimit limit = limit_of(request_);
   chunks_ = ChunkDecoder(limit);
   check_length(static_cast<std::uint64_t>(head_.length), limit);
   return true;
+}
+
+BodyLimit RequestReader::limit_of(const Request& request) const {
+  if (const auto own = limits_.own(request)) return *own;
+  const bool is_png = same_word(request.header("Content-Type"), "image/png");
+  return is_png ? limits_.png : limits_.any;
 }
 
 bool RequestReader::read_body() {

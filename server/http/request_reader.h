@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -10,12 +12,16 @@
 
 namespace tia::server {
 
-/// BodyLimits: how long the bodies of requests may be: pictures that are sent back, and all else.
+/// BodyLimits: how long the bodies of requests may be: pictures that are sent back, and all else;
+/// and what some have of their own.
 struct BodyLimits {
   BodyLimits(std::int64_t most_bytes) : BodyLimits(most_bytes, most_bytes) {}
   BodyLimits(std::int64_t most_bytes, std::int64_t most_png_bytes)
       : any{most_bytes}, png{most_png_bytes, "TIA_MAX_PNG_BYTES"} {}
   BodyLimit any, png;
+  std::function<std::optional<BodyLimit>(const Request&)> own = [](const Request&) {
+    return std::nullopt;
+  };
 };
 
 /// RequestReader: takes one request after the other out of a connection's bytes. Once it has
@@ -46,6 +52,7 @@ class RequestReader {
  private:
   void skip_empty_line();
   bool read_head();
+  BodyLimit limit_of(const Request& request) const;
   bool read_body();
 
   BodyLimits limits_;

@@ -63,6 +63,14 @@ void Config::check(const Place& at, Faults& faults) const {
                 "an address, such as 127.0.0.1 or 0.0.0.0"});
 }
 
+ModelLimits Config::model_limits() const {
+  ModelLimits limits;
+  limits.triangles = static_cast<std::uint64_t>(max_triangles);
+  limits.vertices = 3 * limits.triangles;
+  limits.texture_pixels = static_cast<std::uint64_t>(max_texture_pixels);
+  return limits;
+}
+
 int Config::processors() {
   return std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, 64);
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/input/codec.h"
+#include "core/models/model_files.h"
 #include "core/scene/limits.h"
 #include "server/http/peers.h"
 #include "server/operation/memory_account.h"
@@ -36,6 +37,11 @@ struct Config {
   std::int64_t scene_keep_s = 0;
   std::string data_dir;
   std::int64_t max_data_bytes = 1 << 30;
+  std::int64_t max_model_bytes = 64 << 20;
+  std::int64_t max_models_bytes = 256 << 20;
+  std::int64_t max_triangles = 8'388'608;
+  std::int64_t max_texture_pixels = 100'663'296;
+  std::int64_t model_memory_bytes = 2LL << 30U;
   std::int64_t max_pixels = Limits{}.max_pixels;
   std::int64_t max_rays = Limits{}.max_rays;
   std::int64_t max_work = Limits{}.max_work;
@@ -113,12 +119,39 @@ struct Config {
                .min = 0,
                .max = 1e9});
     visit("data_dir", &Config::data_dir,
-          Spec{.about = "folder for the scenes that POST /scenes keeps, so that they outlive the "
-                        "server; none = they are kept in memory only"});
+          Spec{.about = "folder for the scenes and models that clients send, so that they "
+                        "outlive the server; none = they are kept in memory only"});
     visit("max_data_bytes", &Config::max_data_bytes,
-          Spec{.about = "what the file of kept scenes may hold; beyond it none is kept any more",
+          Spec{.about = "what the file of kept scenes may hold, and the models beside it; beyond "
+                        "it none is kept any more",
                .unit = "bytes",
                .min = 1 << 20,
+               .max = 1LL << 40U});
+    visit("max_model_bytes", &Config::max_model_bytes,
+          Spec{.about = "largest model that is sent; unpacked it may have four times as much",
+               .unit = "bytes",
+               .min = 1024,
+               .max = 1 << 30});
+    visit("max_models_bytes", &Config::max_models_bytes,
+          Spec{.about = "memory for the models that POST /models keeps where TIA_DATA_DIR names no "
+                        "folder; and as much for what was read of models",
+               .unit = "bytes",
+               .min = 0,
+               .max = 1LL << 40U});
+    visit("max_triangles", &Config::max_triangles,
+          Spec{.about = "most triangles of a model; a mesh that it shows several times counts once",
+               .unit = "triangles",
+               .min = 1,
+               .max = 1 << 28});
+    visit("max_texture_pixels", &Config::max_texture_pixels,
+          Spec{.about = "most pixels of all textures of a model",
+               .unit = "pixels",
+               .min = 1,
+               .max = 1LL << 32U});
+    visit("model_memory_bytes", &Config::model_memory_bytes,
+          Spec{.about = "memory of the process that reads a model, beside that of the server",
+               .unit = "bytes",
+               .min = 128 << 20,
                .max = 1LL << 40U});
     visit("max_pixels", &Config::max_pixels,
           Spec{.about = "largest picture", .unit = "pixels", .min = 1, .max = 1 << 28});
@@ -145,6 +178,8 @@ struct Config {
   void check(const Place& at, Faults& faults) const;
   /// What one request may ask for.
   Limits limits() const { return {max_pixels, max_rays, max_work}; }
+  /// What is read of a model.
+  ModelLimits model_limits() const;
   /// What a text may hold.
   JsonLimits json_limits() const { return {.values = static_cast<std::size_t>(max_nodes)}; }
 

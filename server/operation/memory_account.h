@@ -35,10 +35,13 @@ class MemoryAccount {
     pictures,
     geometries,
     scenes,
-    pressed
+    pressed,
+    models,
+    read_models
   };
-  static constexpr std::array<std::string_view, 7> holders{
-      "program", "connections", "requests", "pictures", "geometries", "scenes", "pressed"};
+  static constexpr std::array<std::string_view, 9> holders{
+      "program", "connections", "requests", "pictures",   "geometries",
+      "scenes",  "pressed",     "models",   "read_models"};
   /// The program itself with its libraries, tables, gallery and the stacks of its threads, and what
   /// the allocator holds beyond what it has given out. Unit: bytes.
   static constexpr std::int64_t program_bytes = 64 << 20;
@@ -48,10 +51,12 @@ class MemoryAccount {
   std::int64_t limit() const { return limit_; }
   std::int64_t held(Holder by) const { return held_[by]; }
   std::int64_t free() const { return limit_ - total_; }
-  /// The most that one request may have: an eighth is kept for small ones, and kept scenes, which
-  /// are nobody's to give, stay. However much they hold, a small one may have its own.
+  /// The most that one request may have: an eighth is kept for small ones, and kept scenes and
+  /// models, which are nobody's to give, stay. However much they hold, a small one may have its
+  /// own.
   std::int64_t most_of_one() const {
-    return std::max(most_small(), limit_ - held_[program] - limit_ / 8 - held_[scenes]);
+    return std::max(most_small(),
+                    limit_ - held_[program] - limit_ / 8 - held_[scenes] - held_[models]);
   }
   /// A claim so small may have that eighth, and need not wait for larger ones. Unit: bytes.
   std::int64_t most_small() const { return limit_ / 32; }

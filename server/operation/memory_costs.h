@@ -31,6 +31,8 @@ inline constexpr MemoryCost png{"png", "pixel", 13,
 inline constexpr MemoryCost linear{"linear", "pixel", 26, "its light in floats, and the file"};
 inline constexpr MemoryCost rounds{"rounds", "pixel of a picture with a budget", 136,
                                    "the sums over its samples, and what it was a round ago"};
+inline constexpr MemoryCost model{"model", "byte of a model's files", 4,
+                                  "what its reader answers, and what that comes to"};
 inline constexpr MemoryCost request{"request", "request", 1 << 20, "all else"};
 
 }  // namespace memory_cost

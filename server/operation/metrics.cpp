@@ -7,6 +7,7 @@
 #include <prometheus/text_serializer.h>
 
 #include <algorithm>
+#include <array>
 #include <mutex>
 
 #include "core/version.h"
@@ -76,6 +77,20 @@ struct Metrics::Families {
   prometheus::Family<Counter>& claims =
       family(prometheus::BuildCounter(), "tia_memory_claims_total",
              "Claims that had to wait for memory, or were refused.", registry);
+  prometheus::Family<Gauge>& models =
+      family(prometheus::BuildGauge(), "tia_models",
+             "Models, by state: kept: their files; read: in memory as well.", registry);
+  prometheus::Family<Counter>& model_reads = family(
+      prometheus::BuildCounter(), "tia_model_reads_total",
+      "Models that were read, by format and by what came of it: read; refused: there is a fault in "
+      "it; died: the reader did.",
+      registry);
+  prometheus::Family<Histogram>& model_seconds =
+      family(prometheus::BuildHistogram(), "tia_model_read_seconds",
+             "How long it took to read a model, its pictures included.", registry);
+  prometheus::Family<Counter>& reader_deaths =
+      family(prometheus::BuildCounter(), "tia_model_reader_deaths_total",
+             "Readers of models that were killed, or answered what nobody can read.", registry);
   prometheus::Family<Gauge>& build =
       family(prometheus::BuildGauge(), "tia_build_info", "Always 1; what this build is.", registry);
 
@@ -109,6 +124,14 @@ struct Metrics::Families {
     raise(claims.Add({{"result", "refused"}}), account.refusals());
   }
 
+  Counter& reads_of(std::string_view format, ModelReading result) {
+    constexpr std::array results{"read", "refused", "died"};
+    return model_reads.Add(
+        {{"format", std::string(format)}, {"result", results[static_cast<std::size_t>(result)]}});
+  }
+  Histogram& model_read() {
+    return model_seconds.Add({}, Histogram::BucketBoundaries{0.001, 0.01, 0.1, 1, 10});
+  }
   Histogram& phase(const char* name) {
     return seconds.Add({{"phase", name}},
                        Histogram::BucketBoundaries{0.0001, 0.001, 0.01, 0.1, 1, 10});
@@ -122,6 +145,10 @@ Metrics::Metrics() : families_(std::make_unique<Families>()) {
     families_->rays.Add({{"kind", kind}});
   for (const char* name : {"queue", "wait", "parse", "build", "trace", "encode"})
     families_->phase(name);
+  for (const char* format : {"gltf", "obj", "ply", "stl"})
+    families_->reads_of(format, ModelReading::read);
+  families_->model_read();
+  families_->reader_deaths.Add({});
 }
 Metrics::~Metrics() = default;
 
@@ -149,6 +176,12 @@ void Metrics::count(const RayCounts& rays, const Timing& ms) {
   families_->phase("encode").Observe(ms.encode / 1000);
 }
 
+void Metrics::count(std::string_view format, ModelReading result, double seconds) {
+  families_->reads_of(format, result).Increment();
+  families_->model_read().Observe(seconds);
+  if (result == ModelReading::died) families_->reader_deaths.Add({}).Increment();
+}
+
 std::string Metrics::text(const Gauges& gauges) {
   const auto set = [](prometheus::Family<Gauge>& gauge, auto value) {
     gauge.Add({}).Set(static_cast<double>(value));
@@ -162,6 +195,8 @@ std::string Metrics::text(const Gauges& gauges) {
   set(families_->geometry_bytes, gauges.geometry.bytes);
   set(families_->cached, gauges.pictures.pictures);
   set(families_->cached_bytes, gauges.pictures.bytes);
+  families_->models.Add({{"state", "kept"}}).Set(static_cast<double>(gauges.models.kept));
+  families_->models.Add({{"state", "read"}}).Set(static_cast<double>(gauges.models.read));
   if (gauges.memory != nullptr) families_->tell(*gauges.memory);
   families_->raise(gauges);
   return prometheus::TextSerializer().Serialize(families_->registry.Collect());

@@ -18,11 +18,15 @@ struct Exchange;
 struct Gauges {
   int connections = 0, at_work = 0, waiting = 0;  ///< the latter two of requests
   std::size_t kept_scenes = 0, kept_scenes_bytes = 0;
-  std::int64_t data_bytes = 0;            ///< of the file of kept scenes
-  StoreCounts geometry{};                 ///< also what was found there since the start
-  PictureCounts pictures{};               ///< the same
+  std::int64_t data_bytes = 0;  ///< of the file of kept scenes
+  StoreCounts geometry{};       ///< also what was found there since the start
+  PictureCounts pictures{};     ///< the same
+  ModelCounts models{};
   const MemoryAccount* memory = nullptr;  ///< the account
 };
+
+/// ModelReading: what became of a model that was read.
+enum class ModelReading { read, refused, died };
 
 /// Metrics: counters since the start. Any thread may call.
 class Metrics {
@@ -34,6 +38,8 @@ class Metrics {
   void count(const Exchange& exchange, std::string_view route);
   /// Counts a picture's rays and where its time went.
   void count(const RayCounts& rays, const Timing& ms);
+  /// Counts a model of that format that was read, or was not.
+  void count(std::string_view format, ModelReading result, double seconds);
   /// Prometheus' text format 0.0.4.
   std::string text(const Gauges& gauges);
   static constexpr std::string_view media_type = "text/plain; version=0.0.4; charset=utf-8";

@@ -20,4 +20,9 @@ struct PictureCounts {
   std::size_t pictures = 0, bytes = 0;
 };
 
+/// How many models there are now: kept, and read in memory.
+struct ModelCounts {
+  std::size_t kept = 0, read = 0;
+};
+
 }  // namespace tia::server

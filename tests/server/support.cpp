@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "tests/server/contract/contract.h"
+#include "tests/server/process_support.h"
 
 namespace tia::test {
 
@@ -29,7 +30,7 @@ Host::Host(Config config)
             config.threads = threads;
             return config;
           }(),
-          gallery_) {}
+          gallery_, {}, tia_program()) {}
 Host::~Host() = default;
 
 Response Host::ask(const std::string& method, const std::string& target, const std::string& body,

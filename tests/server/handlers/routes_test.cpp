@@ -55,6 +55,8 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(Path{"Page", "/", "GET, HEAD, OPTIONS"},
                     Path{"Render", "/render", "GET, HEAD, POST, OPTIONS"},
                     Path{"Scenes", "/scenes", "GET, HEAD, POST, OPTIONS", 200, 201},
+                    Path{"Models", "/models", "POST, OPTIONS", 200, 415},
+                    Path{"Model", "/models/part", "GET, HEAD, OPTIONS", 404},
                     Path{"Explain", "/explain", "GET, HEAD, POST, OPTIONS", 422, 422},
                     Path{"Scene", "/scenes/thesis", "GET, HEAD, DELETE, OPTIONS"},
                     Path{"Schema", "/schema/scene.json", "GET, HEAD, OPTIONS"},

@@ -128,6 +128,27 @@ TEST(RequestReader, KnowsTheRequestOfARefusedBody) {  // for the log and the ans
   EXPECT_EQ(reader.request().id, "abc");
 }
 
+// By method and path, whatever type is declared.
+TEST(RequestReader, SomeRequestsHaveALimitOfTheirOwn) {
+  const auto is_taken = [](const std::string& length) {
+    BodyLimits limits(1000);
+    limits.own = [](const Request& request) -> std::optional<BodyLimit> {
+      if (request.target != "/render") return std::nullopt;
+      return BodyLimit{2000, "TIA_OWN"};
+    };
+    RequestReader reader(limits);
+    reader.feed(forms::post("Content-Type: image/png\r\nContent-Length: " + length + "\r\n"));
+    try {
+      return reader.read() == State::body;
+    } catch (const HttpError& error) {
+      EXPECT_THAT(error.detail(), testing::HasSubstr("2000 bytes (option TIA_OWN)"));
+      return false;
+    }
+  };
+  EXPECT_TRUE(is_taken("2000"));
+  EXPECT_FALSE(is_taken("2001"));
+}
+
 TEST(RequestReader, HoldsNoMoreThanABodyIsLong) {
   RequestReader reader(ordinary_body);
   const std::size_t length = (2 << 20) + 9;  // a string that doubles would end at 4 MiB

@@ -8,6 +8,7 @@
 #include "server/operation/memory_account.h"
 #include "server/stores/scene_bytes.h"
 #include "tests/server/http/wire.h"
+#include "tests/server/model_support.h"
 #include "tests/server/process_support.h"
 
 namespace tia::test {
@@ -136,6 +137,77 @@ TEST(OptionLimits, ABodyMayHaveMaxBodyBytesAndAPngMaxPngBytes) {
   EXPECT_EQ(status(R"({"width":8,"height":6})", 2001, "application/json"), 413);
   EXPECT_EQ(status("\x89PNG\r\n\x1A\n", 3000, "image/png"), 400);
   EXPECT_EQ(status("\x89PNG\r\n\x1A\n", 3001, "image/png"), 413);
+}
+
+// ---- models ---------------------------------------------------------------------------------
+
+TEST(OptionLimits, AModelMayHaveMaxModelBytesHoweverFewOthersMayHave) {
+  Tia tia({"--port", "0", "--max-body-bytes", "1024", "--max-model-bytes", "2000"});
+  const auto status = [&](std::size_t size) {
+    std::string body = stl_text();
+    body.resize(size, ' ');
+    return tia.client().Post("/models", body, "model/stl")->status;
+  };
+  EXPECT_EQ(status(2000), 201);
+  EXPECT_EQ(status(2001), 413);
+}
+
+int status_of_model(const std::string& body, const std::function<void(Config&)>& set) {
+  return Host(with(set)).post("/models", body, "application/octet-stream").status;
+}
+
+TEST(OptionLimits, AModelIsKeptThatHasMaxModelsBytes) {
+  const std::string text = stl_text();
+  const auto status = [&](std::size_t most) {
+    return status_of_model(
+        text, [&](Config& config) { config.max_models_bytes = static_cast<std::int64_t>(most); });
+  };
+  EXPECT_EQ(status(512 + text.size()), 201);
+  EXPECT_EQ(status(512 + text.size() - 1), 422);
+}
+
+TEST(OptionLimits, AModelMayHaveMaxTriangles) {
+  const auto status = [](int most) {
+    return status_of_model("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 2 1 3\nf 1 3 2\n",
+                           [&](Config& config) { config.max_triangles = most; });
+  };
+  EXPECT_EQ(status(3), 201);
+  EXPECT_EQ(status(2), 422);
+}
+
+// Three pictures of a pixel each.
+TEST(OptionLimits, AModelsTexturesMayHaveMaxTexturePixels) {
+  const std::string picture =
+      R"({"uri":"data:image/png;base64,iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAf)"
+      R"(FcSJAAAADUlEQVR42mNk)"
+      R"(+M9QDwADhgGAWjR9awAAAABJRU5ErkJggg=="})";
+  const std::string text =
+      R"({"asset":{"version":"2.0"},"buffers":[{"byteLength":36,"uri":"data:;base64,)"
+      R"(AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}],)"
+      R"("bufferViews":[{"buffer":0,"byteLength":36}],"accessors":[{"bufferView":0,)"
+      R"("componentType":5126,"count":3,"type":"VEC3","min":[0,0,0],"max":[1,1,0]}],)"
+      R"("meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],"nodes":[{"mesh":0}],)"
+      R"("scenes":[{"nodes":[0]}],"scene":0,)"
+      R"("textures":[{"source":0},{"source":1},{"source":2}],"images":[)" +
+      picture + "," + picture + "," + picture + "]}";
+  const auto status = [&](int most) {
+    return status_of_model(text, [&](Config& config) { config.max_texture_pixels = most; });
+  };
+  EXPECT_EQ(status(3), 201);
+  EXPECT_EQ(status(2), 422);
+}
+
+// What stands in the reader's memory twice while it grows is more than that.
+TEST(OptionLimits, AModelsReaderHasModelMemoryBytes) {
+  if (sanitized()) GTEST_SKIP() << "sanitizers need more than a confined process may";
+  Host host(with([](Config& config) {
+    config.model_memory_bytes = 128 << 20, config.max_model_bytes = 128 << 20;
+    config.memory_bytes = 2LL << 30U;
+  }));
+  const Response response =
+      host.post("/models", "solid " + std::string(70'000'000, ' '), "model/stl");
+  EXPECT_EQ(response.status, 422);
+  EXPECT_THAT(only_error(response).allowed, testing::HasSubstr("TIA_MODEL_MEMORY_BYTES"));
 }
 
 // The root, a list of numbers, and lists.

@@ -1,0 +1,79 @@
+#include "server/requests/model_body.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "core/models/bundle.h"
+#include "core/models/formats.h"
+#include "core/models/multipart.h"
+#include "server/http/error.h"
+
+namespace tia::server {
+namespace {
+
+/// ForeignFormat: one that is not read, but may come often, by its first bytes or a path's end.
+struct ForeignFormat {
+  std::string_view words, start, ending;
+};
+constexpr std::array foreign_formats{
+    ForeignFormat{"FBX", "Kaydara FBX Binary", ".fbx"}, ForeignFormat{"FBX", "; FBX ", ".fbx"},
+    ForeignFormat{"USD", "PXR-USDC", ".usdc"}, ForeignFormat{"USD", "#usda ", ".usda"},
+    ForeignFormat{"3MF", "", ".model"}};
+
+const ForeignFormat* foreign_format_of(const ModelFile& file) {
+  const std::string_view text(reinterpret_cast<const char*>(file.bytes.data()), file.bytes.size());
+  const auto* const row = std::ranges::find_if(foreign_formats, [&](const ForeignFormat& each) {
+    return file.path.ends_with(each.ending) ||
+           (!each.start.empty() && text.starts_with(each.start));
+  });
+  return row == foreign_formats.end() ? nullptr : row;
+}
+
+[[noreturn]] void refuse_format(const std::vector<ModelFile>& files) {
+  const std::string taken = "a file of " + model_formats() +
+                            ", or a ZIP archive or multipart/form-data of one and what it names";
+  for (const ModelFile& file : files)
+    if (const ForeignFormat* const row = foreign_format_of(file))
+      throw HttpError("media-type", std::string(row->words) +
+                                        " is not read here: export it as GLB; what is taken is " +
+                                        taken);
+  throw HttpError("media-type", "this is no model that is read here; send " + taken);
+}
+
+ModelBytes bytes_of_body(const Request& request) {
+  return {reinterpret_cast<const std::uint8_t*>(request.body.data()), request.body.size()};
+}
+
+// The files of a form, or of the archive that is its only one.
+std::vector<ModelFile> files_in(const Request& request, const ZipLimits& limits, Faults& faults,
+                                std::vector<UnpackedFile>& unpacked) {
+  std::vector<ModelFile> files{{"model", bytes_of_body(request)}};
+  if (const auto boundary = boundary_of(request.header("Content-Type")))
+    files = files_of(parse_multipart(bytes_of_body(request), *boundary, faults), faults);
+  if (files.size() != 1 || !is_zip(files.front().bytes)) return files;
+  unpacked = unpack_zip(files.front().bytes, limits, faults);
+  return files_of(unpacked);
+}
+
+}  // namespace
+
+SentModel model_in(const Request& request, const std::string& main, std::int64_t most_unpacked) {
+  Faults faults(request.stop);
+  SentModel sent;
+  ModelFiles files;
+  const ZipLimits limits{.bytes = static_cast<std::uint64_t>(most_unpacked)};
+  files.all = files_in(request, limits, faults, sent.unpacked);
+  faults.raise();
+  const bool is_foreign =
+      std::ranges::any_of(files.all, [](const ModelFile& file) { return foreign_format_of(file); });
+  files.main = main_of(files.all, main, faults);
+  if (!faults.empty() && is_foreign) refuse_format(files.all);
+  faults.raise();
+  if (format_of(files.main_file().bytes) == nullptr) refuse_format(files.all);
+  strip_lone_folder(files.all);
+  sent.upload = upload_of(std::move(files));
+  return sent;
+}
+
+}  // namespace tia::server

@@ -1,0 +1,81 @@
+// Models that clients have sent: what came, by id, and what was read of it. Any thread may call.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <string>
+
+#include "core/models/model_files.h"
+#include "server/operation/long_work.h"
+#include "server/operation/lru_map.h"
+#include "server/operation/memory_account.h"
+#include "server/operation/metrics.h"
+#include "server/operation/store_counts.h"
+#include "server/stores/model_reader.h"
+#include "server/stores/read_models.h"
+#include "server/stores/upload_store.h"
+
+namespace tia::server {
+
+class ModelStore {
+ public:
+  using Time = std::chrono::steady_clock::time_point;
+  using Now = std::function<Time()>;
+  /// A model that a reader has died of is not read again for so long.
+  static constexpr std::chrono::hours rest_after_death{1};
+  static constexpr std::size_t most_deaths = 1024;  ///< that are remembered
+
+  struct Bounds {
+    std::int64_t max_bytes = 0;  ///< of what came, without a folder; and of what was read
+    ModelLimits limits;
+  };
+  struct Surroundings {
+    MemoryAccount& memory;
+    LongWork& long_work;
+    Metrics& metrics;
+  };
+  ModelStore(
+      ModelReader reader, const Bounds& bounds, const Surroundings& surroundings,
+      std::unique_ptr<ModelFolder> folder,
+      Now now = [] { return std::chrono::steady_clock::now(); });
+
+  /// Kept: a model that is kept now, and whether it was not before.
+  struct Kept {
+    KnownModel known;
+    bool is_new = false;
+  };
+  /// Keeps one that can be read. Errors: as find(), InputError of its faults, UploadStore::keep.
+  Kept keep(const ModelUpload& upload, const Requester& requester);
+
+  /// Whether one of that id is kept. What is damaged is known only to who reads it.
+  bool contains(const std::string& id) { return uploads_.contains(id); }
+  /// The model of that id, read again where it is no more in memory; or null.
+  /// Errors: StorageError of one that is damaged; ReaderDied; as LongWork, ModelReader::read.
+  KnownModel find(const std::string& id, const Requester& requester);
+
+  ModelCounts counts() const { return {uploads_.count(), read_.count()}; }
+  /// Lets go of what was read and nobody has asked for longest. Returns: how many bytes.
+  std::int64_t give_way(std::int64_t bytes) { return read_.give_way(bytes); }
+
+ private:
+  KnownModel read(const ModelUpload& upload, const Requester& requester);
+  KnownModel read_now(const ModelUpload& upload, const std::stop_token& stop);
+  SharedModel model_of(const ModelUpload& upload, const std::stop_token& stop) const;
+  void check_rest(const std::string& id);
+  void remember_death(const std::string& id);
+
+  const ModelReader reader_;
+  const ModelLimits limits_;
+  LongWork& long_work_;
+  Metrics& metrics_;
+  const Now now_;
+  UploadStore uploads_;
+  ReadModels read_;
+  std::mutex mutex_;
+  LruMap<std::string, Time> deaths_;  // by id
+};
+
+}  // namespace tia::server
