@@ -5,6 +5,7 @@
 
 #include "core/input/json.h"
 #include "core/models/bundle.h"
+#include "core/models/formats.h"
 #include "server/stores/digest.h"
 
 namespace tia::server {
@@ -120,7 +121,9 @@ ModelUpload upload_of(ModelFiles files) {
 }
 
 std::optional<ModelUpload> unpacked_upload(const std::string& id, std::string_view packed) {
-  if (sha256_hex(packed) == id) return ModelUpload{{{{"model", bytes_of_text(packed)}}, 0}, id, ""};
+  // A bundle that was cut behind its text is no model.
+  const bool is_lone = format_of(bytes_of_text(packed)) != nullptr && sha256_hex(packed) == id;
+  if (is_lone) return ModelUpload{{{{"model", bytes_of_text(packed)}}, 0}, id, ""};
   try {
     return unpacked_bundle(id, packed);
   } catch (const InputError&) {  // lines that are no JSON
