@@ -1,0 +1,175 @@
+#include "core/scene/still_framing.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/math/deterministic.h"
+
+namespace tia {
+namespace {
+
+// The share of the picture, from its centre to its side, that the points fill.
+constexpr double filled = 0.9;
+// How near the eye may come to them, as a share of their ball's radius.
+constexpr double least_distance = 1e-3;
+
+// f(point, radius) for all.
+template <class F>
+void each_point(const StillPoints& points, F f) {
+  for (const Vec3d& p : points.corners) f(p, 0.0);
+  for (const Vec3d& p : points.balls) f(p, points.ball_radius);
+}
+
+Aabb box_around(const StillPoints& points) {
+  Aabb box;
+  each_point(points, [&](const Vec3d& p, double r) {
+    const Vec3d reach{r, r, r};
+    box = around(box, Aabb{p - reach, p + reach});
+  });
+  return box;
+}
+
+// ---- the points ---------------------------------------------------------------------------------
+
+std::vector<Vec3d> used_points(const ModelPart& part, const std::vector<double>& positions) {
+  std::vector<bool> used(part.vertices(), part.points);
+  for (const std::uint32_t index : part.indices) used[index] = true;
+  std::vector<Vec3d> points;
+  for (std::size_t i = 0; i < used.size(); ++i)
+    if (used[i]) points.push_back({positions[3 * i], positions[3 * i + 1], positions[3 * i + 2]});
+  return points;
+}
+
+std::array<Vec3d, 8> corners_of(const std::vector<Vec3d>& points) {
+  Aabb box;
+  for (const Vec3d& p : points) box = around(box, p);
+  std::array<Vec3d, 8> corners;
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    corners[i] = {(i & 1U) != 0 ? box.max.x : box.min.x, (i & 2U) != 0 ? box.max.y : box.min.y,
+                  (i & 4U) != 0 ? box.max.z : box.min.z};
+  return corners;
+}
+
+// Adds points at all places, or the corners of their box where there would be too many.
+void add_placed(const std::vector<Vec3d>& points, const std::vector<Affine>& places,
+                const Affine& to_scene, std::vector<Vec3d>& all) {
+  constexpr std::size_t most = std::size_t{1} << 22U;
+  const auto add = [&](const auto& list, const Affine& place) {
+    for (const Vec3d& p : list) all.push_back(place.point(p));
+  };
+  for (const Affine& place : places) {
+    if (points.size() <= 8 || all.size() + points.size() <= most) add(points, to_scene * place);
+    else add(corners_of(points), to_scene * place);
+  }
+}
+
+// ---- the frame ----------------------------------------------------------------------------------
+
+/// Reach: how far points go in a camera's axes from a centre, seen under slopes of the frame's
+/// sides across and along.
+struct Reach {
+  double right = -Aabb::far, left = -Aabb::far, up = -Aabb::far, down = -Aabb::far;
+  double nearest = Aabb::far;  // along the view
+
+  Reach(const StillPoints& points, const StillBall& ball, const Basis& axes, double across,
+        double along) {
+    const double wide = std::sqrt(1 + across * across), high = std::sqrt(1 + along * along);
+    each_point(points, [&](const Vec3d& point, double r) {
+      const Vec3d p = point - ball.center;
+      const double x = dot(axes.u, p), y = dot(axes.v, p), z = -dot(axes.w, p);
+      right = std::max(right, x - across * z + wide * r);
+      left = std::max(left, -x - across * z + wide * r);
+      up = std::max(up, y - along * z + high * r);
+      down = std::max(down, -y - along * z + high * r);
+      nearest = std::min(nearest, z - r);
+    });
+  }
+  // The eye at that place along the view, from the centre.
+  Vec3d eye(const Basis& axes, double z) const {
+    return axes.u * ((right - left) / 2) + axes.v * ((up - down) / 2) - axes.w * z;
+  }
+};
+
+Camera looking(const Basis& axes, const Vec3d& eye) {
+  Camera camera;
+  camera.location = eye;
+  camera.direction = axes.w * -1.0;
+  camera.up = axes.v;
+  return camera;
+}
+
+Camera framed_by_angle(const StillPoints& points, const StillFrame& frame, const StillBall& ball) {
+  const double side = tan_of(frame.fov_degrees * (pi / 360));
+  const double along = filled * side, across = along * frame.aspect;
+  const Reach reach(points, ball, frame.axes, across, along);
+  const double z =
+      std::min({-(reach.right + reach.left) / (2 * across), -(reach.up + reach.down) / (2 * along),
+                reach.nearest - least_distance * ball.radius});
+  Camera camera = looking(frame.axes, ball.center + reach.eye(frame.axes, z));
+  camera.fov_degrees =
+      frame.zoom == 1 ? frame.fov_degrees : atan_of(side / frame.zoom) * (360 / pi);
+  return camera;
+}
+
+// Parallel rays: the eye's plane lies a radius before all.
+Camera framed_parallel(const StillPoints& points, const StillFrame& frame, const StillBall& ball) {
+  const Reach reach(points, ball, frame.axes, 0, 0);
+  const double height = std::max({(reach.right + reach.left) / frame.aspect, reach.up + reach.down,
+                                  least_distance * ball.radius});
+  Camera camera =
+      looking(frame.axes, ball.center + reach.eye(frame.axes, reach.nearest - ball.radius));
+  camera.projection = Projection::orthographic;
+  camera.height = height / (filled * frame.zoom);
+  return camera;
+}
+
+}  // namespace
+
+StillPoints still_points(const Model& model, const Pose& pose, const Affine& to_scene,
+                         double ball_radius) {
+  StillPoints points{{}, {}, ball_radius};
+  for (const ModelIndex number : pose.shown) {
+    const ModelNode& node = model.nodes[number];
+    if (!node.mesh) continue;
+    const std::vector<Affine> places =
+        node.skin ? std::vector<Affine>{{}} : places_of(node, pose.places[number]);
+    for (const ModelPart& part : model.meshes[*node.mesh].parts)
+      add_placed(used_points(part, shape_of(model, pose, number, part).positions), places, to_scene,
+                 part.points ? points.balls : points.corners);
+  }
+  return points;
+}
+
+StillBall ball_around(const StillPoints& points) {
+  StillBall ball{box_around(points).center()};
+  each_point(points, [&](const Vec3d& p, double r) {
+    ball.radius = std::max(ball.radius, length(p - ball.center) + r);
+  });
+  if (!(ball.radius > 0)) ball.radius = 1;
+  return ball;
+}
+
+double lowest_of(const StillPoints& points) { return box_around(points).min.y; }
+
+Vec3d orbit_direction(double azimuth_degrees, double elevation_degrees) {
+  const double level = cos_degrees(elevation_degrees);
+  return {sin_degrees(azimuth_degrees) * level, sin_degrees(elevation_degrees),
+          cos_degrees(azimuth_degrees) * level};
+}
+
+Basis orbit_basis(double azimuth_degrees, double elevation_degrees) {
+  const double sine = sin_degrees(azimuth_degrees), cosine = cos_degrees(azimuth_degrees);
+  const double rise = sin_degrees(elevation_degrees), level = cos_degrees(elevation_degrees);
+  return {{cosine, 0, -sine},
+          {-rise * sine, level, -rise * cosine},
+          {level * sine, rise, level * cosine}};
+}
+
+Camera framed(const StillPoints& points, const StillFrame& frame) {
+  const StillBall ball = ball_around(points);
+  return frame.fov_degrees == 0 ? framed_parallel(points, frame, ball)
+                                : framed_by_angle(points, frame, ball);
+}
+
+}  // namespace tia
