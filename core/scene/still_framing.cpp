@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "core/math/deterministic.h"
 
@@ -58,9 +59,14 @@ void add_placed(const std::vector<Vec3d>& points, const std::vector<Affine>& pla
   const auto add = [&](const auto& list, const Affine& place) {
     for (const Vec3d& p : list) all.push_back(place.point(p));
   };
+  std::optional<std::array<Vec3d, 8>> corners;
   for (const Affine& place : places) {
-    if (points.size() <= 8 || all.size() + points.size() <= most) add(points, to_scene * place);
-    else add(corners_of(points), to_scene * place);
+    if (points.size() <= 8 || all.size() + points.size() <= most) {
+      add(points, to_scene * place);
+    } else {
+      if (!corners) corners = corners_of(points);
+      add(*corners, to_scene * place);
+    }
   }
 }
 
