@@ -1,5 +1,6 @@
 #include "core/film/film.h"
 
+#include <algorithm>
 #include <cstring>
 
 namespace tia {
@@ -11,6 +12,18 @@ void encode_rows(const FilmTile& tile, Encoding encoding, std::uint8_t* to, std:
     develop_row(tile, y, encoding, codes);
     std::memcpy(to, codes.data(), 3 * static_cast<std::size_t>(tile.width));
   }
+}
+
+// Light over alpha. Where that is 0, so is the light.
+FilmTile straight(FilmTile tile) {
+  for (int y = 0; y < tile.height; ++y)
+    for (int x = 0; x < tile.width; ++x) {
+      const std::size_t i = FilmTile::index(x, y);
+      const float alpha = tile.alpha[i];
+      if (!(alpha > 0)) continue;
+      tile.r[i] /= alpha, tile.g[i] /= alpha, tile.b[i] /= alpha;
+    }
+  return tile;
 }
 
 }  // namespace
@@ -42,6 +55,26 @@ void DisplayFilm::put(const FilmTile& tile) {
   std::uint8_t* const to = image_.rgb.data() + static_cast<std::size_t>(tile.y) * row_bytes +
                            3 * static_cast<std::size_t>(tile.x);
   develop_(tile, to, row_bytes);
+}
+
+AlphaFilm::AlphaFilm(int width, int height, const DisplayRule& rule)
+    : image_{width, height, {}}, develop_(rule) {
+  image_.rgba.resize(4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+}
+
+void AlphaFilm::put(const FilmTile& tile) {
+  std::array<std::uint8_t, std::size_t{FilmTile::size} * row_codes> codes;
+  develop_(straight(tile), codes.data(), row_codes);
+  for (int y = 0; y < tile.height; ++y) {
+    const std::uint8_t* from = codes.data() + static_cast<std::size_t>(y) * row_codes;
+    const std::size_t row = static_cast<std::size_t>(tile.y + y);
+    std::uint8_t* to = image_.rgba.data() + 4 * (row * static_cast<std::size_t>(image_.width) +
+                                                 static_cast<std::size_t>(tile.x));
+    for (int x = 0; x < tile.width; ++x, from += 3) {
+      to = std::copy_n(from, 3, to);
+      *to++ = static_cast<std::uint8_t>(tile.alpha[FilmTile::index(x, y)] * 255 + 0.5F);
+    }
+  }
 }
 
 void ScanlineFilm::put(const FilmTile& tile) {

@@ -51,6 +51,19 @@ class DisplayFilm {
   Development develop_;
 };
 
+/// AlphaFilm: DisplayFilm's codes with alpha, of tiles that have it. Light is divided by alpha
+/// before it is shown; where that is 0 all codes are. Alpha is stored linearly.
+class AlphaFilm {
+ public:
+  AlphaFilm(int width, int height, const DisplayRule& rule);
+  void put(const FilmTile& tile);
+  const ImageRgba8& image() const { return image_; }
+
+ private:
+  ImageRgba8 image_;
+  Development develop_;
+};
+
 /// ScanlineFilm: DisplayFilm's codes as the scanlines of a PNG. Who brings the last tile of a band
 /// filters its rows, still in the cache, while others trace.
 /// Domain: tiles in bands: those of equal y are equally high.

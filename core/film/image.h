@@ -20,6 +20,9 @@ struct FilmTile {
   }
   int x = 0, y = 0, width = 0, height = 0;
   alignas(32) std::array<float, std::size_t{size} * size> r, g, b;
+  /// The share of a pixel that objects cover, by which its light is multiplied already; only of
+  /// worlds with a backdrop, else not set.
+  std::array<float, std::size_t{size} * size> alpha;
 };
 
 /// Replaces each pixel of a tile by what f makes of it.

@@ -42,9 +42,9 @@ namespace {
 constexpr int filter_sub = 1;
 const int force_filter = stbi_write_force_png_filter = filter_sub;
 
-}  // namespace
-
-std::string encode_png(const Image8& image, const std::stop_token& stop) {
+// Codes of so many channels a pixel.
+std::string encode(const std::vector<std::uint8_t>& codes, int width, int height, int channels,
+                   const std::stop_token& stop) {
   struct Free {
     void operator()(unsigned char* p) const { std::free(p); }
   };
@@ -55,14 +55,23 @@ std::string encode_png(const Image8& image, const std::stop_token& stop) {
   asked = &stop;
   stream = nullptr;
   int size = 0;
-  const std::unique_ptr<unsigned char, Free> png(stbi_write_png_to_mem(
-      image.rgb.data(), 3 * image.width, image.width, image.height, 3, &size));
+  const std::unique_ptr<unsigned char, Free> png(
+      stbi_write_png_to_mem(codes.data(), channels * width, width, height, channels, &size));
   if (png == nullptr) {
     std::free(stream);
     end_if_asked(stop);
     throw std::bad_alloc();
   }
   return {reinterpret_cast<const char*>(png.get()), static_cast<std::size_t>(size)};
+}
+
+}  // namespace
+
+std::string encode_png(const Image8& image, const std::stop_token& stop) {
+  return encode(image.rgb, image.width, image.height, 3, stop);
+}
+std::string encode_png(const ImageRgba8& image, const std::stop_token& stop) {
+  return encode(image.rgba, image.width, image.height, 4, stop);
 }
 
 std::string png_encoder() { return "libdeflate " LIBDEFLATE_VERSION_STRING; }

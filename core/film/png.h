@@ -18,6 +18,9 @@ namespace tia {
 /// Errors: Stopped, if that is asked for before the compression begins.
 std::string encode_png(const Image8& image, const std::stop_token& stop = {});
 
+/// The same with alpha: RGBA.
+std::string encode_png(const ImageRgba8& image, const std::stop_token& stop = {});
+
 /// Whether a picture is compressed in strips: with more than 1 MiB of scanlines. Below, one thread
 /// takes longer over strips than over the whole.
 bool is_cut_in_strips(int width, int height);

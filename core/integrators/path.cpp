@@ -29,7 +29,8 @@ class PathTracer {
     const int max_depth = std::min(world_view_.rules.max_depth, SceneOptions::deepest);
     for (int depth = 0; any(active); ++depth) {
       count_rays(depth, active);
-      const Hit<Real> hit = world_view_.closest(ray, active);
+      const Hit<Real> hit =
+          depth == 0 ? world_view_.closest_seen(ray, active) : world_view_.closest(ray, active);
       Surface isect = surfaces(world_view_, ray, hit, active);
       state_.beta = state_.beta * transmittance_of(state_.medium.absorption, hit.t);
       const FogSpan<Real> span = span_of(ray, hit.t, active);

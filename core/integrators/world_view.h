@@ -19,10 +19,19 @@ struct WorldView {
   WorkCounter work;
   Rules rules{};
   RayCounts rays{};
+  unsigned met = 0;  ///< the lanes, as bits, of the last camera rays that met an object
 
   template <class Real>
   Hit<Real> closest(const Ray<Real>& ray, Mask<Real> active) {
     return closest_hit(world, ray, active, work);
+  }
+  /// Of rays from the camera, which before a backdrop pass the surfaces of lights.
+  template <class Real>
+  Hit<Real> closest_seen(const Ray<Real>& ray, Mask<Real> active) {
+    if (!world.backdrop) return closest(ray, active);
+    const Hit<Real> hit = closest_object(world, ray, active, work);
+    met = bits(active && hit.t < Real(infinity));
+    return hit;
   }
   /// The share of the light that passes from t_max to the ray's origin, 0 or 1 unless shadows are
   /// transparent.
@@ -88,6 +97,8 @@ template <class AnyWorldView, class Real>
 Hit<Real> first_hit(AnyWorldView& world_view, const Ray<Real>& ray, Mask<Real> active,
                     RayKind kind = RayKind::primary) {
   world_view.rays.count(kind, count(active));
+  if constexpr (!AnyWorldView::plain)
+    if (kind == RayKind::primary) return world_view.closest_seen(ray, active);
   return world_view.closest(ray, active);
 }
 

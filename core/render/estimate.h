@@ -13,12 +13,14 @@ struct Estimate {
   Vec3d light{}, deviations{}, squares{};
   Vec3f first{};
   int count = 0;
+  int met = 0;      ///< how many of the samples met an object; only before a backdrop
   float error = 1;  ///< what Convergence makes of them
 
   Vec3f mean() const {
     return {static_cast<float>(light.x / count), static_cast<float>(light.y / count),
             static_cast<float>(light.z / count)};
   }
+  float alpha() const { return static_cast<float>(double(met) / count); }
 };
 
 /// Convergence: how far a pixel may yet be from what it will be, and when that is near enough.

@@ -72,6 +72,7 @@ template <class Real>
 struct Sums {
   using P = Precise<Real>;
   Vec3<P> light, deviations, squares;
+  std::array<int, Pixels<Real>::size> met{};  ///< of these samples alone
 
   explicit Sums(const Pixels<Real>& pixels)
       : light(pixels.gather(&Estimate::light)),
@@ -81,6 +82,11 @@ struct Sums {
     pixels.scatter(light, &Estimate::light);
     pixels.scatter(deviations, &Estimate::deviations);
     pixels.scatter(squares, &Estimate::squares);
+    for (std::size_t i = 0; i < pixels.count; ++i) pixels.estimates[i]->met += met[i];
+  }
+  // The lanes, as bits, of samples that met an object.
+  void add_met(unsigned lanes_of_it) {
+    for (std::size_t i = 0; i < met.size(); ++i) met[i] += static_cast<int>(lanes_of_it >> i & 1U);
   }
 
   void add(const Vec3<Real>& sample) { light = light + widen(sample); }

@@ -17,9 +17,10 @@ struct Shown {
   Vec3f light{};
   float error = 1;
   int count = 0;
+  float alpha = 0;
 };
 inline Shown shown_of(const Estimate& estimate) {
-  return {estimate.mean(), estimate.error, estimate.count};
+  return {estimate.mean(), estimate.error, estimate.count, estimate.alpha()};
 }
 
 /// Tally: sums up how far pixels have come. Any thread may add.
@@ -55,6 +56,7 @@ inline void fill(FilmTile& tile, const std::vector<Shown>& pixels) {
     tile.r[at] = pixels[i].light.x;
     tile.g[at] = pixels[i].light.y;
     tile.b[at] = pixels[i].light.z;
+    tile.alpha[at] = pixels[i].alpha;
   }
 }
 

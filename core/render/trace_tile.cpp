@@ -19,11 +19,27 @@ class Tracer {
   Tracer(const Shot& shot, int x0, int y0, int width, int height)
       : eye(shot.view), shot_(shot), world_view_{world_view_of(x0, y0, width, height)} {}
 
+  static constexpr bool may_have_backdrop = std::is_same_v<AnyWorldView, WorldView>;
+
   Vec3<Real> light(const Ray<Real>& ray, Mask<Real> active,
                    const SamplerState<Real>& sampler_state) {
-    if constexpr (std::is_same_v<AnyWorldView, FewBallsView>)
+    if constexpr (!may_have_backdrop) {
       return whitted(world_view_, ray, active, sampler_state);
-    else return radiance(shot_.integrator, world_view_, ray, active, sampler_state);
+    } else {
+      const Vec3<Real> light = radiance(shot_.integrator, world_view_, ray, active, sampler_state);
+      if (!hides_beyond_) return light;
+      return select(alpha() > Real(0), light, backdrop_);
+    }
+  }
+  /// Whether the world has a backdrop, and which lanes of the last rays met an object, as bits.
+  bool has_backdrop() const { return shot_.world.backdrop.has_value(); }
+  unsigned met() const { return world_view_.met; }
+  /// 1 in those lanes, else 0.
+  Real alpha() const {
+    std::array<LaneOf<Real>, static_cast<std::size_t>(lanes<Real>)> each;
+    for (std::size_t i = 0; i < each.size(); ++i)
+      each[i] = static_cast<LaneOf<Real>>(met() >> i & 1U);
+    return load<Real>(each.data());
   }
   RayCounts& rays() { return world_view_.rays; }
 
@@ -44,8 +60,16 @@ class Tracer {
     }
   }
 
+  // A transparent one is black, so that light is multiplied by alpha.
+  Vec3<Real> backdrop() const {
+    return has_backdrop() ? lift<Real>(rgb_of(shot_.world.backdrop->color.value_or(Color{})))
+                          : Vec3<Real>{};
+  }
+
   const Shot& shot_;
   AnyWorldView world_view_;
+  const bool hides_beyond_ = has_backdrop() && gathers_light(shot_.integrator);
+  const Vec3<Real> backdrop_ = backdrop();
 };
 
 // ---- one ray a pixel of a perspective view, as for most pictures --------------------------------
@@ -78,6 +102,8 @@ template <class Real, class AnyWorldView>
       PacketPixels::store(light.x, &tile.r[i]);
       PacketPixels::store(light.y, &tile.g[i]);
       PacketPixels::store(light.z, &tile.b[i]);
+      if constexpr (draws_much)
+        if (tracer.has_backdrop()) PacketPixels::store(tracer.alpha(), &tile.alpha[i]);
     }
   }
   shot.meter.add(tracer.rays());
@@ -99,6 +125,7 @@ template <class Real, class AnyWorldView>
   const Mask<Real> active = pixels.active();
   const int count = shot.sampler.count(round), before = shot.sampler.before(round);
   const bool watches = shot.convergence.watches(), clamps = shot.convergence.clamps();
+  const bool has_backdrop = tracer.has_backdrop();
   Vec3<Real> first = pixels.first_light();
   SamplerState<Real> sampler_state{pixels.x, pixels.y, 0, shot.sampler.key()};
   Sums<Real> sums(pixels);
@@ -106,6 +133,8 @@ template <class Real, class AnyWorldView>
     sampler_state.sample = static_cast<std::uint32_t>(before + i);
     const Vec3<Real> light = tracer.light(tracer.eye.ray(center, aims(i)), active, sampler_state);
     sums.add(light);
+    if constexpr (Tracer<Real, AnyWorldView>::may_have_backdrop)
+      if (has_backdrop) sums.add_met(tracer.met());
     if (watches) {
       const Vec3<Real> watched = clamps ? clamped(light) : light;
       if (before + i == 0) first = watched;

@@ -15,6 +15,7 @@
 #include "core/input/shared_list.h"
 #include "core/input/shared_value.h"
 #include "core/lights/light.h"
+#include "core/scene/backdrop.h"
 #include "core/scene/camera.h"
 #include "core/scene/fog.h"
 #include "core/scene/integrators.h"
@@ -120,6 +121,7 @@ struct Scene {
   std::string title, description;
   Camera camera;
   Color background{};
+  std::optional<Backdrop> backdrop;  ///< none: lights and background are seen
   Color ambient_light{1, 1, 1};
   std::optional<Fog> fog;
   std::map<std::string, Material> materials;
@@ -136,6 +138,13 @@ struct Scene {
     visit("camera", &Scene::camera, Spec{.about = "where the eye is and what it sees"});
     visit("background", &Scene::background,
           Spec{.about = "linear RGB of rays that hit nothing", .max = 1e6});
+    visit(
+        "backdrop", &Scene::backdrop,
+        Spec{.about = "what the picture shows where no object is, in place of the background, the "
+                      "sky and the lights, which are then seen in mirrors alone: linear RGB, or "
+                      "transparent, for which a PNG has alpha: the share of the samples that "
+                      "meet an object",
+             .max = 1e6});
     visit("ambient_light", &Scene::ambient_light,
           Spec{.about = "linear RGB of the light from everywhere", .max = 1e6});
     visit("fog", &Scene::fog, Spec{.about = "what fills the air and scatters light, by path"});

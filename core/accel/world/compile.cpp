@@ -42,7 +42,8 @@ void list_few_balls(World& world) {
     all.insert(all.end(), each->balls.begin(), each->balls.end());
   }
   world.few_balls = all.size() <= few_balls && world.lights.size() <= few_lights &&
-                    world.skies.empty() && std::ranges::all_of(world.lights, is_plain_point);
+                    world.skies.empty() && !world.backdrop &&
+                    std::ranges::all_of(world.lights, is_plain_point);
   if (world.few_balls) world.balls = std::move(all);
 }
 
@@ -53,6 +54,7 @@ class Lighting {
   Lighting(const Scene& scene, SharedGeometry objects, const Workers& workers)
       : scene_(scene), workers_(workers) {
     world_.background = rgb_of(scene.background);
+    world_.backdrop = scene.backdrop;
     world_.transparent_shadows = scene.options.transparent_shadows;
     world_.lights = objects->lights;
     world_.origin = objects->origin;

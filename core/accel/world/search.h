@@ -245,15 +245,20 @@ class Search {
   WorkCounter& work_;
 };
 
-/// Tries the rays on everything in the world that may change the query's answer.
+/// Tries the rays on everything in a geometry that may change the query's answer.
+template <class Real, class Query>
+void search(const Geometry& geometry, Packet<Real>& packet, Mask<Real> active, Query& query,
+            WorkCounter& work) {
+  if (geometry.primitives.empty()) return;
+  Search<Real, Query>(geometry, query, work).through(geometry.spaces.front(), packet, active);
+}
+/// The same in the world.
 template <class Real, class Query>
 void search(const World& world, const Ray<Real>& ray, Mask<Real> active, Query& query,
             WorkCounter& work) {
   Packet<Real> packet(ray);
-  for (const Geometry* geometry : world.geometries()) {
-    if (geometry->primitives.empty()) continue;
-    Search<Real, Query>(*geometry, query, work).through(geometry->spaces.front(), packet, active);
-  }
+  for (const Geometry* geometry : world.geometries())
+    search(*geometry, packet, active, query, work);
 }
 
 }  // namespace tia

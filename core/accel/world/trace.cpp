@@ -29,6 +29,16 @@ Hit<Real> closest_hit(const World& world, const Ray<Real>& ray, Mask<Real> activ
 }
 
 template <class Real>
+Hit<Real> closest_object(const World& world, const Ray<Real>& ray, Mask<Real> active,
+                         WorkCounter& work) {
+  Nearest<Real> query;
+  Packet<Real> packet(ray);
+  search(*world.of_objects, packet, active, query, work);
+  if constexpr (!std::is_same_v<Real, double>) settle_distances(world, ray, active, query.hit);
+  return query.hit;
+}
+
+template <class Real>
 Mask<Real> occluded(const World& world, const Ray<Real>& ray, const Real& t_max,
                     const Blocker& left_out, Mask<Real> active, WorkCounter& work) {
   AnyHit<Real> query{t_max, left_out.primitive, static_cast<int>(left_out.instance)};
@@ -120,6 +130,7 @@ Blocker first_blocker(const World& world, const Ray<float>& ray, float t_max,
 
 #define TIA_TRACE(Real)                                                                        \
   template Hit<Real> closest_hit(const World&, const Ray<Real>&, Mask<Real>, WorkCounter&);    \
+  template Hit<Real> closest_object(const World&, const Ray<Real>&, Mask<Real>, WorkCounter&); \
   template Mask<Real> occluded(const World&, const Ray<Real>&, const Real&, const Blocker&,    \
                                Mask<Real>, WorkCounter&);                                      \
   template Mask<Real> occluded(const World&, const Ray<Real>&, const Real&, const WorldLight&, \

@@ -12,7 +12,12 @@ template <class Real>
 Hit<Real> closest_hit(const World& world, const Ray<Real>& ray, Mask<Real> active,
                       WorkCounter& work);
 
-/// The same in a world of few balls. Domain: `balls` lists all that the ray may hit.
+/// The same of objects alone: the surfaces of lights are passed.
+template <class Real>
+Hit<Real> closest_object(const World& world, const Ray<Real>& ray, Mask<Real> active,
+                         WorkCounter& work);
+
+/// The closest hit in a world of few balls. Domain: `balls` lists all that the ray may hit.
 template <class Real>
 Hit<Real> closest_ball(const World& world, const std::vector<int>& balls, const Ray<Real>& ray) {
   Hit<Real> nearest;

@@ -39,7 +39,8 @@ struct World {
   /// If few_balls: all balls, one for each primitive, in order. Else none.
   std::vector<Ball> balls;
   Constant background;
-  std::vector<WorldSky> skies;  ///< are seen where rays leave, beside the background
+  std::optional<Backdrop> backdrop;  ///< what camera rays find that meet no object
+  std::vector<WorldSky> skies;       ///< are seen where rays leave, beside the background
   WorldFog fog;
   int objects = 0;  ///< how many; the luminous lights are the last
   bool transparent_shadows =

@@ -58,6 +58,24 @@ TEST(Png, AnIndependentDecoderReadsTheSamePixels) {
   }
 }
 
+TEST(Png, WithAlphaItsFourChannelsAreRead) {
+  for (const auto& [w, h] : {std::pair{1, 1}, {31, 33}, {256, 3}}) {
+    const Image8 codes = noise(w, 2 * h, 123);  // 6 w h of them
+    const ImageRgba8 image{w, h, {codes.rgb.begin(), codes.rgb.begin() + 4 * w * h}};
+    const std::string png = encode_png(image);
+    int width = 0, height = 0, channels = 0;
+    const std::unique_ptr<stbi_uc, void (*)(void*)> pixels(
+        stbi_load_from_memory(reinterpret_cast<const stbi_uc*>(png.data()),
+                              static_cast<int>(png.size()), &width, &height, &channels, 0),
+        stbi_image_free);
+    ASSERT_NE(pixels, nullptr);
+    ASSERT_EQ(std::tuple(width, height, channels), std::tuple(w, h, 4));
+    EXPECT_EQ(std::memcmp(pixels.get(), image.rgba.data(), image.rgba.size()), 0);
+    // W3C PNG (third edition), 11.2.1: 8 bits, RGBA.
+    EXPECT_EQ(png.substr(24, 5), std::string("\x08\x06\0\0\0", 5));
+  }
+}
+
 TEST(Png, LongestRowsAreRead) {
   expect_same_pixels(stb_decoded(encode_png(ramp(1'000'000, 1))), ramp(1'000'000, 1));
   expect_same_pixels(stb_decoded(encode_png(ramp(1, 100'000))), ramp(1, 100'000));
