@@ -1,0 +1,118 @@
+#include "core/scene/still.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/math/deterministic.h"
+
+namespace tia {
+namespace {
+
+// What a floor sends back of light.
+constexpr double floor_albedo = 0.5;
+// The widest view that a camera may have; files say up to 180 degrees.
+constexpr double widest_degrees = 179;
+
+// A finish that sends back all of ambient_light, as studio_light wants it.
+Object floor_below(const StillPoints& points) {
+  Finish finish;
+  finish.color = {floor_albedo, floor_albedo, floor_albedo};
+  finish.ambient = 1;
+  Object floor;
+  floor.name = "floor";
+  floor.shape = Plane{{0, lowest_of(points), 0}, {0, 1, 0}};
+  floor.material = MaterialRef(Material{finish});
+  return floor;
+}
+
+Camera camera_for(const StillRequest& request, const StillBody& body, double aspect) {
+  if (body.camera) return *body.camera;
+  const Basis axes = orbit_basis(request.orbit[0], request.orbit[1]);
+  return framed(body.points, {axes, request.fov, request.zoom, aspect});
+}
+
+StudioStand stand_for(const StillRequest& request, const StillBody& body, const Camera& camera,
+                      IntegratorName integrator) {
+  const Vec3d view = unit(axis_of(camera));
+  // Of a camera of the file, where it looks from; straight down that is its back's side.
+  const double azimuth = body.camera ? atan2_of(-view.x, -view.z) * (180 / pi) : request.orbit[0];
+  return {ball_around(body.points), azimuth, view, integrator};
+}
+
+bool is_chosen(const Model& model, ModelIndex camera, const CameraChoice& choice) {
+  if (const auto* number = std::get_if<int>(&choice)) return *number == static_cast<int>(camera);
+  return model.cameras[camera].name == std::get<std::string>(choice);
+}
+
+Camera camera_at(const ModelCamera& own, const Affine& place) {
+  Camera camera;
+  camera.location = place.offset;
+  camera.direction = unit(place.z) * -1.0;
+  camera.up = unit(place.y);
+  if (own.orthographic) {
+    camera.projection = Projection::orthographic;
+    camera.height = 2 * own.ymag * length(place.y);
+  } else {
+    camera.fov_degrees = std::min(own.yfov * (180 / pi), widest_degrees);
+  }
+  return camera;
+}
+
+}  // namespace
+
+void Codec<CameraChoice>::read(const Value& v, const Place& at, const Spec& spec, Faults& faults,
+                               CameraChoice& out) {
+  if (v.as<std::string>() != nullptr) read_value(v, at, spec, faults, out.emplace<std::string>());
+  else if (v.as<double>() != nullptr) read_value(v, at, spec, faults, out.emplace<int>());
+  else detail::wrong_type(v, at, allowed(spec), faults);
+}
+Value Codec<CameraChoice>::write(const CameraChoice& v) {
+  return std::visit([](const auto& is) { return write_value(is); }, v);
+}
+Value Codec<CameraChoice>::schema(const Spec& spec, Definitions& named) {
+  return Value::Object{
+      {"oneOf", Value::Array{schema_of<int>(spec, named), schema_of<std::string>(spec, named)}}};
+}
+std::string Codec<CameraChoice>::allowed(const Spec& spec) {
+  return Codec<int>::allowed(spec) + ", or " + Codec<std::string>::allowed(spec);
+}
+
+void StillRequest::check(const Place& at, Faults& faults) const {
+  const StillRequest usual;
+  if (std::fabs(orbit[1]) > 90)
+    faults.add({FaultKind::out_of_range, at.at("orbit").at(std::size_t{1}).pointer(), orbit[1],
+                "an elevation from -90 to 90 degrees"});
+  if (fov > 0 && fov < least_fov)
+    faults.add({FaultKind::out_of_range, at.at("fov").pointer(), fov,
+                "0, which is parallel, or 1 to 170 degrees"});
+  if (camera && (orbit != usual.orbit || zoom != usual.zoom || fov != usual.fov))
+    faults.add({FaultKind::conflict, at.at("camera").pointer(), write_value(*camera),
+                "camera goes without orbit, zoom and fov"});
+}
+
+std::optional<Camera> still_camera(const Model& model, const Pose& pose, const Affine& to_scene,
+                                   const CameraChoice& choice) {
+  for (const ModelIndex number : pose.shown) {
+    const MaybeIndex camera = model.nodes[number].camera;
+    if (camera && is_chosen(model, *camera, choice))
+      return camera_at(model.cameras[*camera], to_scene * pose.places[number]);
+  }
+  return std::nullopt;
+}
+
+Scene still_scene(const StillRequest& request, StillBody body, double aspect,
+                  IntegratorName integrator) {
+  Scene scene;
+  scene.camera = camera_for(request, body, aspect);
+  StudioLight light =
+      studio_light(request.studio, stand_for(request, body, scene.camera, integrator));
+  scene.lights = std::move(light.lights);
+  scene.ambient_light = light.ambient_light;
+  scene.backdrop = request.background;
+  scene.objects = std::move(body.objects);
+  if (request.ground == Ground::floor) scene.objects.push_back(floor_below(body.points));
+  scene.options.integrator = integrator;
+  return scene;
+}
+
+}  // namespace tia
