@@ -55,6 +55,16 @@ void check_rounds(const PictureRequest& asked, const SceneOptions& in_effect) {
   check("max_rays", asked.max_rays);
 }
 
+// Whether the picture has alpha.
+bool is_transparent(const Scene& scene, IntegratorName integrator) {
+  return scene.backdrop && scene.backdrop->is_transparent() && gathers_light(integrator);
+}
+void check_format(const PictureRequest& asked, const Scene& scene, IntegratorName integrator) {
+  if (asked.format != Format::png && is_transparent(scene, integrator))
+    throw InputError({FaultKind::conflict, "/format", write_value(asked.format),
+                      "png, which alone has alpha, or a backdrop that is a colour"});
+}
+
 // Those that a pixel has in any case.
 int fewest_samples(const PictureRequest& asked, const RenderOptions& options) {
   if (asked.has_budget()) return std::min(options.samples, Sampler::first_round);
@@ -70,6 +80,7 @@ Plan plan_of(const PictureRequest& asked, const RenderContext& context,
   const KnownScene scene = scene_of(asked, context, requester);
   SceneOptions in_effect = options_in_effect(scene->options, asked);
   check_rounds(asked, in_effect);
+  check_format(asked, *scene, in_effect.integrator);
   if (asked.format != Format::png && !in_effect.noise) in_effect.show_by({});
   RenderOptions options = options_of(in_effect, context.limits);
   options.threads =
@@ -197,6 +208,10 @@ Picture draw(const Plan& plan, const RenderContext& context, const std::stop_tok
     LinearFilm film(width, height);
     trace_onto(film);
     workers.alone([&] { picture.bytes = encode_linear(plan.format, std::move(film), stop); });
+  } else if (is_transparent(*plan.scene, plan.options.integrator)) {
+    AlphaFilm film(width, height, plan.display);
+    trace_onto(film);
+    workers.alone([&] { picture.bytes = encode_png(film.image(), stop); });
   } else if (is_cut_in_strips(width, height)) {
     ScanlineFilm film(width, height, plan.display);
     trace_onto(film);
