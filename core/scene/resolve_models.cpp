@@ -12,12 +12,11 @@ namespace {
 
 using Shown = std::shared_ptr<const std::vector<Object>>;
 
-bool has_models(const std::vector<Object>& list) {
-  return std::ranges::any_of(list, [](const Object& object) {
-    if (std::holds_alternative<PlacedModel>(object.shape)) return true;
-    const auto* group = std::get_if<Group>(&object.shape);
-    return group != nullptr && has_models(group->children);
-  });
+void add_models(const std::vector<Object>& list, std::set<std::string>& to) {
+  for (const Object& object : list) {
+    if (const auto* model = std::get_if<PlacedModel>(&object.shape)) to.insert(model->id);
+    else if (const auto* group = std::get_if<Group>(&object.shape)) add_models(group->children, to);
+  }
 }
 
 bool all_usable(const std::vector<Object>& list, const Affine& above) {
@@ -118,12 +117,16 @@ class Resolving {
 
 }  // namespace
 
-bool has_models(const Scene& scene) { return has_models(scene.objects.get()); }
+std::set<std::string> models_in(const Scene& scene) {
+  std::set<std::string> ids;
+  add_models(scene.objects, ids);
+  return ids;
+}
 
 void resolve_models(Scene& scene, const ModelSource& source, Faults& faults,
-                    const ModelBudget& most) {
-  if (!has_models(scene)) return;
-  Resolving(source, faults, most).resolve(scene.objects.edit(), {}, Place{}.at("objects"));
+                    const ModelBudget& most, const Place& at) {
+  if (models_in(scene).empty()) return;
+  Resolving(source, faults, most).resolve(scene.objects.edit(), {}, at.at("objects"));
 }
 
 }  // namespace tia

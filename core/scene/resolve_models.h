@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <memory>
+#include <set>
 #include <string>
 
 #include "core/models/kept_model.h"
@@ -20,12 +21,12 @@ using ModelSource = std::function<std::shared_ptr<const KeptModel>(const std::st
 /// Errors: as faults: `missing` at the `id` of a model that the source does not have; what an
 /// object asks for and its model does not have; `limit` where the scene's models come to more than
 /// `most`; places beyond those that objects can have. What has a fault shows nothing. Stopped.
-/// Domain: a scene that was read without a fault. Whatever reads a scene again, as press() does,
-/// leaves its models to be resolved again.
+/// Domain: a scene that was read without a fault, at that place. Whatever reads a scene again, as
+/// press() does, leaves its models to be resolved again.
 void resolve_models(Scene& scene, const ModelSource& source, Faults& faults,
-                    const ModelBudget& most = {});
+                    const ModelBudget& most = {}, const Place& at = {});
 
-/// Whether a scene has a model anywhere.
-bool has_models(const Scene& scene);
+/// The ids and names of all of a scene's models, each once.
+std::set<std::string> models_in(const Scene& scene);
 
 }  // namespace tia

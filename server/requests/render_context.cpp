@@ -1,6 +1,9 @@
 #include "server/requests/render_context.h"
 
+#include <map>
+
 #include "core/input/object_schema.h"
+#include "core/scene/resolve_models.h"
 
 namespace tia::server {
 namespace {
@@ -13,7 +16,32 @@ template <class Change>
 KnownScene changed(const KnownScene& scene, const RenderContext& context,
                    const Requester& requester, const Change& change) {
   return context.go_through(scene.others, requester, [&] {
-    return KnownScene{std::make_shared<const Scene>(change()), scene.objects, scene.others};
+    return KnownScene{std::make_shared<const Scene>(change()), scene.objects, scene.others,
+                      scene.models};
+  });
+}
+
+// The scene with what its models stand for. What reads one again works alone: all are there before
+// this does.
+KnownScene with_models(const KnownScene& scene, const RenderContext& context,
+                       const Requester& requester) {
+  std::map<std::string, SharedModel> models;
+  std::size_t bytes = 0;
+  for (const std::string& id : models_in(*scene)) {
+    SharedModel& model = models[id];
+    if (context.models != nullptr && is_model_id(id))
+      model = context.models->find(id, requester).model;
+    if (model) bytes += bytes_of(*model);
+  }
+  if (models.empty()) return scene;
+  return context.go_through(scene.others + bytes, requester, [&] {
+    auto shown = std::make_shared<Scene>(*scene);
+    Faults faults(requester.stop);
+    const Place all{};
+    resolve_models(
+        *shown, [&](const std::string& id) { return models.at(id); }, faults, {}, all.at("scene"));
+    faults.raise();
+    return KnownScene{std::move(shown), scene.objects, scene.others, bytes};
   });
 }
 
@@ -52,6 +80,7 @@ KnownScene scene_of(const ViewRequest& asked, const RenderContext& context,
   const auto* name = std::get_if<std::string>(&asked.scene);
   KnownScene scene = name != nullptr ? find_scene(*name, context, requester)
                                      : told(std::get<Scene>(asked.scene), context, requester);
+  scene = with_models(scene, context, requester);
   if (asked.camera)
     scene = changed(scene, context, requester, [&] {
       Scene patched_scene = *scene;
@@ -60,7 +89,8 @@ KnownScene scene_of(const ViewRequest& asked, const RenderContext& context,
     });
   if (asked.key && !moves_light_only(*scene, *asked.key)) {
     const bool is_named = name != nullptr && !asked.camera;
-    return context.pressed.get(is_named ? *name : "", scene, *asked.key, requester);
+    scene = context.pressed.get(is_named ? *name : "", scene, *asked.key, requester);
+    return with_models(scene, context, requester);
   }
   if (!asked.key && !asked.light) return scene;
   const auto middles = context.pressed.middles_of(scene, requester);

@@ -11,6 +11,7 @@
 #include "server/requests/view_request.h"
 #include "server/stores/gallery.h"
 #include "server/stores/geometry_store.h"
+#include "server/stores/model_store.h"
 #include "server/stores/pressed_scenes.h"
 #include "server/stores/scene_store.h"
 
@@ -25,6 +26,7 @@ struct RenderContext {
   Pool& pool;
   LongWork& long_work;
   Limits limits;
+  ModelStore* models = nullptr;  ///< null: none are kept
 
   /// Does what copies or writes so many bytes of a scene: as long work, unless they are few.
   /// Returns: what it does. Errors: as LongWork, and whatever it throws.
@@ -44,8 +46,9 @@ bool is_at_hand(const std::string& name, const RenderContext& context);
 KnownScene find_scene(const std::string& name, const RenderContext& context,
                       const Requester& requester);
 
-/// The scene that is asked for: with its camera patched, then its key pressed or its light moved.
-/// It may be the request's own, and lives no longer. Errors: InputError; as PressedScenes::get.
+/// The scene that is asked for: with what its models stand for, with its camera patched, then its
+/// key pressed or its light moved. It may be the request's own, and lives no longer.
+/// Errors: InputError; as PressedScenes::get, ModelStore::find.
 KnownScene scene_of(const ViewRequest& asked, const RenderContext& context,
                     const Requester& requester);
 

@@ -27,7 +27,8 @@ class GeometryStore::Meshes {
   Meshes(GeometryStore& store, const ObjectsDigest& digest) : store_(store), digest_(digest) {}
 
   SharedMesh operator()(const Mesh& mesh, const Workers& workers) {
-    const Digest& name = digest_.meshes.at(&mesh);
+    const auto told = digest_.meshes.find(&mesh);
+    const Digest name = told != digest_.meshes.end() ? told->second : digest_of(mesh);
     if (const auto known = met_.find(name); known != met_.end()) return known->second.index;
     SharedMesh index = store_.find_mesh(name);
     if (!index) index = indexed(mesh, workers);
@@ -45,7 +46,7 @@ class GeometryStore::Meshes {
 World GeometryStore::compile(const KnownScene& scene, const Workers& workers) {
   World world;
   if (!keeps_) {
-    claim_for(scene.objects.bytes, workers);
+    claim_for(scene.objects.bytes + scene.models, workers);
     workers.alone([&] { world = tia::compile(*scene, workers); });
   } else {
     SharedGeometry geometry = geometry_of(scene, workers);
@@ -58,7 +59,7 @@ World GeometryStore::compile(const KnownScene& scene, const Workers& workers) {
 SharedGeometry GeometryStore::geometry_of(const KnownScene& scene, const Workers& workers) {
   SharedGeometry geometry = find(scene.objects.digest);
   if (geometry) return geometry;
-  claim_for(scene.objects.bytes, workers);
+  claim_for(scene.objects.bytes + scene.models, workers);
   workers.alone([&] { geometry = build(*scene, digest_of_objects(*scene), workers); });
   return geometry;
 }

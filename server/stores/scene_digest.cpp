@@ -2,7 +2,6 @@
 
 #include <openssl/evp.h>
 
-#include <map>
 #include <memory>
 #include <new>
 #include <type_traits>
@@ -104,20 +103,12 @@ class Digester {
     add(step.by);
   }
   void add(const Mesh& mesh) {
-    auto [known, is_new] = known_.try_emplace(lists_of(mesh));
-    if (is_new) {  // of meshes that share their lists only one is gone through, and takes memory
-      Digester own(meshes_);
-      Mesh::fields(Fields<Mesh>{own, mesh});
-      const ObjectsName name = own.done();
-      known->second = name.digest;
-      bytes_ += name.bytes;
-    }
-    meshes_.emplace(&mesh, known->second);
-    add(known->second);
-  }
-  void add(const PlacedModel& model) {
-    PlacedModel::fields(Fields<PlacedModel>{*this, model});
-    add(children_in(model));
+    Digester own(meshes_);
+    Mesh::fields(Fields<Mesh>{own, mesh});
+    const ObjectsName name = own.done();
+    meshes_.emplace(&mesh, name.digest);
+    add(name.digest);
+    bytes_ += name.bytes;
   }
   template <Described T>
   void add(const T& value) {
@@ -159,13 +150,18 @@ class Digester {
     void operator()(EVP_MD_CTX* context) const { EVP_MD_CTX_free(context); }
   };
   Meshes& meshes_;
-  std::map<MeshLists, Digest> known_;
   std::unique_ptr<EVP_MD_CTX, Free> context_;
   std::array<unsigned char, 1024> buffer_;  // calls for a number each would cost more than SHA-256
   std::size_t used_ = 0, bytes_ = 0;
 };
 
 }  // namespace
+
+Digest digest_of(const Mesh& mesh) {
+  Digester::Meshes alone;
+  Digester(alone).add(mesh);
+  return alone.at(&mesh);
+}
 
 ObjectsDigest digest_of_objects(const Scene& scene) {
   ObjectsDigest digest;

@@ -27,11 +27,13 @@ struct ObjectsName {
 };
 
 /// Of all that geometry_of(scene) depends on: objects, materials and ambient light; and of each of
-/// the scene's meshes, found on the way.
+/// the scene's meshes, found on the way. Models count by their ids, which tell what they show.
 struct ObjectsDigest {
   ObjectsName all;
   std::unordered_map<const Mesh*, Digest> meshes;
 };
 ObjectsDigest digest_of_objects(const Scene& scene);
+/// The same of one mesh.
+Digest digest_of(const Mesh& mesh);
 
 }  // namespace tia::server
