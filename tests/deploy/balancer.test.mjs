@@ -70,11 +70,16 @@ test('the same request goes to the same replica, and different ones to both', wi
   }
 }));
 
-test('what names a kept scene goes to the replica that keeps it', withReplicas(async (balancer, replicas) => {
+test('what names a kept scene or model goes to the replica that keeps it', withReplicas(async (balancer, replicas) => {
   const kept = await (await post(balancer, '/scenes', JSON.stringify(SCENE))).json();
   const known = await Promise.all(replicas.map(({ tia }) => fetch(tia.base + kept.location)));
   assert.deepEqual(known.map(({ status }) => status).sort(), [200, 404], 'one keeps it');
   assert.equal((await get(balancer, kept.location)).status, 200);
+  const model = await post(balancer, '/models', 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n');
+  assert.equal(model.status, 201);
+  for (let i = 0; i < 12; ++i) {
+    assert.equal((await get(balancer, `${model.headers.get('location')}?${i}`)).status, 200);
+  }
   for (let seed = 0; seed < 12; ++seed) {
     assert.equal((await get(balancer, `/render?scene=${kept.id}&${SMALL}&seed=${seed}`)).status, 200);
     const wish = JSON.stringify({ scene: kept.id, width: 16, height: 12, seed });

@@ -20,6 +20,18 @@ void check_length(std::size_t numbers, std::size_t each, std::size_t vertices, c
                     " vertices, or none"});
 }
 
+void check_indices(const std::vector<std::uint32_t>& indices, std::size_t vertices, const Place& at,
+                   Faults& faults) {
+  for (std::size_t i = 0; i < indices.size() && !faults.full(); ++i) {
+    if (indices[i] < vertices) continue;
+    Fault fault{
+        FaultKind::out_of_range, at.at(i).pointer(), {}, "the index of a position, from 0 to "};
+    fault.got = write_value(indices[i]);
+    fault.allowed += std::to_string(vertices - 1);
+    faults.add(std::move(fault));
+  }
+}
+
 }  // namespace
 
 void Mesh::check(const Place& at, Faults& faults) const {
@@ -32,12 +44,8 @@ void Mesh::check(const Place& at, Faults& faults) const {
   check_length(normals.values.size(), 3, vertices(), at.at("normals"), faults);
   check_length(uvs.values.size(), 2, vertices(), at.at("uvs"), faults);
 
-  const Place all_indices = at.at("indices"), all_normals = at.at("normals");
-  for (std::size_t i = 0; i < indices.values.size() && !faults.full(); ++i)
-    if (indices.values[i] >= vertices())
-      faults.add({FaultKind::out_of_range, all_indices.at(i).pointer(),
-                  Value(static_cast<double>(indices.values[i])),
-                  "the index of a position, from 0 to " + std::to_string(vertices() - 1)});
+  check_indices(indices.values, vertices(), at.at("indices"), faults);
+  const Place all_normals = at.at("normals");
   const auto& n = normals.values.get();
   for (std::size_t i = 0; i + 2 < n.size() && !faults.full(); i += 3) {
     const Vec3d normal{n[i], n[i + 1], n[i + 2]};
