@@ -162,7 +162,7 @@ TEST(Tone, NoLightIsBlackAndAnyAmountAtMostWhite) {
         EXPECT_EQ(tone.signal({none, none, none}), (Vec3d{0, 0, 0})) << none;
       for (const double much : {1e9, 1e38, HUGE_VAL}) {
         const FilmTile tile =
-            with_light(FilmTile{.width = 1, .height = 1, .r = {}, .g = {}, .b = {}},
+            with_light(FilmTile{.width = 1, .height = 1, .r = {}, .g = {}, .b = {}, .alpha = {}},
                        [&](float) { return static_cast<float>(much); });
         EXPECT_EQ(codes_of(tile, {transfer, stops}).rgb, (std::vector<std::uint8_t>{255, 255, 255}))
             << much;

@@ -138,7 +138,7 @@ TEST(Keys, WithoutALightTheEyesOwnDistanceServes) {
 TEST(Keys, KeyLightThatWaitsForItsPlaceGoesAtTheEyesDistance) {
   Scene scene;
   scene.camera.look_at = Vec3d{0, 0, -20};
-  scene.key_light = Light{SphereLight{std::nullopt, 3}};
+  scene.key_light.emplace().kind = SphereLight{std::nullopt, 3};
   expect_default_places(scene, {0, 0, -20}, 20);
 }
 
@@ -199,7 +199,7 @@ TEST(WithLight, MovesTheKeyLightElseTheFirstLightElseAddsAPoint) {
   EXPECT_EQ(first.lights[0], test::sphere_light(place, 2, {0.5, 0, 0})) << "all else stays";
   EXPECT_EQ(first.lights[1], scene.lights[1]);
 
-  scene.key_light = Light{SphereLight{std::nullopt, 3}};
+  scene.key_light.emplace().kind = SphereLight{std::nullopt, 3};
   const Scene key = with_light(scene, place);
   EXPECT_EQ(key.key_light, test::sphere_light(place, 3));
   EXPECT_EQ(key.lights, scene.lights);
