@@ -26,12 +26,6 @@ std::string Folder::file(const std::string& name) const { return (path_ / name).
 
 // ---- Process --------------------------------------------------------------------------------
 
-// They stand in its build's folder "tests".
-std::string tia_program() {
-  return (std::filesystem::canonical("/proc/self/exe").parent_path().parent_path() / "tia")
-      .string();
-}
-
 Process::Process(const Words& arguments, const Words& environment, int error_output,
                  std::int64_t most_addresses) {
   std::string program = tia_program();

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/server/program.h"
 #include "tests/server/socket_support.h"
 
 namespace tia::test {
@@ -33,9 +34,6 @@ class Folder {
  private:
   std::filesystem::path path_;
 };
-
-/// The program that these tests are of.
-std::string tia_program();
 
 /// Process: `tia` with these arguments and these additions to an environment without TIA_*.
 /// Its outputs go to files, so that it never waits for a reader; the error output elsewhere where a

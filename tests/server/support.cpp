@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "tests/server/contract/contract.h"
-#include "tests/server/process_support.h"
+#include "tests/server/program.h"
 
 namespace tia::test {
 
