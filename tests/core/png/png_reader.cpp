@@ -39,15 +39,17 @@ class Reader {
   }
   std::uint32_t width() const { return png_get_image_width(png_, info_); }
   std::uint32_t height() const { return png_get_image_height(png_, info_); }
+  bool has_alpha() const { return png_get_color_type(png_, info_) == PNG_COLOR_TYPE_RGB_ALPHA; }
   bool is_rgb8() const {
     return png_get_bit_depth(png_, info_) == 8 &&
-           png_get_color_type(png_, info_) == PNG_COLOR_TYPE_RGB &&
+           (has_alpha() || png_get_color_type(png_, info_) == PNG_COLOR_TYPE_RGB) &&
            png_get_interlace_type(png_, info_) == PNG_INTERLACE_NONE;
   }
 
-  // Domain: is_rgb8(). Errors: anything wrong in the rest of the file.
-  std::string rgb() {
-    const std::size_t row = std::size_t{3} * width();
+  // Three bytes a pixel, four with alpha. Domain: is_rgb8().
+  // Errors: anything wrong in the rest of the file.
+  std::string pixels() {
+    const std::size_t row = std::size_t{png_get_channels(png_, info_)} * width();
     std::string pixels(row * height(), '\0');
     guarded([&] {
       for (std::size_t y = 0; y < height(); ++y)
@@ -127,9 +129,10 @@ std::vector<PngChunk> chunks_in(std::string_view file) {
 Png read_png(std::string_view file) {
   Reader reader(file);
   reader.read_head();
-  require(reader.is_rgb8(), "not 8 bits of RGB");
-  Png png{
-      static_cast<int>(reader.width()), static_cast<int>(reader.height()), reader.rgb(), {}, {}};
+  require(reader.is_rgb8(), "not 8 bits of RGB or RGBA");
+  Png png{static_cast<int>(reader.width()), static_cast<int>(reader.height()), {}, {}, {}, {}};
+  std::string& pixels = reader.has_alpha() ? png.rgba : png.rgb;
+  pixels = reader.pixels();
   png.texts = reader.texts();
   png.chunks = chunks_in(file);
   return png;

@@ -19,12 +19,13 @@ struct PngText {
 
 struct Png {
   int width = 0, height = 0;
-  std::string rgb;  ///< 8 bits each, row 0 on top
+  std::string rgb;   ///< 8 bits each, row 0 on top; none of a picture with alpha
+  std::string rgba;  ///< of one with alpha
   std::vector<PngText> texts;
   std::vector<PngChunk> chunks;  ///< all, in order
 };
 
-/// Domain: 8 bits a channel, RGB, not interlaced, as all pictures of ours.
+/// Domain: 8 bits a channel, RGB or RGBA, not interlaced, as all pictures of ours.
 /// Errors: std::runtime_error that says what is wrong.
 /// Source: W3C PNG (third edition).
 Png read_png(std::string_view file);

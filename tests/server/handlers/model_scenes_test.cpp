@@ -1,5 +1,6 @@
 // Scenes that show models, over HTTP.
 #include "server/stores/digest.h"
+#include "tests/core/png/png_reader.h"
 #include "tests/server/model_support.h"
 #include "tests/server/process_support.h"
 #include "tests/server/support.h"
@@ -89,9 +90,15 @@ TEST(ModelScenes, ArePicturesBeforeATransparentBackdrop) {
   asked.replace(asked.find("pfm"), 3, "png");
   const Response picture = drawn(own, asked);
   ASSERT_EQ(picture.status, 200) << picture.body;
-  // Byte 25 of a PNG is its colour type: 6 has alpha.
-  ASSERT_GT(picture.body.size(), 25U);
-  EXPECT_EQ(picture.body[25], 6);
+  const Png png = read_png(picture.body);
+  ASSERT_EQ(png.rgba.size(), 4U * 40 * 30);
+  // From 3 before the triangle 15 pixels are 3 tan(12.5 degrees): pixel (22, 12) sees (0.11, 0.11)
+  // with all of its rays, pixel (5, 5) something far to the left with all of them.
+  const auto alpha_at = [&](std::size_t x, std::size_t y) {
+    return static_cast<unsigned char>(png.rgba[4 * (40 * y + x) + 3]);
+  };
+  EXPECT_EQ(alpha_at(22, 12), 255);
+  EXPECT_EQ(alpha_at(5, 5), 0);
 }
 
 }  // namespace
