@@ -105,11 +105,15 @@ Plan plan_of(const PictureRequest& asked, const RenderContext& context,
 
 namespace {
 
+const MemoryCost& cost_of_pixels(const Plan& plan) {
+  if (plan.format != Format::png) return memory_cost::linear;
+  return is_transparent(*plan.scene, plan.options.integrator) ? memory_cost::alpha
+                                                              : memory_cost::png;
+}
 std::int64_t memory_of(const Plan& plan) {
   const auto pixels = static_cast<std::size_t>(plan.window.width()) *
                       static_cast<std::size_t>(plan.window.height());
-  return memory_for(memory_cost::request, 1) +
-         memory_for(plan.format == Format::png ? memory_cost::png : memory_cost::linear, pixels) +
+  return memory_for(memory_cost::request, 1) + memory_for(cost_of_pixels(plan), pixels) +
          (plan.asked->has_budget() ? memory_for(memory_cost::rounds, pixels) : 0);
 }
 

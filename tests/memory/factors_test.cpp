@@ -242,6 +242,26 @@ TEST(LinearMemory, IsWithinItsRowForEitherFormat) {
   EXPECT_LE(hdr.rest, 4.2 * size * size);
 }
 
+TEST(AlphaMemory, IsWithinItsRow) {
+  const int size = 1024;
+  Random random(6);
+  const Use use = use_of<std::string>([&] {
+    AlphaFilm film(size, size, {});
+    FilmTile tile;
+    tile.width = tile.height = FilmTile::size;
+    for (tile.y = 0; tile.y < size; tile.y += FilmTile::size)
+      for (tile.x = 0; tile.x < size; tile.x += FilmTile::size) {
+        for (auto* components : {&tile.r, &tile.g, &tile.b, &tile.alpha})
+          for (float& component : *components) component = static_cast<float>(random.unit());
+        film.put(tile);
+      }
+    return with_text(encode_png(film.image(), {}), "a", "b");
+  });
+  std::printf("alpha: %.1f bytes a pixel\n", static_cast<double>(use.peak) / (size * size));
+  if (sanitized()) GTEST_SKIP() << "the sanitizer's pieces are larger";
+  EXPECT_LE(use.peak, memory_for(memory_cost::alpha, std::size_t{size} * size));
+}
+
 // With a budget rounds go over the whole picture, whose sums are there all the time.
 TEST(RoundsMemory, IsWithinItsRow) {
   constexpr int size = 256;
