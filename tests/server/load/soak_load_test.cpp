@@ -97,7 +97,7 @@ std::unique_ptr<Outcome> drive(int port, int clients, Clock::duration duration) 
   for (int c = 0; c < clients; ++c)
     threads.emplace_back([&, port, end, c] {
       std::this_thread::sleep_for(c * tick);
-      Connection connection(port);
+      Connection connection(port, false);
       while (Clock::now() < end) {
         const auto start = Clock::now();
         connection.send("GET /render?width=200&height=150&seed=" + std::to_string(++seed) +
