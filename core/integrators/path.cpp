@@ -31,7 +31,7 @@ class PathTracer {
       count_rays(depth, active);
       const Hit<Real> hit =
           depth == 0 ? world_view_.closest_seen(ray, active) : world_view_.closest(ray, active);
-      Surface isect = surfaces(world_view_, ray, hit, active);
+      Surface isect = surfaces(world_view_, ray, hit, active, state_.travelled);
       state_.beta = state_.beta * transmittance_of(state_.medium.absorption, hit.t);
       const FogSpan<Real> span = span_of(ray, hit.t, active);
       lights_.add_emitted(ray, hit, isect, span, active);
@@ -41,6 +41,7 @@ class PathTracer {
       const Numbers numbers = numbers_.at_vertex(depth);
       const Flight flight = fly(ray, span, numbers);
       isect.here = isect.here && !flight.scattered;
+      state_.travelled = state_.travelled + select(flight.scattered, flight.t, hit.t);
       if (depth == max_depth) {
         world_view_.rays.cut += count(flight.scattered || scatters(world_view_.world, hit, isect));
         break;

@@ -18,6 +18,7 @@ struct PathState {
   V from_n{Real(0), Real(0), Real(0)};  ///< its geometric normal
   /// Of the direction from there, by solid angle; 0: of the camera, of mirrors and of glass.
   Real pdf = Real(0);
+  Real travelled = Real(0);  ///< how far it is from the camera to the last vertex
   Mask<Real> transmitted{};  ///< whether that direction went through the surface
   /// The last vertex, where it lies in fog.
   typename FogSampling<Real>::Vertex fog_vertex{};

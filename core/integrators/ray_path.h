@@ -45,15 +45,18 @@ struct RayPath {
   int depth = 0;           ///< how many reflections and refractions there were
   std::uint32_t node = 1;  ///< tells the branches of the tree of rays apart, for random numbers
   const MediumTransition<Real>* transitions = nullptr;  ///< the last surface passed through
-  Vec3<Real> absorption{};  ///< of the medium that they are in, per scene unit
+  Vec3<Real> absorption{};   ///< of the medium that they are in, per scene unit
+  Real travelled = Real(0);  ///< how far it is from the camera to their origins
 
-  RayPath reflected() const {
-    return {sampler_state,      RayKind::reflection, depth + 1,
-            branch(0x9E3779B1), transitions,         absorption};
+  /// At a distance t along them.
+  RayPath reflected(const Real& t) const {
+    return {sampler_state, RayKind::reflection, depth + 1,    branch(0x9E3779B1),
+            transitions,   absorption,          travelled + t};
   }
-  RayPath refracted(const MediumTransition<Real>& at, const Medium<Real>& medium_t) const {
-    return {sampler_state, RayKind::refraction, depth + 1, branch(0x85EBCA77),
-            &at,           medium_t.absorption};
+  RayPath refracted(const MediumTransition<Real>& at, const Medium<Real>& medium_t,
+                    const Real& t) const {
+    return {sampler_state, RayKind::refraction, depth + 1,    branch(0x85EBCA77),
+            &at,           medium_t.absorption, travelled + t};
   }
 
  private:

@@ -22,7 +22,7 @@ class Whitted {
   /// Source: the slides; Whitted, "An improved illumination model for shaded display" (1980).
   V trace(const Ray<Real>& ray, Mask<Real> active, const RayPath<Real>& path) {
     const Hit<Real> hit = first_hit(world_view_, ray, active, path.kind);
-    const auto isect = surfaces(world_view_, ray, hit, active);
+    const auto isect = surfaces(world_view_, ray, hit, active, path.travelled);
     recorder_.begin(ray, path.depth, hit, isect.at.p, isect.at.n);
     V L = beyond(ray, active && !isect.here);
     if (any(isect.here)) L = select(isect.here, shade(ray, hit, isect, path), L);
@@ -123,14 +123,14 @@ class Whitted {
     const V offset = at.ng * isect.offset;
     if (const Mask<Real> here = split.reflection > Real(0); any(here)) {
       const Ray<Real> child{at.p + offset, normalize(reflect(ray.direction, n))};
-      add_child(L, TermName::reflection, split.reflection, child, here, path.reflected());
+      add_child(L, TermName::reflection, split.reflection, child, here, path.reflected(hit.t));
     }
     if (const Mask<Real> here = split.refraction > Real(0); any(here)) {
       const Ray<Real> child{at.p - offset, split.refracted.wt};
       const MediumTransition<Real> transition{path.transitions, here,         at.front,
                                               finish.object,    hit.instance, finish.inside};
       add_child(L, TermName::refraction, split.refraction, child, here,
-                path.refracted(transition, split.medium_t));
+                path.refracted(transition, split.medium_t, hit.t));
     }
   }
 

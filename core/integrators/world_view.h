@@ -7,6 +7,7 @@
 #include "core/accel/world/trace.h"
 #include "core/accel/world/winners.h"
 #include "core/integrators/ray_path.h"
+#include "core/scene/pixel_cone.h"
 
 namespace tia {
 
@@ -20,6 +21,7 @@ struct WorldView {
   Rules rules{};
   RayCounts rays{};
   unsigned met = 0;  ///< the lanes, as bits, of the last camera rays that met an object
+  PixelCone cone{};  ///< of the camera's rays
 
   template <class Real>
   Hit<Real> closest(const Ray<Real>& ray, Mask<Real> active) {
@@ -109,7 +111,7 @@ struct SurfaceInteraction {
   Mask<Real> here;  ///< the lanes that have hit something; the others are meaningless
   Point at{};
   Vec3<Real> albedo{}, emission{};
-  Vec3<Real> tint{Real(1), Real(1), Real(1)};  ///< a texture's colour
+  Vec3<Real> tint{Real(1), Real(1), Real(1)};  ///< a texture's colour, times a mesh's
   bool tinted = false;          ///< whether any lane has one, which albedo then includes
   LaneNumbers<Real> numbers{};  ///< which albedo then follows, where textures give them
   Real offset{};  ///< how far from the surface new rays start, along its normal (offset_of)
@@ -130,9 +132,25 @@ struct SurfaceInteraction {
   }
 };
 
+/// The surface of a primitive as its material's textures have it.
+template <class Real>
+SurfacePoint<Real> textured_surface(const WorldView& world_view, const Ray<Real>& ray,
+                                    const Hit<Real>& hit, int primitive, Mask<Real> here,
+                                    const Real& travelled, LaneNumbers<Real>& numbers) {
+  const World& world = world_view.world;
+  SurfacePoint<Real> at = world_view.surface_of(ray, hit, primitive, here);
+  if (world.shading_of(primitive).form < 0) return at;
+  const PixelCone& cone = world_view.cone;
+  const Real width = lift<Real>(cone.width) + lift<Real>(cone.spread) * (travelled + hit.t);
+  take_numbers(world, ray, hit, primitive, here, width, numbers);
+  if (has_normal_map(world, primitive)) bend_normals(world, ray, hit, primitive, here, width, at);
+  return at;
+}
+
+/// `travelled`: how far the light's way is from the camera to the rays' origins.
 template <class AnyWorldView, class Real>
 auto surfaces(const AnyWorldView& world_view, const Ray<Real>& ray, const Hit<Real>& hit,
-              Mask<Real> active) {
+              Mask<Real> active, const Real& travelled = Real(0)) {
   using Point = decltype(world_view.surface_of(ray, hit, 0, active));
   SurfaceInteraction<Point, Real> isect{active && hit.t < Real(infinity)};
   if (!any(isect.here)) return isect;
@@ -149,11 +167,9 @@ auto surfaces(const AnyWorldView& world_view, const Ray<Real>& ray, const Hit<Re
     bool first = true;  // most packets hit a single primitive, and nothing has to be selected
     for_each_winner(hit, active, [&](int primitive, Mask<Real> here) {
       const ShadingParameters& shading = world_view.world.shading_of(primitive);
-      isect.take(world_view.surface_of(ray, hit, primitive, here), shading, here,
-                 std::exchange(first, false));
-      if (shading.form >= 0)
-        take_numbers(world_view.world, ray, hit, primitive, here, isect.numbers);
-      if (shading.texture < 0) return;
+      isect.take(textured_surface(world_view, ray, hit, primitive, here, travelled, isect.numbers),
+                 shading, here, std::exchange(first, false));
+      if (shading.texture < 0 && !world_view.world.primitive(primitive).colored) return;
       isect.tint = select(here, world_view.colors_of(ray, hit, primitive, here), isect.tint);
       isect.tinted = true;
     });
@@ -161,6 +177,8 @@ auto surfaces(const AnyWorldView& world_view, const Ray<Real>& ray, const Hit<Re
       for_each_shading(world_view.world, hit, isect.numbers, isect.here,
                        [&](const ShadingParameters& shading, int, Mask<Real> here) {
                          isect.albedo = select(here, lift<Real>(shading.albedo), isect.albedo);
+                         isect.emission =
+                             select(here, lift<Real>(shading.emission), isect.emission);
                        });
     if (isect.tinted) isect.albedo = isect.albedo * isect.tint;
   }

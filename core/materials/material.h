@@ -63,7 +63,7 @@ inline std::optional<PrincipledForm> textured_form_of(const Material& material) 
       []<class Held>(const Held& held) -> std::optional<PrincipledForm> {
         if constexpr (HasTexturedNumbers<detail::KindOf<Held>>) {
           PrincipledForm form = prepare(detail::unboxed(held));
-          if (!form.textured.empty()) return form;
+          if (!is_even(form)) return form;
         }
         return std::nullopt;
       },

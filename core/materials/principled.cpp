@@ -55,12 +55,10 @@ BsdfParameters<double> bsdf_of(const Principled& p, const Vec3d& base) {
   return bsdf;
 }
 
-// What the layer over what is matt reflects straight on.
+// What the layer over what is matt reflects straight on, before it is bounded by 1.
 Vec3d layer_of(const Principled& p) {
   const double f0 = (p.ior - 1) * (p.ior - 1) / ((p.ior + 1) * (p.ior + 1));
-  const Vec3d color = tia::rgb_of(p.specular_color);
-  const auto layer = [&](double channel) { return std::min(f0 * channel, 1.0); };
-  return {layer(color.x), layer(color.y), layer(color.z)};
+  return tia::rgb_of(p.specular_color) * f0;
 }
 
 // What a unit of length absorbs where `color` is left after `distance`.
@@ -111,6 +109,7 @@ PrincipledForm prepare(const Principled& p) {
   put(&At::specular, p.specular), put(&At::transmission, p.transmission);
   put(&At::clearcoat, p.clearcoat), put(&At::clearcoat_roughness, p.clearcoat_roughness);
   put(&At::sheen_roughness, p.sheen_roughness), put(&At::anisotropy, p.anisotropy);
+  form.maps = p.maps;
   return form;
 }
 

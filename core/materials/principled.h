@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -57,6 +58,8 @@ struct Principled {
   Color emissive{};
   double emissive_strength = 1;
   std::optional<Texture> texture{};  ///< replaces the base colour
+  /// What a model's file multiplies into that; not in JSON, as what a model shows is not.
+  std::shared_ptr<const PrincipledMaps> maps{};
 
   template <class Visitor>
   static void fields(Visitor&& visit) {

@@ -16,27 +16,40 @@ std::size_t heap_bytes(const PrincipledForm& form) {
 }
 
 bool wants_uv(const PrincipledForm& form) {
-  return std::any_of(form.textured.begin(), form.textured.end(), [](const auto& each) {
-    return std::holds_alternative<ImageForm>(each.texture.texture.kind);
-  });
+  return form.maps || std::any_of(form.textured.begin(), form.textured.end(), [](const auto& each) {
+           return std::holds_alternative<ImageForm>(each.texture.texture.kind);
+         });
 }
 
-PrincipledNumbers numbers_at(const PrincipledForm& form, const Vec3d& p, const Vec2d& uv,
-                             double blur) {
-  PrincipledNumbers at = form.numbers;
-  for (const auto& [number, texture] : form.textured) at.*number = number_at(texture, p, uv, blur);
-  return at;
+PrincipledNumbers numbers_at(const PrincipledForm& form, const TexturePoint& at) {
+  PrincipledNumbers numbers = form.numbers;
+  for (const auto& [number, texture] : form.textured)
+    numbers.*number = number_at(texture, at.p, at.uv[0], at.blur);
+  if (form.maps) multiply(*form.maps, at, numbers);
+  return numbers;
 }
 
 namespace {
 
+// What the layer over what is matt reflects straight on.
+Vec3d layer_at(const Vec3d& layer, const PrincipledNumbers& at) {
+  const auto bounded = [&](double f0, double color) {
+    return std::min(f0 * color, 1.0) * at.specular;
+  };
+  const Vec3d& color = at.specular_color;
+  return {bounded(layer.x, color.x), bounded(layer.y, color.y), bounded(layer.z, color.z)};
+}
+
 constexpr double least_alpha = static_cast<double>(smooth_alpha);
 
 void set_numbers(BsdfParameters<double>& bsdf, const PrincipledNumbers& at, const Vec3d& layer) {
+  bsdf.base = bsdf.base * at.base;
+  bsdf.tint = bsdf.tint * at.base;
+  bsdf.sheen = bsdf.sheen * at.sheen_color;
   bsdf.metal = at.metallic;
   bsdf.glass = (1 - at.metallic) * at.transmission;
   bsdf.matt = (1 - at.metallic) * (1 - at.transmission);
-  bsdf.f0 = layer * at.specular;
+  bsdf.f0 = layer_at(layer, at);
   bsdf.f90 = at.specular;
   const double alpha = at.roughness * at.roughness;
   bsdf.alpha_x = alpha + (1 - alpha) * at.anisotropy * at.anisotropy;
@@ -56,7 +69,9 @@ void set_numbers(BsdfParameters<double>& bsdf, const PrincipledNumbers& at, cons
 ShadingParameters shading_at(const PrincipledForm& form, const PrincipledNumbers& at) {
   ShadingParameters shading = form.rest;
   set_numbers(shading.bsdf, at, form.layer);
-  shading.albedo = form.base * (shading.bsdf.matt + at.metallic * at.roughness);
+  shading.ambient = form.rest.ambient.exact * form.base * at.base * at.occlusion;
+  shading.emission = form.rest.emission.exact * at.emissive;
+  shading.albedo = form.base * at.base * (shading.bsdf.matt + at.metallic * at.roughness);
   shading.reflection = at.metallic * (1 - at.roughness);
   shading.transmission = shading.bsdf.glass;
   return shading;

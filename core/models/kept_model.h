@@ -6,6 +6,7 @@
 
 #include "core/film/image.h"
 #include "core/models/model.h"
+#include "core/models/model_pyramids.h"
 
 namespace tia {
 
@@ -14,6 +15,7 @@ struct KeptModel {
   std::shared_ptr<const Model> model;
   /// One an image of the model's, as decode_images() gives them; null where it has no file.
   std::vector<std::shared_ptr<const ImageRgba8>> images;
+  std::shared_ptr<ModelPyramids> pyramids = std::make_shared<ModelPyramids>();
 };
 
 /// SharedModel: one that is in use outlives its place in a store.

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/input/fields.h"
+#include "core/materials/wrap.h"
 #include "core/math/vec3.h"
 
 namespace tia {
@@ -28,9 +29,6 @@ struct ModelImage {
   static constexpr std::tuple members{&ModelImage::name, &ModelImage::file};
   bool operator==(const ModelImage&) const = default;
 };
-
-/// What a texture is outside of [0, 1].
-enum class Wrap : std::uint8_t { repeat, mirrored_repeat, clamp_to_edge };
 
 struct ModelTexture {
   ModelIndex image = 0;

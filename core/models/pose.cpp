@@ -74,6 +74,12 @@ void add(std::vector<double>& to, const std::vector<float>& what, double weight)
   for (std::size_t i = 0; i < to.size(); ++i) to[i] += weight * what[i];
 }
 
+// A target's tangents have no w.
+void add_tangents(std::vector<double>& to, const std::vector<float>& what, double weight) {
+  if (weight == 0 || 3 * to.size() != 4 * what.size()) return;
+  for (std::size_t i = 0; i < what.size(); ++i) to[i / 3 * 4 + i % 3] += weight * what[i];
+}
+
 Vec3d three_at(const std::vector<double>& list, std::size_t i) {
   return {list[3 * i], list[3 * i + 1], list[3 * i + 2]};
 }
@@ -117,6 +123,10 @@ void move_with_skin(const Pose& pose, const ModelSkin& skin, const ModelPart& pa
     const Affine map = blend(joints, part, i);
     put(shape.positions, i, map.point(three_at(shape.positions, i)));
     if (!shape.normals.empty()) put(shape.normals, i, normal_by(map, three_at(shape.normals, i)));
+    if (shape.tangents.empty()) continue;
+    double* tangent = &shape.tangents[4 * i];
+    const Vec3d moved = map.vector(Vec3d{tangent[0], tangent[1], tangent[2]});
+    tangent[0] = moved.x, tangent[1] = moved.y, tangent[2] = moved.z;
   }
 }
 
@@ -169,11 +179,14 @@ Pose pose_of(const Model& model, const ModelMoment& moment) {
 }
 
 PartShape shape_of(const Model& model, const Pose& pose, ModelIndex number, const ModelPart& part) {
-  PartShape shape{part.positions, {part.normals.begin(), part.normals.end()}};
+  PartShape shape{part.positions,
+                  {part.normals.begin(), part.normals.end()},
+                  {part.tangents.begin(), part.tangents.end()}};
   const std::vector<double>& weights = pose.weights[number];
   for (std::size_t i = 0; i < std::min(weights.size(), part.targets.size()); ++i) {
     add(shape.positions, part.targets[i].positions, weights[i]);
     add(shape.normals, part.targets[i].normals, weights[i]);
+    add_tangents(shape.tangents, part.targets[i].tangents, weights[i]);
   }
   if (const MaybeIndex skin = model.nodes[number].skin)
     move_with_skin(pose, model.skins[*skin], part, shape);

@@ -32,10 +32,11 @@ Affine affine_of(const Placement& placement);
 std::vector<Affine> places_of(const ModelNode& node, const Affine& place);
 
 /// PartShape: a part's vertices as they are at a moment: its morph targets added, then moved with
-/// its skin's joints. Shape: x, y, z of each; no normals where the part has none, or where one came
-/// to nothing. Space/units: the mesh's own; with a skin the model's.
+/// its skin's joints. Shape: x, y, z of each, of tangents w, too; no normals where the part has
+/// none, or where one came to nothing. Space/units: the mesh's own; with a skin the model's.
 struct PartShape {
   std::vector<double> positions, normals;
+  std::vector<double> tangents{};  ///< of any length; none where the part has none
 };
 PartShape shape_of(const Model& model, const Pose& pose, ModelIndex node, const ModelPart& part);
 

@@ -10,12 +10,16 @@ namespace tia {
 namespace {
 
 std::unique_ptr<RayNode> tree_of(const World& world, const Ray<float>& ray,
-                                 const SamplerState<float>& sampler_state,
+                                 const SamplerState<float>& sampler_state, const PixelCone& cone,
                                  const RenderOptions& options, ExplanationSize& size,
                                  const std::stop_token& stop) {
   RayMeter meter(options.max_rays, options.max_work, stop);
-  WorldView world_view{world, WorkCounter([&](std::int64_t work) { meter.add_work(work); }),
-                       rules_of(options)};
+  WorldView world_view{world,
+                       WorkCounter([&](std::int64_t work) { meter.add_work(work); }),
+                       rules_of(options),
+                       {},
+                       0,
+                       cone};
   const RayTreeLimit limit{
       [&](const Hit<float>& hit) { size.ray(hit); },
       [&](TermName name, const LightRecord& light) { size.term(name, light); }};
@@ -35,8 +39,8 @@ std::vector<Note> notes_of(const Scene& scene, const World& world, IntegratorNam
 // What the ray meets, in double, and the tree of `rounded`, which is the same in float, in the
 // world.
 void explain_rays(Explanation& all, const Scene& scene, const Ray<float>& rounded,
-                  const SamplerState<float>& sampler_state, const RenderOptions& options,
-                  const std::stop_token& stop) {
+                  const SamplerState<float>& sampler_state, const PixelCone& cone,
+                  const RenderOptions& options, const std::stop_token& stop) {
   ExplanationSize size(all.world, all.labels);
   const Vec3d& origin = all.world.origin;
   all.hits = all_hits(all.world, {all.ray.origin - origin, all.ray.direction});
@@ -44,7 +48,7 @@ void explain_rays(Explanation& all, const Scene& scene, const Ray<float>& rounde
     each.point = each.point + origin;
     size.hit(each);
   }
-  all.tree = tree_of(all.world, rounded, sampler_state, options, size, stop);
+  all.tree = tree_of(all.world, rounded, sampler_state, cone, options, size, stop);
   all.notes = notes_of(scene, all.world, options.integrator);
   for (const Note& each : all.notes) size.note(each.pointer, each.about);
   all.pointers = object_pointers(scene, size.objects());
@@ -58,7 +62,7 @@ Explanation explain(const Scene& scene, World world, const Ray<double>& ray,
   Explanation all{std::move(world), object_labels(scene), {}, ray, {}, {}};
   const Ray<float> rounded{lift<float>(ray.origin - all.world.origin),
                            normalize(lift<float>(ray.direction))};
-  explain_rays(all, scene, rounded, SamplerState<float>{}, options, stop);
+  explain_rays(all, scene, rounded, SamplerState<float>{}, PixelCone{}, options, stop);
   return all;
 }
 
@@ -85,7 +89,7 @@ Explanation explain(const Scene& scene, World world, const View& view, int x, in
                                           {static_cast<std::uint32_t>(y)},
                                           static_cast<std::uint32_t>(sample),
                                           sampler.key()};
-  explain_rays(all, scene, rounded, sampler_state, options, stop);
+  explain_rays(all, scene, rounded, sampler_state, cone_of(view), options, stop);
   return all;
 }
 

@@ -56,7 +56,9 @@ class Tracer {
       const Beam beam(shot_.view, x0, y0, x0 + width, y0 + height);
       return {shot_.world, candidates(shot_.world, beam)};
     } else {
-      return {shot_.world, WorkCounter([this](std::int64_t work) { spent(work); }), shot_.rules};
+      return {shot_.world, WorkCounter([this](std::int64_t work) { spent(work); }),
+              shot_.rules, {},
+              0,           cone_of(shot_.view)};
     }
   }
 

@@ -1,5 +1,7 @@
 #include "core/scene/model_material.h"
 
+#include <utility>
+
 namespace tia {
 namespace {
 
@@ -38,8 +40,10 @@ Principled lit_of(const ModelMaterial& m) {
 
 }  // namespace
 
-Material material_of(const ModelMaterial& material) {
-  return {Boxed<Principled>(material.unlit ? unlit_of(material) : lit_of(material))};
+Material material_of(const ModelMaterial& material, std::shared_ptr<const PrincipledMaps> maps) {
+  Principled made = material.unlit ? unlit_of(material) : lit_of(material);
+  made.maps = std::move(maps);
+  return {Boxed<Principled>(std::move(made))};
 }
 
 }  // namespace tia

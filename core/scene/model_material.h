@@ -6,8 +6,9 @@
 
 namespace tia {
 
-/// The principled of its factors: textures, alpha and occlusion are left out. One that is unlit
-/// shines with its base colour and scatters nothing.
-Material material_of(const ModelMaterial& material);
+/// The principled of its factors and textures: alpha is left out. One that is unlit shines with its
+/// base colour and scatters nothing. `maps`: as maps_of() gives them; null: none.
+Material material_of(const ModelMaterial& material,
+                     std::shared_ptr<const PrincipledMaps> maps = nullptr);
 
 }  // namespace tia

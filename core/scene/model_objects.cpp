@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "core/scene/model_maps.h"
 #include "core/scene/model_material.h"
 #include "core/scene/model_place.h"
 
@@ -26,6 +27,7 @@ Vec3d vertex(const std::vector<double>& positions, std::size_t i) {
 Mesh moved(const Mesh& mesh, const Affine& map) {
   Mesh moved = mesh;
   moved.normals.values.clear();
+  moved.tangents.values.clear();
   auto& positions = moved.positions.values.edit();
   for (std::size_t i = 0; i < moved.vertices(); ++i) {
     const Vec3d p = map.point(vertex(positions, i));
@@ -42,8 +44,8 @@ Mesh moved(const Mesh& mesh, const Affine& map) {
 /// Making: objects of pieces, one after the other.
 class Making {
  public:
-  Making(const Model& model, const Object& object, const Affine& map, double point_radius)
-      : model_(model), object_(object), map_(map), point_radius_(point_radius) {}
+  Making(const KeptModel& kept, const Object& object, const Affine& map, double point_radius)
+      : kept_(kept), object_(object), map_(map), point_radius_(point_radius) {}
 
   Object object_of(const ModelPiece& piece, ModelBudget& budget) const {
     std::vector<Object> all;
@@ -61,8 +63,9 @@ class Making {
 
  private:
   Object placed(const ModelPiece& piece, const Affine& map, ModelBudget& budget) const {
-    if (is_usable(map)) return {piece.name, piece.mesh, steps_of(map), {}};
-    const Mesh& mesh = piece.mesh;
+    Mesh mesh = piece.mesh;
+    if (instead_of(piece) != nullptr) mesh.colors = {};
+    if (is_usable(map)) return {piece.name, std::move(mesh), steps_of(map), {}};
     if (!budget.take(0, static_cast<std::int64_t>(mesh.vertices() + mesh.triangles()))) return {};
     return {piece.name, moved(mesh, map), {}, {}};
   }
@@ -75,15 +78,26 @@ class Making {
                      {}});
   }
 
-  MaterialRef material_for(const ModelPiece& piece) const {
-    const ModelMaterial plain;
-    const ModelMaterial& own = piece.material ? model_.materials[*piece.material] : plain;
+  const ModelMaterial& material_in(const ModelPiece& piece) const {
+    static const ModelMaterial plain;
+    return piece.material ? kept_.model->materials[*piece.material] : plain;
+  }
+  // What the object has it wear; null: its own.
+  const MaterialRef* instead_of(const ModelPiece& piece) const {
+    if (object_.material) return &*object_.material;
     const auto& named = named_materials(object_);
-    const auto instead = named.find(own.name);
-    return instead != named.end() ? instead->second : Boxed<Material>(material_of(own));
+    const auto instead = named.find(material_in(piece).name);
+    return instead != named.end() ? &instead->second : nullptr;
+  }
+  MaterialRef material_for(const ModelPiece& piece) const {
+    if (const MaterialRef* instead = instead_of(piece)) return *instead;
+    const ModelMaterial& own = material_in(piece);
+    if (piece.points) return Boxed<Material>(material_of(own));
+    return Boxed<Material>(
+        material_of(own, maps_of(kept_, own, !piece.mesh.colors.values.empty())));
   }
 
-  const Model& model_;
+  const KeptModel& kept_;
   const Object& object_;
   const Affine map_;
   const double point_radius_;
@@ -97,15 +111,15 @@ double point_radius_of(const PlacedModel& asked, const Aabb& box) {
 
 }  // namespace
 
-std::vector<Object> model_objects(const Model& model, const Object& object,
+std::vector<Object> model_objects(const KeptModel& kept, const Object& object,
                                   const ModelChoice& choice, ModelBudget& budget) {
-  const std::vector<ModelPiece> pieces = pieces_of(model, choice, budget);
+  const std::vector<ModelPiece> pieces = pieces_of(*kept.model, choice, budget);
   if (pieces.empty()) return {};
   const auto& asked = std::get<PlacedModel>(object.shape);
   const Affine up = upright(choice.up);
   const Aabb box = bounds_of(up, bounds_of(pieces));
   const Affine fit = asked.fit ? fitted(*asked.fit, box) : Affine{};
-  const Making making(model, object, fit * up, point_radius_of(asked, bounds_of(fit, box)));
+  const Making making(kept, object, fit * up, point_radius_of(asked, bounds_of(fit, box)));
   std::vector<Object> all;
   for (const ModelPiece& piece : pieces) {
     all.push_back(making.object_of(piece, budget));

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "core/models/kept_model.h"
 #include "core/scene/model_pieces.h"
 
 namespace tia {
@@ -10,10 +11,11 @@ namespace tia {
 /// A mesh for each part that a node shows, a group of them where the node has several instances; a
 /// group of balls where the part is points. Each has the part's material, unless the object has one
 /// for all. Where a place is not one that objects can have (is_usable), the vertices are moved
-/// themselves, and their normals are left out. Colours of vertices are left out.
+/// themselves, and their normals and tangents are left out. Colours of vertices go with the part's
+/// own material: another one has none of them, and points have none.
 /// Returns: none where the budget does not reach, which is then exceeded.
 /// Space/units: the object's own, before its transform. Domain: what choice_of has made of both.
-std::vector<Object> model_objects(const Model& model, const Object& object,
+std::vector<Object> model_objects(const KeptModel& kept, const Object& object,
                                   const ModelChoice& choice, ModelBudget& budget);
 
 }  // namespace tia

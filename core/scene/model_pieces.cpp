@@ -1,7 +1,10 @@
 #include "core/scene/model_pieces.h"
 
+#include <algorithm>
 #include <map>
 #include <utility>
+
+#include "core/scene/model_maps.h"
 
 namespace tia {
 namespace {
@@ -12,10 +15,16 @@ bool is_posed(const ModelNode& node, const ModelPart& part) {
 }
 
 // glTF's v goes downward, the scene's upward.
-Numbers<float> uvs_of(const ModelPart& part) {
-  std::vector<double> uvs = part.uvs[0];
+Numbers<float> uvs_of(std::vector<double> uvs) {
   for (std::size_t i = 1; i < uvs.size(); i += 2) uvs[i] = 1 - uvs[i];
   return {std::move(uvs)};
+}
+
+// Source: Khronos, glTF 2.0, 3.7.2.1: colours are clamped.
+Numbers<float> colors_of(const ModelPart& part) {
+  std::vector<double> colors(part.colors.begin(), part.colors.end());
+  for (double& each : colors) each = std::clamp(each, 0.0, 1.0);
+  return {std::move(colors)};
 }
 
 std::int64_t size_of(const ModelPart& part) {
@@ -62,8 +71,8 @@ class Gathering {
       if (!part.points && part.indices.empty()) continue;
       if (material && is_hidden(model_.materials[*material].name)) continue;
       if (!afford(part, places.size(), is_posed(node, part))) return false;
-      pieces_.push_back(
-          {excerpt_of(name, longest_name), places, material, part.points, mesh_of(number, part)});
+      pieces_.push_back({excerpt_of(name, longest_name), places, material, part.points,
+                         mesh_of(number, part, material)});
     }
     return true;
   }
@@ -74,18 +83,23 @@ class Gathering {
     return budget_.take(each * static_cast<std::int64_t>(places), is_new ? size_of(part) : 0);
   }
 
-  Mesh mesh_of(ModelIndex number, const ModelPart& part) {
+  Mesh mesh_of(ModelIndex number, const ModelPart& part, const MaybeIndex& material) {
     const bool posed = is_posed(model_.nodes[number], part);
     const auto [known, is_new] = known_.try_emplace(&part);
     Mesh& mesh = known->second;
     if (is_new && !part.points) {
       mesh.indices.values = part.indices;
-      mesh.uvs = uvs_of(part);
+      mesh.uvs = uvs_of(part.uvs[0]);
+      mesh.colors = colors_of(part);
+      if (material && wants_more_uvs(model_.materials[*material]))
+        mesh.more_uvs = uvs_of(part.uvs[1]);
     }
     if (is_new || posed) {
       PartShape shape = shape_of(model_, pose_, number, part);
       mesh.positions.values = std::move(shape.positions);
       mesh.normals.values = std::move(shape.normals);
+      if (material && model_.materials[*material].normal_texture)
+        mesh.tangents.values = std::move(shape.tangents);
     }
     return mesh;
   }

@@ -85,7 +85,7 @@ class Resolving {
     const std::size_t before = faults_.count();
     const ModelChoice choice = choice_of(*kept->model, object, at, faults_);
     if (faults_.count() != before) return nullptr;
-    auto made = model_objects(*kept->model, object, choice, left_);
+    auto made = model_objects(*kept, object, choice, left_);
     if (left_.is_exceeded()) return refused(at);
     return std::make_shared<const std::vector<Object>>(std::move(made));
   }

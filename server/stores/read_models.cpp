@@ -5,6 +5,8 @@
 #include <type_traits>
 #include <vector>
 
+#include "core/scene/model_maps.h"
+
 namespace tia::server {
 namespace {
 
@@ -39,7 +41,7 @@ std::size_t bytes_of(const KeptModel& model) {
   std::size_t bytes = sizeof(Model) + bytes_beside(*model.model);
   for (const auto& image : model.images)
     if (image) bytes += sizeof(ImageRgba8) + image->rgba.capacity();
-  return bytes;
+  return bytes + pyramid_bytes(model);
 }
 
 KnownModel ReadModels::find(const std::string& id) {

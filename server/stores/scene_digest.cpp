@@ -105,6 +105,8 @@ class Digester {
   void add(const Mesh& mesh) {
     Digester own(meshes_);
     Mesh::fields(Fields<Mesh>{own, mesh});
+    for (const auto* list : {&mesh.more_uvs, &mesh.tangents})  // which only models' have
+      if (!list->values.empty()) own.add(std::uint8_t{list == &mesh.tangents}), own.add(*list);
     const ObjectsName name = own.done();
     meshes_.emplace(&mesh, name.digest);
     add(name.digest);

@@ -9,6 +9,23 @@ Vec3d triple(const std::vector<double>& values, std::size_t i) {
   return {values[3 * i], values[3 * i + 1], values[3 * i + 2]};
 }
 
+HugeVector<Vec2d> pairs_of(const std::vector<double>& values) {
+  HugeVector<Vec2d> pairs;
+  pairs.reserve(values.size() / 2);
+  for (std::size_t i = 0; i + 1 < values.size(); i += 2)
+    pairs.push_back({values[i], values[i + 1]});
+  return pairs;
+}
+
+HugeVector<std::array<float, 4>> fours_of(const std::vector<double>& values) {
+  HugeVector<std::array<float, 4>> fours;
+  fours.reserve(values.size() / 4);
+  for (std::size_t i = 0; i + 3 < values.size(); i += 4)
+    fours.push_back({static_cast<float>(values[i]), static_cast<float>(values[i + 1]),
+                     static_cast<float>(values[i + 2]), static_cast<float>(values[i + 3])});
+  return fours;
+}
+
 Vec3d area_vector(const Vec3d& a, const Vec3d& b, const Vec3d& c) { return cross(b - a, c - a); }
 
 // The square of the longest edge, which areas are compared with.
@@ -24,9 +41,10 @@ MeshIndex::MeshIndex(const Mesh& mesh, const Workers& workers)
   normals.reserve(mesh.normals.values.size() / 3);
   for (std::size_t i = 0; i < mesh.normals.values.size() / 3; ++i)
     normals.push_back(normalize(triple(mesh.normals.values.get(), i)));
-  uvs.reserve(mesh.uvs.values.size() / 2);
-  for (std::size_t i = 0; i < mesh.uvs.values.size() / 2; ++i)
-    uvs.push_back({mesh.uvs.values[2 * i], mesh.uvs.values[2 * i + 1]});
+  uvs = pairs_of(mesh.uvs.values);
+  more_uvs = pairs_of(mesh.more_uvs.values);
+  colors = fours_of(mesh.colors.values);
+  tangents = fours_of(mesh.tangents.values);
   const auto& numbers = mesh.indices.values.get();
   triangles.reserve(numbers.size() / 3);
   for (std::size_t i = 0; i < numbers.size(); i += 3)
@@ -122,28 +140,6 @@ void MeshIndex::pack(const Workers& workers) {
               planes[triangle] = {n, dot(n, corners[0])};
               return words;
             }};
-}
-
-MeshPoint point_of(const MeshIndex& mesh, std::size_t triangle, const Vec3d& p) {
-  const Vec3d a = mesh.corner(triangle, 0), b = mesh.corner(triangle, 1),
-              c = mesh.corner(triangle, 2);
-  const Vec3d whole = area_vector(a, b, c);
-  // Barycentric coordinates: the share of the area that faces each corner.
-  const double v = dot(area_vector(a, p, c), whole) / dot(whole, whole);
-  const double w = dot(area_vector(a, b, p), whole) / dot(whole, whole);
-  const double u = 1 - v - w;
-  MeshPoint point{normalize(whole), {}, {v, w}};
-  const auto& [i, j, k] = mesh.triangles[triangle];
-  point.n = point.ng;
-  if (!mesh.normals.empty()) {
-    const Vec3d smooth = mesh.normals[i] * u + mesh.normals[j] * v + mesh.normals[k] * w;
-    if (dot(smooth, smooth) > 0) point.n = normalize(smooth);
-  }
-  if (!mesh.uvs.empty()) {
-    const Vec2d &s = mesh.uvs[i], &t = mesh.uvs[j], &r = mesh.uvs[k];
-    point.uv = {s.u * u + t.u * v + r.u * w, s.v * u + t.v * v + r.v * w};
-  }
-  return point;
 }
 
 }  // namespace tia

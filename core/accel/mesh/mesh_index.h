@@ -18,8 +18,11 @@ namespace tia {
 
 struct MeshIndex {
   Points positions;
-  HugeVector<Vec3d> normals;  ///< one a position, unit; empty: flat
-  HugeVector<Vec2d> uvs;      ///< one a position; empty: none
+  HugeVector<Vec3d> normals;                  ///< one a position, unit; empty: flat
+  HugeVector<Vec2d> uvs;                      ///< one a position; empty: none
+  HugeVector<Vec2d> more_uvs;                 ///< likewise, a second set
+  HugeVector<std::array<float, 4>> colors;    ///< likewise, linear RGB and alpha
+  HugeVector<std::array<float, 4>> tangents;  ///< likewise, x, y, z and the bitangent's sign
   /// All of the mesh's, degenerate ones as well. If there are normals, wound to the side of these.
   HugeVector<std::array<std::uint32_t, 3>> triangles;
   Bvh bvh;  ///< over the triangles that are not degenerate
@@ -58,15 +61,6 @@ struct MeshIndex {
   void measure(const std::vector<std::uint32_t>& sound);
   Box32 measured_box(std::size_t triangle) const;
 };
-
-/// MeshPoint: the geometric normal and the interpolated one, both unit, and the surface
-/// coordinates.
-struct MeshPoint {
-  Vec3d ng, n;
-  Vec2d uv;
-};
-/// At a point of that triangle. If the mesh has no uvs, they are barycentric coordinates.
-MeshPoint point_of(const MeshIndex& mesh, std::size_t triangle, const Vec3d& p);
 
 /// MeshRay: rays in the coordinates in which triangles are packed. A ray that starts far from the
 /// mesh is moved along itself to next to the mesh: t = start + m * rate for a distance m in units

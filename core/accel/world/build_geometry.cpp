@@ -109,10 +109,16 @@ class Compiler {
   static bool is_surface(const Shape& shape) {
     return std::visit([]<class Kind>(const Kind&) { return IsSurface<Kind>; }, shape);
   }
+  bool emits_by_point(const ShadingParameters& shading) const {
+    if (shading.form < 0) return false;
+    const auto& maps = geometry_.forms[static_cast<std::size_t>(shading.form)].maps;
+    return maps && emission_varies(*maps);
+  }
   // What a luminous shape can be asked for by its area, for each instance.
   void add_areas(const Shape& shape, const Affine& place, int primitive) {
-    const Constant emission = geometry_.shading_of(primitive).emission;
-    if (!emits(emission.exact)) return;
+    const ShadingParameters& shading = geometry_.shading_of(primitive);
+    const Constant emission = shading.emission;
+    if (!emits(emission.exact) || emits_by_point(shading)) return;
     const std::int64_t instances = instances_of(primitive);
     if (instances > static_cast<std::int64_t>(most_areas)) return;
     for (std::int64_t instance = 0; instance < instances; ++instance) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <set>
 
 #include "core/math/heap.h"
 
@@ -77,21 +78,35 @@ std::size_t deep_heap_of(const std::vector<T, Allocator>& list) {
   return bytes;
 }
 
+// The pictures of materials' maps, which several may share, each once.
+std::size_t picture_bytes(const std::vector<PrincipledForm>& forms) {
+  std::set<const MipPyramid*> all;
+  for (const PrincipledForm& form : forms) {
+    if (!form.maps) continue;
+    for (const MapUse& use : form.maps->uses) all.insert(use.map.pyramid.get());
+    if (form.maps->normal) all.insert(form.maps->normal->pyramid.get());
+  }
+  std::size_t bytes = 0;
+  for (const MipPyramid* each : all) bytes += heap_bytes(*each);
+  return bytes;
+}
+
 }  // namespace
 
 std::size_t bytes_of(const Geometry& g) {
   return sizeof(Geometry) + deep_heap_of(g.spaces) + deep_heap_of(g.primitives) +
          heap_bytes(g.balls) + heap_bytes(g.flats) + heap_bytes(g.meshes) + deep_heap_of(g.solids) +
          heap_bytes(g.grids) + heap_bytes(g.shadings) + deep_heap_of(g.textures) +
-         deep_heap_of(g.forms) + heap_bytes(g.lights) + heap_bytes(g.areas) +
-         heap_bytes(g.unasked.first);
+         deep_heap_of(g.forms) + picture_bytes(g.forms) + heap_bytes(g.lights) +
+         heap_bytes(g.areas) + heap_bytes(g.unasked.first);
 }
 
 std::size_t heap_of_form(const Form& form) { return heap_bytes(form); }
 
 std::size_t bytes_of(const MeshIndex& mesh) {
   return sizeof(MeshIndex) + heap_bytes(mesh.positions) + heap_bytes(mesh.normals) +
-         heap_bytes(mesh.uvs) + heap_bytes(mesh.triangles) + heap_bytes(mesh.planes) +
+         heap_bytes(mesh.uvs) + heap_bytes(mesh.more_uvs) + heap_bytes(mesh.colors) +
+         heap_bytes(mesh.tangents) + heap_bytes(mesh.triangles) + heap_bytes(mesh.planes) +
          heap_bytes(mesh.bvh) + mesh.packed.bytes();
 }
 

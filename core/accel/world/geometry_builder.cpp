@@ -76,6 +76,7 @@ int GeometryBuilder::add(SharedMesh mesh, const Setting& at) {
   box = {box.min - Vec3d{more, more, more}, box.max + Vec3d{more, more, more}};
   const int primitive = add_primitive(Sphere{}, at, geometry_.objects++);
   geometry_.degenerate += mesh->degenerate;
+  geometry_.primitives.back().colored = !mesh->colors.empty();
   geometry_.primitives.back().mesh = pushed(geometry_.meshes, std::move(mesh));
   put({Item::mesh, primitive}, box, at.space);
   return primitive;

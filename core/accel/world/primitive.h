@@ -28,6 +28,7 @@ struct Primitive {
                     ///< (material_number); -1: it is one of those
   bool inverted = false;  ///< whether it is subtracted from a solid, so that its inside is outside
   bool placed = false;    ///< whether to_object is not the identity
+  bool colored = false;   ///< whether it is a mesh with colours
   int work = 1;           ///< what trying a ray on it costs (WorkCounter)
 };
 

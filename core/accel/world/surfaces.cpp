@@ -1,12 +1,12 @@
-// The surface where rays hit a primitive: its normals, coordinates and colours there, lane by lane,
-// or eight lanes at once where the primitive's form can.
+// The surface where rays hit a primitive: its normals and coordinates there, lane by lane, or eight
+// lanes at once where the primitive's form can. What textures say of it is textures.cpp's.
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
 
+#include "core/accel/mesh/mesh_point.h"
 #include "core/accel/world/trace.h"
-#include "core/accel/world/winners.h"
 
 namespace tia {
 namespace {
@@ -131,71 +131,7 @@ SurfacePoint<Real> copied_ball_surface(const Ball& ball, const InstanceGrid& gri
   return {narrowed(p), normal, normal, {}};
 }
 
-namespace {
-
-// Calls visit(lane, p, uv, blur) where the lanes of `here` hit a textured primitive: the point in
-// the object's space, its surface coordinates where they are wanted, and how far it may be off.
-template <class Real, class Visit>
-void each_texture_point(const World& world, const Ray<Real>& ray, const Hit<Real>& hit,
-                        int primitive, Mask<Real> here, bool with_uv, Visit visit) {
-  const Geometry& geometry = world.geometry_of(primitive);
-  const Lines<Real> lines{RootRay<Real>(ray)};
-  for (unsigned left = bits(here); left != 0; left &= left - 1) {
-    const int i = std::countr_zero(left);
-    const auto at = static_cast<std::size_t>(i);
-    const auto instance = static_cast<std::int64_t>(lane(hit.instance, i));
-    const Line line = lines[at];
-    const Vec3d p = line.at(lane(hit.t, i));
-    const Affine map = to_object(geometry, geometry.primitive(primitive), instance);
-    const Vec2d uv =
-        with_uv ? uv_at(world, p, primitive, static_cast<int>(lane(hit.element, i)), instance)
-                : Vec2d{};
-    const double reach = std::max(
-        {std::fabs(p.x), std::fabs(p.y), std::fabs(p.z), static_cast<double>(lane(hit.t, i))});
-    const double blur = tolerance::texture_point * reach * length(map.vector(line.direction));
-    visit(at, map.point(p), uv, blur);
-  }
-}
-
-}  // namespace
-
-template <class Real>
-Vec3<Real> texture_colors(const World& world, const Ray<Real>& ray, const Hit<Real>& hit,
-                          int primitive, Mask<Real> here) {
-  constexpr auto n = static_cast<std::size_t>(lanes<Real>);
-  const Geometry& geometry = world.geometry_of(primitive);
-  const TextureForm& texture =
-      geometry.textures[static_cast<std::size_t>(geometry.shading_of(primitive).texture)];
-  std::array<std::array<LaneOf<Real>, n>, 3> rgb{};
-  each_texture_point(world, ray, hit, primitive, here,
-                     std::holds_alternative<ImageForm>(texture.kind),
-                     [&](std::size_t at, const Vec3d& p, const Vec2d& uv, double blur) {
-                       const Vec3d color = color_at(texture, p, uv, blur);
-                       const double channels[] = {color.x, color.y, color.z};
-                       for (std::size_t k = 0; k < 3; ++k)
-                         rgb[k][at] = static_cast<LaneOf<Real>>(channels[k]);
-                     });
-  return {load<Real>(rgb[0].data()), load<Real>(rgb[1].data()), load<Real>(rgb[2].data())};
-}
-
-template <class Real>
-void take_numbers(const World& world, const Ray<Real>& ray, const Hit<Real>& hit, int primitive,
-                  Mask<Real> here, LaneNumbers<Real>& numbers) {
-  const Geometry& geometry = world.geometry_of(primitive);
-  const PrincipledForm& form =
-      geometry.forms[static_cast<std::size_t>(geometry.shading_of(primitive).form)];
-  if (!numbers) numbers.emplace();
-  each_texture_point(world, ray, hit, primitive, here, wants_uv(form),
-                     [&](std::size_t at, const Vec3d& p, const Vec2d& uv, double blur) {
-                       (*numbers)[at] = numbers_at(form, p, uv, blur);
-                     });
-}
-
 #define TIA_SURFACES(Real)                                                                       \
-  template Vec3<Real> texture_colors(const World&, const Ray<Real>&, const Hit<Real>&, int,      \
-                                     Mask<Real>);                                                \
-  template void take_numbers(const World&, const Ray<Real>&, const Hit<Real>&, int, Mask<Real>,  \
-                             LaneNumbers<Real>&);                                                \
   template SurfacePoint<Real> copied_ball_surface(const Ball&, const InstanceGrid&,              \
                                                   const Ray<Real>&, const Hit<Real>&);           \
   template SurfacePoint<Real> surface_by_lanes(const World&, const Ray<Real>&, const Hit<Real>&, \

@@ -84,7 +84,7 @@ void each_transmission(const World& world, const Ray<Real>& ray, const Hit<Real>
   LaneNumbers<Real> numbers;
   for_each_winner(hit, met, [&](int primitive, Mask<Real> here) {
     if (world.shading_of(primitive).form >= 0)
-      take_numbers(world, ray, hit, primitive, here, numbers);
+      take_numbers(world, ray, hit, primitive, here, Real(0), numbers);
   });
   for_each_shading(world, hit, numbers, met,
                    [&](const ShadingParameters& shading, int, Mask<Real> here) {

@@ -111,8 +111,8 @@ Normals normals_at(const World& world, const Vec3d& p, int primitive, int elemen
 /// The surface coordinates of a primitive at a point of it.
 Vec2d uv_at(const World& world, const Vec3d& p, int primitive, int element, std::int64_t instance);
 
-/// The colours of a primitive's texture where the lanes of `here` hit it. Domain: a primitive with
-/// a texture.
+/// The colours of a primitive's texture, times those of its mesh, where the lanes of `here` hit it.
+/// Domain: a primitive with one of the two.
 template <class Real>
 Vec3<Real> texture_colors(const World& world, const Ray<Real>& ray, const Hit<Real>& hit,
                           int primitive, Mask<Real> here);

@@ -43,6 +43,7 @@ void Mesh::check(const Place& at, Faults& faults) const {
                 "at most " + std::to_string(3 * most_triangles) + " numbers"});
   check_length(normals.values.size(), 3, vertices(), at.at("normals"), faults);
   check_length(uvs.values.size(), 2, vertices(), at.at("uvs"), faults);
+  check_length(colors.values.size(), 4, vertices(), at.at("colors"), faults);
 
   check_indices(indices.values, vertices(), at.at("indices"), faults);
   const Place all_normals = at.at("normals");

@@ -63,7 +63,8 @@ constexpr const char* rare = R"({"objects": [
     {"type": "triangle", "a": [0, 0, 0], "b": [1, 0, 0], "c": [0, 1, 0], "transform":
       [{"translate": [1, 2, 3]}, {"rotate_degrees": [1, 2, 3]}, {"scale": [1, 2, 3]}]},
     {"type": "mesh", "positions": [0, 0, 0, 1, 0, 0, 0, 1, 0], "indices": [0, 1, 2],
-      "normals": [0, 0, 1, 0, 0.5, 1, 0, 0.25, 1], "uvs": [0, 0, 1, 0, 0, 1]},
+      "normals": [0, 0, 1, 0, 0.5, 1, 0, 0.25, 1], "uvs": [0, 0, 1, 0, 0, 1],
+      "colors": [0, 0.5, 0.25, 1, 0.125, 0.5, 0.25, 1, 0, 0.5, 0.75, 0.5]},
     {"type": "model", "id": "a", "scene": 1, "up": "z", "fit": {"min": [0, 0, 0],
       "max": [1, 2, 3]}, "time": 2, "animation": 3, "variant": "b", "hide": ["c", "d"],
       "point_radius": 2, "materials": {"e": {"color": 0.5}}}]})";
@@ -142,6 +143,19 @@ TEST(SceneDigest, TellsWhichListANumberIsIn) {
   std::memcpy(&few.positions.values[9], many.indices.values.get().data(),
               6 * sizeof(std::uint32_t));
   EXPECT_TRUE(expect_told_apart(one_mesh(many), one_mesh(few)));
+}
+
+// Lists that are not in JSON count, too.
+TEST(SceneDigest, TellsWhatOnlyMeshesOfModelsHave) {
+  Mesh plain;
+  plain.positions.values = {0, 0, 0, 1, 0, 0, 0, 1, 0};
+  plain.indices.values = {0, 1, 2};
+  Mesh with_uvs = plain, with_tangents = plain;
+  with_uvs.more_uvs.values.assign(12, 1.0);
+  with_tangents.tangents.values.assign(12, 1.0);
+  EXPECT_NE(digest_of(plain), digest_of(with_uvs));
+  EXPECT_NE(digest_of(plain), digest_of(with_tangents));
+  EXPECT_NE(digest_of(with_uvs), digest_of(with_tangents));
 }
 
 TEST(SceneDigest, TellsOneStepOfATransformFromAnother) {

@@ -1,5 +1,5 @@
 // Meshes: the solids that they stand for, smooth normals, coordinates, degenerate triangles.
-#include "core/accel/mesh/mesh_index.h"
+#include "core/accel/mesh/mesh_point.h"
 
 #include <gtest/gtest.h>
 

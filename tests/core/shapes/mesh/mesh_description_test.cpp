@@ -50,6 +50,10 @@ TEST(MeshDescription, IndicesPointAtPositions) {
 
 TEST(MeshDescription, NormalsAndUvsAreOneAVertex) {
   EXPECT_NO_THROW(read_mesh(mesh_json(R"(,"normals":[0,0,1,0,0,1,0,0,9],"uvs":[0,0,1,0,0,1])")));
+  EXPECT_NO_THROW(read_mesh(mesh_json(R"(,"colors":[0,0,1,1,0,0,1,0,1,1,1,0.5])")));
+  expect_mesh_refused(
+      mesh_json(R"(,"colors":[0,0,1])"),
+      {{wrong_type, "/colors", "\"3 numbers\"", "4 numbers for each of the 3 vertices, or none"}});
   expect_mesh_refused(mesh_json(R"(,"normals":[0,0,1],"uvs":[0,0,1])"),
                       {{wrong_type, "/normals", "\"3 numbers\"", "3 numbers for each of the 3"},
                        {wrong_type, "/uvs", "\"3 numbers\"", "2 numbers for each of the 3"}});

@@ -1,0 +1,49 @@
+#include "core/materials/principled_maps.h"
+
+#include <algorithm>
+
+namespace tia {
+namespace {
+
+Vec3d rgb_of(const Rgba& rgba) { return {rgba[0], rgba[1], rgba[2]}; }
+
+// How much of a picture's number counts, which matters to occlusion alone.
+double weakened(double value, double strength) {
+  return strength == 1 ? value : 1 + strength * (value - 1);
+}
+
+}  // namespace
+
+bool emission_varies(const PrincipledMaps& maps) {
+  return maps.shines_with_mesh || std::ranges::any_of(maps.uses, [](const MapUse& use) {
+           return use.color == &PrincipledNumbers::emissive;
+         });
+}
+
+void multiply(const PrincipledMaps& maps, const TexturePoint& at, PrincipledNumbers& numbers) {
+  for (const MapUse& use : maps.uses) {
+    const Rgba found = rgba_at(use.map, at);
+    if (use.color != nullptr) numbers.*use.color = numbers.*use.color * rgb_of(found);
+    for (const auto& [number, channel] : use.channels)
+      numbers.*number = numbers.*number * weakened(found[channel], use.map.strength);
+  }
+  numbers.alpha = numbers.alpha * at.color[3];
+  if (maps.shines_with_mesh) numbers.emissive = numbers.emissive * rgb_of(at.color);
+}
+
+double map_alpha(const PrincipledMaps& maps, const TexturePoint& at) {
+  double alpha = at.color[3];
+  for (const MapUse& use : maps.uses)
+    for (const auto& [number, channel] : use.channels)
+      if (number == &PrincipledNumbers::alpha) alpha *= rgba_at(use.map, at)[channel];
+  return alpha;
+}
+
+Vec3d mapped_normal(const PrincipledMaps& maps, const TexturePoint& at) {
+  const Rgba found = rgba_at(*maps.normal, at);
+  const double scale = maps.normal->strength;
+  const Vec3d n{(2 * found[0] - 1) * scale, (2 * found[1] - 1) * scale, 2 * found[2] - 1};
+  return dot(n, n) > 0 ? normalize(n) : Vec3d{0, 0, 1};
+}
+
+}  // namespace tia
