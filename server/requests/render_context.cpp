@@ -29,8 +29,7 @@ KnownScene with_models(const KnownScene& scene, const RenderContext& context,
   std::size_t bytes = 0;
   for (const std::string& id : models_in(*scene)) {
     SharedModel& model = models[id];
-    if (context.models != nullptr && is_model_id(id))
-      model = context.models->find(id, requester).model;
+    if (context.models != nullptr) model = context.models->find(id, requester).model;
     if (model) bytes += bytes_of(*model);
   }
   if (models.empty()) return scene;
