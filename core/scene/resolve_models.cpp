@@ -79,7 +79,7 @@ class Resolving {
     const std::shared_ptr<const KeptModel> kept = kept_of(id);
     if (!kept) {
       faults_.add({FaultKind::missing, at.at("id").pointer(), excerpt(Value(id)),
-                   "the id of a model that is kept here"});
+                   "the id of a model that is kept here, or a name of one of the gallery's"});
       return nullptr;
     }
     const std::size_t before = faults_.count();

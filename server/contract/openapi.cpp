@@ -102,7 +102,7 @@ Value responses_object(const Route& route, Definitions& named) {
 Value::Array parameters_array(const Route& route, Definitions& named) {
   Value::Array parameters;
   if (route.query != nullptr) parameters = route.query(named);
-  if (route.path.ends_with("{}"))
+  if (route.path.find("{}") != route.path.npos)
     parameters.push_back(Value::Object{{"name", route.segment.name},
                                        {"in", "path"},
                                        {"required", true},
@@ -218,9 +218,9 @@ Value rebased(Value value) {
 }  // namespace
 
 std::string path_template(const Route& route) {
-  if (!route.path.ends_with("{}")) return std::string(route.path);
-  std::string path(route.path.substr(0, route.path.size() - 1));
-  return path.append(route.segment.name) + "}";
+  std::string path(route.path);
+  const std::size_t open = path.find("{}");
+  return open == path.npos ? path : path.insert(open + 1, route.segment.name);
 }
 
 Value openapi_document(const std::vector<Route>& routes) {

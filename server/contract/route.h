@@ -24,7 +24,7 @@ enum class Pace { in_turn, at_once };
 
 struct Route {
   std::string_view method;  ///< GET answers HEAD too
-  std::string_view path;    ///< exact, or ending in {}: one more segment
+  std::string_view path;    ///< exact, or with {} in place of one segment
   std::string_view name;    ///< that programs call it by
   std::string_view about;
   Pace pace = Pace::at_once;

@@ -15,10 +15,12 @@ namespace {
 
 // Whether the path fits the route; `name` becomes what its {} stands for.
 bool matches(const Route& route, std::string_view path, std::string_view& name) {
-  if (!route.path.ends_with("{}")) return path == route.path;
-  const std::string_view stem = route.path.substr(0, route.path.size() - 2);
-  if (!path.starts_with(stem) || path.size() == stem.size()) return false;
-  name = path.substr(stem.size());
+  const std::size_t open = route.path.find("{}");
+  if (open == route.path.npos) return path == route.path;
+  const std::string_view stem = route.path.substr(0, open), end = route.path.substr(open + 2);
+  if (!path.starts_with(stem) || !path.ends_with(end) || path.size() <= stem.size() + end.size())
+    return false;
+  name = path.substr(stem.size(), path.size() - stem.size() - end.size());
   return name.find('/') == name.npos && (route.has == nullptr || route.has(path));
 }
 

@@ -17,11 +17,16 @@ std::vector<Route> render_routes();
 std::vector<Route> verify_routes();
 std::vector<Route> explain_routes();
 std::vector<Route> scene_routes();
+std::vector<Route> gallery_model_routes();
 std::vector<Route> model_routes();
 std::vector<Route> still_routes();
 std::vector<Route> operation_routes();
 std::vector<Route> document_routes();
 std::vector<Route> page_routes();
+
+/// The model of that id or name, with what is told of it. Errors: HttpError (not-found); as
+/// ModelStore::find.
+KnownModel known_model(const std::string& id, const Requester& requester, Service& service);
 
 /// What GET /render would answer, where its target is known and its picture kept, or not to be sent
 /// again. None: somebody has to look into it.

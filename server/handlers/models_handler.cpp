@@ -1,4 +1,4 @@
-// /models: models that clients send to be kept.
+// /models: models that clients send to be kept, and by name those of the gallery.
 #include "core/input/object_schema.h"
 #include "server/contract/answers.h"
 #include "server/contract/parameters.h"
@@ -7,6 +7,7 @@
 #include "server/handlers/handlers.h"
 #include "server/handlers/sent_model.h"
 #include "server/requests/model_body.h"
+#include "server/stores/gallery_models.h"
 
 namespace tia::server {
 namespace {
@@ -28,9 +29,7 @@ Response get_model(const Request& request, const std::string& id, Service& servi
     response.unsized = true;
     return response;
   }
-  const KnownModel known = service.models.find(id, requester_of(request));
-  if (!known) throw HttpError("not-found", "no model has that id; send it to POST /models");
-  response.body = *known.text;
+  response.body = *known_model(id, requester_of(request), service).text;
   return response;
 }
 
@@ -88,6 +87,15 @@ Answer told(int status, std::string_view about) {
 
 }  // namespace
 
+KnownModel known_model(const std::string& id, const Requester& requester, Service& service) {
+  KnownModel known = service.models.find(id, requester);
+  if (!known)
+    throw HttpError("not-found",
+                    "no model is called that; there are: " + listed(gallery_model_names()) +
+                        ", and those sent to POST /models, by their ids");
+  return known;
+}
+
 std::vector<Route> model_routes() {
   return {
       {.method = "POST",
@@ -105,12 +113,13 @@ std::vector<Route> model_routes() {
       {.method = "GET",
        .path = "/models/{}",
        .name = "get_model",
-       .about = "what is in a kept model; HEAD says whether it is kept",
+       .about = "what is in a model; HEAD says whether it is there",
        .pace = Pace::in_turn,
        .handler = get_model,
        .answers = {ok("the model in words and numbers", media::json, model_schema)},
        .gives = {media::json},
-       .segment = {"id", "the id of a kept model"}}};
+       .segment = {"id", "a name of the gallery's models, or the id of a kept one"},
+       .examples = {"/models/chess"}}};
 }
 
 }  // namespace tia::server

@@ -39,8 +39,10 @@ std::string_view folder_of(const Asset& asset) {
   return asset.path.substr(0, asset.path.rfind('/') + 1);
 }
 
-// The gallery's files are answered as /scenes/NAME.
-bool of_the_gallery(const Asset& asset) { return folder_of(asset) == "/scenes/"; }
+// The gallery's files are answered as /scenes/NAME and /models/NAME.
+bool of_the_gallery(const Asset& asset) {
+  return folder_of(asset) == "/scenes/" || folder_of(asset) == "/models/";
+}
 
 Response file_response(const Request& request, std::string_view path) {
   const auto found = pages().find(path);

@@ -7,7 +7,7 @@
 
 namespace tia::server {
 
-/// The model of that id, or null. Errors: as ModelStore::find.
+/// The model of that id or, in the gallery, of that name; or null. Errors: as ModelStore::find.
 SharedModel find_model(const std::string& id, const RenderContext& context,
                        const Requester& requester);
 

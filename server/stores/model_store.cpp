@@ -8,6 +8,7 @@
 #include "core/models/images.h"
 #include "server/contract/problem.h"
 #include "server/operation/memory_costs.h"
+#include "server/stores/gallery_models.h"
 
 namespace tia::server {
 namespace {
@@ -49,20 +50,31 @@ ModelStore::ModelStore(ModelReader reader, const Bounds& bounds, const Surroundi
       read_(bounds.max_bytes, surroundings.memory) {}
 
 ModelStore::Kept ModelStore::keep(const ModelUpload& upload, const Requester& requester) {
-  const bool is_new = !uploads_.contains(upload.id);
+  const bool is_new = !contains(upload.id);
   KnownModel known = read_.find(upload.id);
   if (!known) known = read(upload, requester);
-  uploads_.keep(upload);
+  if (gallery_model(upload.id) == nullptr) uploads_.keep(upload);
   read_.add(upload.id, known);
   return {std::move(known), is_new};
 }
 
-KnownModel ModelStore::find(const std::string& id, const Requester& requester) {
-  if (!uploads_.contains(id)) return {};
+bool ModelStore::contains(const std::string& name) {
+  return gallery_model(name) != nullptr || (is_model_id(name) && uploads_.contains(name));
+}
+
+KnownModel ModelStore::find(const std::string& name, const Requester& requester) {
+  if (const GalleryModel* model = gallery_model(name))
+    return find_packed(model->id, model->bytes, requester);
+  if (!contains(name)) return {};
+  if (KnownModel known = read_.find(name)) return known;
+  const auto packed = uploads_.find(name);
+  return packed ? find_packed(name, *packed, requester) : KnownModel{};
+}
+
+KnownModel ModelStore::find_packed(const std::string& id, std::string_view packed,
+                                   const Requester& requester) {
   if (KnownModel known = read_.find(id)) return known;
-  const auto packed = uploads_.find(id);
-  if (!packed) return {};
-  const auto upload = unpacked_upload(id, *packed);
+  const auto upload = unpacked_upload(id, packed);
   if (!upload) throw StorageError("the model " + id + " is damaged");
   KnownModel known = read(*upload, requester);
   read_.add(id, known);

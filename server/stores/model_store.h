@@ -1,4 +1,5 @@
-// Models that clients have sent: what came, by id, and what was read of it. Any thread may call.
+// Models that clients have sent, and those of the gallery: what came, by id, and what was read of
+// it. Any thread may call.
 #pragma once
 
 #include <chrono>
@@ -47,20 +48,25 @@ class ModelStore {
     KnownModel known;
     bool is_new = false;
   };
-  /// Keeps one that can be read. Errors: as find(), InputError of its faults, UploadStore::keep.
+  /// Keeps one that can be read; the gallery's are kept for good. Errors: as find(), InputError of
+  /// its faults, UploadStore::keep.
   Kept keep(const ModelUpload& upload, const Requester& requester);
 
-  /// Whether one of that id is kept. What is damaged is known only to who reads it.
-  bool contains(const std::string& id) { return uploads_.contains(id); }
-  /// The model of that id, read again where it is no more in memory; or null.
+  /// Whether one of that id is kept, or one of the gallery is called that. What is damaged is known
+  /// only to who reads it.
+  bool contains(const std::string& name);
+  /// The model of that id, or of that name in the gallery, read again where it is no more in
+  /// memory; or null, as for whatever can be neither.
   /// Errors: StorageError of one that is damaged; ReaderDied; as LongWork, ModelReader::read.
-  KnownModel find(const std::string& id, const Requester& requester);
+  KnownModel find(const std::string& name, const Requester& requester);
 
   ModelCounts counts() const { return {uploads_.count(), read_.count()}; }
   /// Lets go of what was read and nobody has asked for longest. Returns: how many bytes.
   std::int64_t give_way(std::int64_t bytes) { return read_.give_way(bytes); }
 
  private:
+  KnownModel find_packed(const std::string& id, std::string_view packed,
+                         const Requester& requester);
   KnownModel read(const ModelUpload& upload, const Requester& requester);
   KnownModel read_now(const ModelUpload& upload, const std::stop_token& stop);
   SharedModel model_of(const ModelUpload& upload, const std::stop_token& stop) const;

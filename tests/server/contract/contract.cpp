@@ -182,7 +182,9 @@ std::string place_of_fault(const JsonSchema& document, const Value& value, const
 bool Contract::fits(const std::string& path, const Value& item, std::string_view asked) const {
   const auto open = path.find('{');
   if (open == path.npos || !asked.starts_with(path.substr(0, open))) return path == asked;
-  const std::string_view segment = asked.substr(open);
+  const std::string end = path.substr(path.find('}') + 1);
+  if (!asked.ends_with(end) || asked.size() < open + end.size()) return false;
+  const std::string_view segment = asked.substr(open, asked.size() - open - end.size());
   if (segment.empty() || segment.find('/') != segment.npos) return false;
   const Value& operation = as_object(item).front().second;
   for (const Value& each : as_array(*member(operation, "parameters")))

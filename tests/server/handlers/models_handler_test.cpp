@@ -163,7 +163,7 @@ TEST(GetModels, SaysWhatPostHasSaidAndHeadWhetherItIsThere) {
   EXPECT_EQ(got.status, 200);
   EXPECT_EQ(got.body, posted.body);
   EXPECT_EQ(own.head(path).status, 200);
-  for (const std::string& none : {"/models/" + std::string(64, '0'), std::string("/models/part"),
+  for (const std::string& none : {"/models/" + std::string(64, '0'), std::string("/models/parts"),
                                   std::string("/models/..%2fscenes.sqlite")}) {
     EXPECT_EQ(own.get(none).status, 404) << none;
     EXPECT_EQ(own.head(none).status, 404) << none;

@@ -19,8 +19,10 @@ const std::string& web() {
   return folder;
 }
 
-// The gallery's files are answered as /scenes/NAME.
-bool of_the_gallery(std::string_view path) { return path.starts_with("/scenes/"); }
+// The gallery's files are answered as /scenes/NAME and /models/NAME.
+bool of_the_gallery(std::string_view path) {
+  return path.starts_with("/scenes/") || path.starts_with("/models/");
+}
 
 TEST(Assets, AreTheFilesOfWebByteForByte) {
   std::set<std::string> files, embedded;
