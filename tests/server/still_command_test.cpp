@@ -50,11 +50,11 @@ TEST_F(StillCommand, GivesTheServersBytes) {
 }
 
 TEST_F(StillCommand, FindsWhatTheFileNames) {
-  for (const auto& [path, text] : obj_and_mtl()) write("a/" + path, text);
-  const std::string scene = drawn({"a/chair.obj", "--as=scene"}, "scene.json");
-  const Value* objects = find(*parse_json(scene).as<Value::Object>(), "objects");
-  ASSERT_NE(objects, nullptr);
-  EXPECT_THAT(to_json(*objects), HasSubstr(upload_of_texts(obj_and_mtl()).id));
+  const NamedTexts files{{"chair.obj", "mtllib wood.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"},
+                         {"wood.mtl", "newmtl wood\nKd 0.5 0.25 0.125\n"}};
+  for (const auto& [path, text] : files) write("a/" + path, text);
+  const Value scene = parse_json(drawn({"a/chair.obj", "--as=scene"}, "scene.json"));
+  EXPECT_THAT(to_json(at(scene, "objects")), HasSubstr(upload_of_texts(files).id));
 }
 
 TEST_F(StillCommand, ABadParameterOrFileExits2NamingIt) {
