@@ -25,8 +25,8 @@ concept IsMaterial = IsKind<Kind> && requires(const Kind& kind, const Vec3d& amb
 
 /// What a kind may bring: prepare() makes a form of it, for numbers that are textured.
 template <class Kind>
-concept HasTexturedNumbers = requires(const Kind& kind) {
-  { prepare(kind) } -> std::same_as<PrincipledForm>;
+concept HasTexturedNumbers = requires(const Kind& kind, const Vec3d& ambient_light) {
+  { prepare(kind, ambient_light) } -> std::same_as<PrincipledForm>;
 };
 
 /// MaterialList: checks each kind of the list against IsMaterial. Most materials are finishes, and
@@ -57,12 +57,14 @@ inline const Texture* texture_of(const Material& material) {
                     material.kind);
 }
 
-/// What tells its shading parameters at each point; none where they are the same everywhere.
-inline std::optional<PrincipledForm> textured_form_of(const Material& material) {
+/// What tells its shading parameters at each point, for ambient light of that linear RGB; none
+/// where they are the same everywhere.
+inline std::optional<PrincipledForm> textured_form_of(const Material& material,
+                                                      const Vec3d& ambient_light) {
   return std::visit(
-      []<class Held>(const Held& held) -> std::optional<PrincipledForm> {
+      [&]<class Held>(const Held& held) -> std::optional<PrincipledForm> {
         if constexpr (HasTexturedNumbers<detail::KindOf<Held>>) {
-          PrincipledForm form = prepare(detail::unboxed(held));
+          PrincipledForm form = prepare(detail::unboxed(held), ambient_light);
           if (!is_even(form)) return form;
         }
         return std::nullopt;

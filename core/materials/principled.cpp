@@ -87,13 +87,14 @@ std::string Codec<BaseColor>::allowed(const Spec& spec) {
   return Codec<Color>::allowed(spec) + ", or " + Codec<Metal>::allowed(spec);
 }
 
-PrincipledForm prepare(const Principled& p) {
+PrincipledForm prepare(const Principled& p, const Vec3d& ambient_light) {
   PrincipledForm form;
   form.base = p.texture ? Vec3d{1, 1, 1} : rgb_of(p.base_color);
   form.layer = layer_of(p);
   form.rest.bsdf = bsdf_of(p, form.base);
   form.rest.ior = p.thin ? 1 : p.ior;
   form.rest.fresnel = true;
+  form.rest.ambient = ambient_light * p.ambient;
   form.rest.emission = tia::rgb_of(p.emissive) * p.emissive_strength;
   if (p.attenuation_distance && !p.thin)
     form.rest.absorption = absorption_of(tia::rgb_of(p.attenuation_color), *p.attenuation_distance);
@@ -113,8 +114,8 @@ PrincipledForm prepare(const Principled& p) {
   return form;
 }
 
-ShadingParameters shading_of(const Principled& p, const Vec3d&) {
-  const PrincipledForm form = prepare(p);
+ShadingParameters shading_of(const Principled& p, const Vec3d& ambient_light) {
+  const PrincipledForm form = prepare(p, ambient_light);
   return shading_at(form, form.numbers);
 }
 

@@ -56,7 +56,7 @@ struct Principled {
   NumberOrTexture sheen_roughness = 0, anisotropy = 0;
   double anisotropy_rotation = 0, dispersion = 0;
   Color emissive{};
-  double emissive_strength = 1;
+  double emissive_strength = 1, ambient = 0;
   std::optional<Texture> texture{};  ///< replaces the base colour
   /// What a model's file multiplies into that; not in JSON, as what a model shows is not.
   std::shared_ptr<const PrincipledMaps> maps{};
@@ -110,12 +110,18 @@ struct Principled {
     color("emissive", &P::emissive, "light of its own, which path asks for as a finish's emission");
     visit("emissive_strength", &P::emissive_strength,
           Spec{.about = "what that is multiplied with", .min = 0, .max = 1e6});
+    visit("ambient", &P::ambient,
+          Spec{.about = "share of the scene's ambient_light that its base colour sends back, by "
+                        "whitted",
+               .min = 0,
+               .max = 1});
     visit("texture", &P::texture, Spec{.about = "what gives each point its base_color instead"});
   }
   bool operator==(const Principled&) const = default;
 };
 
-PrincipledForm prepare(const Principled& principled);
+/// For ambient light of that linear RGB.
+PrincipledForm prepare(const Principled& principled, const Vec3d& ambient_light = {});
 /// Its shading parameters, without textures, for ambient light of that linear RGB.
 ShadingParameters shading_of(const Principled& principled, const Vec3d& ambient_light);
 inline const Texture* texture_of(const Principled& principled) {

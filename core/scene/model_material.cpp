@@ -40,9 +40,11 @@ Principled lit_of(const ModelMaterial& m) {
 
 }  // namespace
 
-Material material_of(const ModelMaterial& material, std::shared_ptr<const PrincipledMaps> maps) {
+Material material_of(const ModelMaterial& material, std::shared_ptr<const PrincipledMaps> maps,
+                     double ambient) {
   Principled made = material.unlit ? unlit_of(material) : lit_of(material);
   made.maps = std::move(maps);
+  made.ambient = material.unlit ? 0 : ambient;
   return {Boxed<Principled>(std::move(made))};
 }
 

@@ -92,9 +92,9 @@ class Making {
   MaterialRef material_for(const ModelPiece& piece) const {
     if (const MaterialRef* instead = instead_of(piece)) return *instead;
     const ModelMaterial& own = material_in(piece);
-    if (piece.points) return Boxed<Material>(material_of(own));
+    auto maps = piece.points ? nullptr : maps_of(kept_, own, !piece.mesh.colors.values.empty());
     return Boxed<Material>(
-        material_of(own, maps_of(kept_, own, !piece.mesh.colors.values.empty())));
+        material_of(own, std::move(maps), std::get<PlacedModel>(object_.shape).ambient));
   }
 
   const KeptModel& kept_;

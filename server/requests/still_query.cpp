@@ -21,8 +21,11 @@ void raise(const Faults& faults) {
 }
 
 Object placed_of(const StillParameters& asked) {
+  PlacedModel placed = asked;
+  // A studio's sky is ambient light to whatever does not follow paths.
+  if (asked.integrator_in_effect() != IntegratorName::path) placed.ambient = 1;
   Object object;
-  object.shape = static_cast<const PlacedModel&>(asked);
+  object.shape = std::move(placed);
   return object;
 }
 

@@ -77,7 +77,7 @@ struct StillFields {
   template <class Base, class Member>
   void operator()(std::string_view name, Member Base::*member, const Spec& spec) const {
     constexpr bool placed = std::is_same_v<Base, PlacedModel>;
-    if (placed && name == "id") return;
+    if (placed && (name == "id" || name == "ambient")) return;
     for (const std::string_view other : {"scene", "key", "light", "camera"})
       if (std::is_same_v<Base, ViewRequest> && name == other) return;
     Member StillParameters::*const own = member;

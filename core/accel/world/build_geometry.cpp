@@ -32,7 +32,7 @@ class Compiler {
     ShadingParameters shading = tia::shading_of(material, rgb_of(scene_.ambient_light));
     if (const Texture* texture = texture_of(material))
       shading.texture = pushed(geometry_.textures, prepare(*texture));
-    if (auto form = textured_form_of(material))
+    if (auto form = textured_form_of(material, rgb_of(scene_.ambient_light)))
       shading.form = pushed(geometry_.forms, std::move(*form));
     return shading;
   }

@@ -63,6 +63,7 @@ struct PlacedModel {
   std::optional<std::string> variant;
   std::vector<std::string> hide;
   std::optional<double> point_radius;
+  double ambient = 0;
 
   /// What it stands for; null until that is resolved. Copies share it. No part of the JSON, and
   /// none of what is compared: it follows from the rest.
@@ -103,6 +104,11 @@ struct PlacedModel {
                .min = 0,
                .max = most,
                .open_min = true});
+    visit("ambient", &M::ambient,
+          Spec{.about = "share of the scene's ambient_light that its own materials send back, by "
+                        "whitted",
+               .min = 0,
+               .max = 1});
   }
   /// Of what is written.
   bool operator==(const PlacedModel& other) const;
