@@ -10,6 +10,7 @@
 #include "core/input/containers.h"
 #include "core/input/fields.h"
 #include "core/input/value_codecs.h"
+#include "core/materials/alpha_mode.h"
 #include "core/materials/number_texture.h"
 #include "core/materials/principled_form.h"
 #include "core/materials/shading_parameters.h"
@@ -56,6 +57,10 @@ struct Principled {
   double anisotropy_rotation = 0, dispersion = 0;
   Color emissive{};
   double emissive_strength = 1;
+  NumberOrTexture alpha = 1;
+  AlphaMode alpha_mode = AlphaMode::opaque;
+  double alpha_cutoff = 0.5;
+  bool double_sided = true;
   std::optional<Texture> texture{};  ///< replaces the base colour
 
   template <class Visitor>
@@ -107,6 +112,17 @@ struct Principled {
     color("emissive", &P::emissive, "light of its own, which path asks for as a finish's emission");
     visit("emissive_strength", &P::emissive_strength,
           Spec{.about = "what that is multiplied with", .min = 0, .max = 1e6});
+    share("alpha", &P::alpha, "how far it covers what is behind it, as alpha_mode says");
+    visit(
+        "alpha_mode", &P::alpha_mode,
+        Spec{.about = "what alpha means: opaque: nothing; mask: nothing is there where it is below "
+                      "alpha_cutoff; blend: that share of every ray meets the surface, and the "
+                      "rest goes straight on"});
+    visit("alpha_cutoff", &P::alpha_cutoff,
+          Spec{.about = "from which alpha on mask leaves something there", .min = 0, .max = 1e6});
+    visit("double_sided", &P::double_sided,
+          Spec{.about = "whether it has a back: else rays of the camera, of mirrors and of glass "
+                        "pass through it from behind, unless it transmits light itself"});
     visit("texture", &P::texture, Spec{.about = "what gives each point its base_color instead"});
   }
   bool operator==(const Principled&) const = default;

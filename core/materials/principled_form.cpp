@@ -28,6 +28,10 @@ PrincipledNumbers numbers_at(const PrincipledForm& form, const Vec3d& p, const V
   return at;
 }
 
+double alpha_at(const PrincipledForm& form, const PrincipledNumbers& at) {
+  return opacity_of(form.alpha, at.alpha);
+}
+
 namespace {
 
 constexpr double least_alpha = static_cast<double>(smooth_alpha);
@@ -59,6 +63,7 @@ ShadingParameters shading_at(const PrincipledForm& form, const PrincipledNumbers
   shading.albedo = form.base * (shading.bsdf.matt + at.metallic * at.roughness);
   shading.reflection = at.metallic * (1 - at.roughness);
   shading.transmission = shading.bsdf.glass;
+  shading.opacity = alpha_at(form, at);
   return shading;
 }
 

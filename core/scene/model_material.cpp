@@ -1,5 +1,7 @@
 #include "core/scene/model_material.h"
 
+#include <utility>
+
 namespace tia {
 namespace {
 
@@ -39,7 +41,12 @@ Principled lit_of(const ModelMaterial& m) {
 }  // namespace
 
 Material material_of(const ModelMaterial& material) {
-  return {Boxed<Principled>(material.unlit ? unlit_of(material) : lit_of(material))};
+  Principled p = material.unlit ? unlit_of(material) : lit_of(material);
+  p.alpha = material.alpha;
+  p.alpha_mode = material.alpha_mode;
+  p.alpha_cutoff = material.alpha_cutoff;
+  p.double_sided = material.double_sided;
+  return {Boxed<Principled>(std::move(p))};
 }
 
 }  // namespace tia

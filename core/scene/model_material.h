@@ -6,7 +6,7 @@
 
 namespace tia {
 
-/// The principled of its factors: textures, alpha and occlusion are left out. One that is unlit
+/// The principled of its factors: textures and occlusion are left out. One that is unlit
 /// shines with its base colour and scatters nothing.
 Material material_of(const ModelMaterial& material);
 
