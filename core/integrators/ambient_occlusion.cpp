@@ -26,9 +26,8 @@ Vec3<Real> Integrator<IntegratorName::ambient_occlusion>::radiance(
   const Mask<Real> upper = isect.here && dot(isect.at.ng, wi) > Real(0);
   world_view.rays.shadow += count(upper);
   const Real radius = lift<Real>(world_view.rules.ao_radius);
-  const Mask<Real> blocked =
-      occluded(world_view.world, isect.shadow_ray(wi), radius, upper, world_view.work);
-  const Real seen = select(isect.here, select(upper && !blocked, Real(1), Real(0)), Real(1));
+  const Real passing = world_view.passing(isect.shadow_ray(wi), radius, {}, upper);
+  const Real seen = select(isect.here, select(upper, passing, Real(0)), Real(1));
   return {seen, seen, seen};
 }
 

@@ -48,6 +48,18 @@ Finishes<Real> finishes(const World& world, const Hit<Real>& hit,
   return all;
 }
 
+/// The share of the rays that each lane's surface stops.
+template <class Point, class Real>
+Real opacities(const World& world, const Hit<Real>& hit,
+               const SurfaceInteraction<Point, Real>& isect) {
+  Real opacity(1);
+  for_each_shading(world, hit, isect.numbers, isect.here,
+                   [&](const ShadingParameters& shading, int, Mask<Real> here) {
+                     opacity = select(here, lift<Real>(shading.opacity), opacity);
+                   });
+  return opacity;
+}
+
 /// SpecularSplit: how light divides at a surface between the reflected and the refracted ray.
 template <class Real>
 struct SpecularSplit {

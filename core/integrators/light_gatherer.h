@@ -72,9 +72,10 @@ class LightGatherer {
                 const V scattered = lift<Real>(fog.albedo) * draw.light * (meeting.met * phase);
                 const Mask<Real> lit = here && shines(scattered) && is_finite(scattered);
                 if (!any(lit)) return;
-                const Mask<Real> dark = hidden(draw, p, {p, draw.wi}, Real(0), lit);
-                add(lit && !dark, scattered * (asked_weight(draw, meeting.flown * phase) *
-                                               fog_between(p, draw, density)));
+                const Real passing = passing_to(draw, p, {p, draw.wi}, Real(0), lit);
+                add(lit && passing > Real(0),
+                    scattered * (asked_weight(draw, meeting.flown * phase) *
+                                 fog_between(p, draw, density) * passing));
               });
   }
   const FogSampling<Real>& fog() const { return fog_; }
@@ -105,9 +106,10 @@ class LightGatherer {
     const Mask<Real> lit = here && shines(scattered) && is_finite(scattered);
     if (!any(lit)) return;
     const Ray<Real> ray = isect.ray_off(draw.wi, below);
-    const Mask<Real> dark = hidden(draw, isect.at.p, ray, isect.offset, lit);
-    add(lit && !dark,
-        scattered * (asked_weight(draw, at.pdf) * fog_between(isect.at.p, draw, between.density)));
+    const Real passing = passing_to(draw, isect.at.p, ray, isect.offset, lit);
+    add(lit && passing > Real(0),
+        scattered * (asked_weight(draw, at.pdf) * fog_between(isect.at.p, draw, between.density) *
+                     passing));
   }
   // The weight of light that was asked for, where the path itself finds its direction with pdf.
   static Real asked_weight(const LightDraw<Real>& draw, const Real& pdf) {
@@ -115,11 +117,12 @@ class LightGatherer {
     const Real other = pdf / draw.pdf;
     return Real(1) / (draw.pdf * (Real(1) + other * other));
   }
+  // The share of light that passes from there to p.
   // The ray starts off the surface and is aimed at the point of the light anew, for else it would
   // meet a near light beside that point, and before it. What is as near to the light as rays start
   // off surfaces is at it: the light itself, or a ceiling that it is part of.
-  Mask<Real> hidden(const LightDraw<Real>& draw, const V& p, Ray<Real> ray, const Real& offset,
-                    Mask<Real> lit) {
+  Real passing_to(const LightDraw<Real>& draw, const V& p, Ray<Real> ray, const Real& offset,
+                  Mask<Real> lit) {
     world_view_.rays.shadow += count(lit);
     const Mask<Real> finite = draw.distance < Real(infinity);
     const Real span = select(finite, draw.distance, Real(1));
@@ -127,8 +130,7 @@ class LightGatherer {
     const Real distance = length(to);
     ray.direction = select(finite, to * (Real(1) / distance), draw.wi);
     const Real reach = distance * Real(1 - 2 * tolerance::ray_offset) - offset;
-    return occluded(world_view_.world, ray, select(finite, reach, Real(infinity)), draw.own, lit,
-                    world_view_.work);
+    return world_view_.passing(ray, select(finite, reach, Real(infinity)), draw.own, lit);
   }
 
   // How much light comes through it from a light to p.

@@ -29,8 +29,7 @@ class PathTracer {
     const int max_depth = std::min(world_view_.rules.max_depth, SceneOptions::deepest);
     for (int depth = 0; any(active); ++depth) {
       count_rays(depth, active);
-      const Hit<Real> hit =
-          depth == 0 ? world_view_.closest_seen(ray, active) : world_view_.closest(ray, active);
+      const Hit<Real> hit = hit_of(ray, active, depth);
       Surface isect = surfaces(world_view_, ray, hit, active, state_.travelled);
       state_.beta = state_.beta * transmittance_of(state_.medium.absorption, hit.t);
       const FogSpan<Real> span = span_of(ray, hit.t, active);
@@ -58,6 +57,16 @@ class PathTracer {
   }
 
  private:
+  // The same path goes on through what is there in part, by chance. Its weights stay as they are:
+  // what light is asked for is dimmed by as much.
+  Hit<Real> hit_of(const Ray<Real>& ray, Mask<Real> active, int depth) {
+    if (!world_view_.world.passable)
+      return depth == 0 ? world_view_.closest_seen(ray, active) : world_view_.closest(ray, active);
+    const Sight<Real> sight{numbers_.passing(depth), !(state_.pdf > Real(0))};
+    const Hit<Real> hit = world_view_.stop_of(ray, active, sight, depth == 0);
+    if (depth == 0) world_view_.met = bits(active && hit.t < Real(infinity));
+    return hit;
+  }
   // What a matt surface sends on counts as reflected.
   void count_rays(int depth, Mask<Real> active) {
     const int refracted = depth == 0 ? 0 : count(active && state_.transmitted);

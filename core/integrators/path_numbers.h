@@ -28,12 +28,14 @@ class PathNumbers {
     const auto words = block(of_fog, depth, 0);
     return {words[2], words[3], words[0], words[1]};
   }
+  /// For what is passed on the way to a vertex.
+  Real passing(int depth) const { return block(of_passing, depth, 0)[0]; }
   Real wave() const { return block(of_waves, 0, 0)[0]; }
 
  private:
   // No other integrator's.
   static constexpr std::uint32_t of_waves = 0x1FFFFFFF, of_vertices = 0x20000000,
-                                 of_fog = 0x28000000;
+                                 of_fog = 0x28000000, of_passing = 0x30000000;
 
   std::array<Real, 4> block(std::uint32_t purpose, int depth, std::uint32_t second) const {
     const std::uint32_t of = purpose + 2 * static_cast<std::uint32_t>(depth) + second;

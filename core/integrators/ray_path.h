@@ -46,17 +46,27 @@ struct RayPath {
   std::uint32_t node = 1;  ///< tells the branches of the tree of rays apart, for random numbers
   const MediumTransition<Real>* transitions = nullptr;  ///< the last surface passed through
   Vec3<Real> absorption{};   ///< of the medium that they are in, per scene unit
+  bool seen = true;          ///< whether they are the camera's own, or go on straight from these
+  int passed = 0;            ///< how many blended surfaces they have gone straight through
   Real travelled = Real(0);  ///< how far it is from the camera to their origins
 
   /// At a distance t along them.
   RayPath reflected(const Real& t) const {
-    return {sampler_state, RayKind::reflection, depth + 1,    branch(0x9E3779B1),
-            transitions,   absorption,          travelled + t};
+    return {sampler_state, RayKind::reflection, depth + 1, branch(0x9E3779B1),
+            transitions,   absorption,          false,     passed,
+            travelled + t};
   }
   RayPath refracted(const MediumTransition<Real>& at, const Medium<Real>& medium_t,
                     const Real& t) const {
-    return {sampler_state, RayKind::refraction, depth + 1,    branch(0x85EBCA77),
-            &at,           medium_t.absorption, travelled + t};
+    return {sampler_state, RayKind::refraction, depth + 1, branch(0x85EBCA77),
+            &at,           medium_t.absorption, false,     passed,
+            travelled + t};
+  }
+  /// Straight on behind what is there in part.
+  RayPath straight(const Real& t) const {
+    return {sampler_state, RayKind::refraction, depth, branch(0xC2B2AE35),
+            transitions,   absorption,          seen,  passed + 1,
+            travelled + t};
   }
 
  private:

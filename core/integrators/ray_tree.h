@@ -16,11 +16,21 @@
 namespace tia {
 
 /// TermName: the terms of a ray's light; diffuse and specular come light by light.
-enum class TermName { background, emission, ambient, diffuse, specular, reflection, refraction };
+enum class TermName {
+  background,
+  emission,
+  ambient,
+  diffuse,
+  specular,
+  reflection,
+  refraction,
+  straight
+};
 template <>
 struct Names<TermName> {
-  static constexpr std::array<std::string_view, 7> names{
-      "background", "emission", "ambient", "diffuse", "specular", "reflection", "refraction"};
+  static constexpr std::array<std::string_view, 8> names{"background", "emission", "ambient",
+                                                         "diffuse",    "specular", "reflection",
+                                                         "refraction", "straight"};
 };
 
 /// LightRecord: a light as a point sees it. Direction and distance are those to its middle.
@@ -44,7 +54,7 @@ struct Term {
   float weight = 1;
   Vec3f value{};
   LightRecord light{};
-  std::unique_ptr<RayNode> node{};  ///< of a mirrored or refracted ray
+  std::unique_ptr<RayNode> node{};  ///< of a ray that follows
 };
 
 /// RayNode: one ray of the tree and what it met.

@@ -21,7 +21,7 @@ class Whitted {
   /// Light along rays. Returns: linear RGB, unclamped; meaningless in lanes that are not active.
   /// Source: the slides; Whitted, "An improved illumination model for shaded display" (1980).
   V trace(const Ray<Real>& ray, Mask<Real> active, const RayPath<Real>& path) {
-    const Hit<Real> hit = first_hit(world_view_, ray, active, path.kind);
+    const Hit<Real> hit = hit_of(ray, active, path);
     const auto isect = surfaces(world_view_, ray, hit, active, path.travelled);
     recorder_.begin(ray, path.depth, hit, isect.at.p, isect.at.n);
     V L = beyond(ray, active && !isect.here);
@@ -34,12 +34,31 @@ class Whitted {
   }
 
  private:
+  // Rays that go straight on from the camera's are its own still, though they are not counted so.
+  Hit<Real> hit_of(const Ray<Real>& ray, Mask<Real> active, const RayPath<Real>& path) {
+    if constexpr (!AnyWorldView::plain) {
+      if (path.seen && path.passed > 0) {
+        world_view_.rays.count(path.kind, count(active));
+        return world_view_.stop_of(ray, active, {}, path.seen);
+      }
+    }
+    return first_hit(world_view_, ray, active, path.kind);
+  }
+  // Behind so many surfaces that are there in part the next counts as whole: calls go no deeper.
+  static constexpr int most_passed = 64;
+  template <class Point>
+  Real opacity_of(const Hit<Real>& hit, const SurfaceInteraction<Point, Real>& isect,
+                  const RayPath<Real>& path) const {
+    return path.passed < most_passed ? opacities(world_view_.world, hit, isect) : Real(1);
+  }
+
   // With T the finish's transmission and F the share that Fresnel's equations reflect, or, without
   // them, 1 at total internal reflection and else 0:
   //   (1 - T) (emission + ambient * color
   //            + sum over lights of visible * fade * light
   //                * (color * diffuse * (n.l)^brilliance + specular * (r.l)^(1/roughness)))
   //   + ((1 - T) reflection + T F) * reflected + T (1 - F) * refracted
+  // All that counts the surface's opacity a, and 1 - a what the ray finds that goes straight on.
   // The lights' terms are sample_ld's (direct.h), the two last weights split_specular's
   // (finishes.h).
   template <class Point>
@@ -51,11 +70,17 @@ class Whitted {
       add_lights(L, ray, isect, {}, Real(1), path);
     } else {
       const Finishes<Real> finish = finishes(world_view_.world, hit, isect);
-      const Real keep = Real(1) - finish.transmission;  // of the surface's own light
+      const Real there = world_view_.world.passable ? opacity_of(hit, isect, path) : Real(1);
+      const Real keep = (Real(1) - finish.transmission) * there;  // of the surface's own light
       add(L, TermName::emission, keep, isect.emission);
       add(L, TermName::ambient, keep, finish.ambient * isect.tint);
       add_lights(L, ray, isect, finish.phong, keep, path);
-      if (path.depth < world_view_.rules.max_depth) add_children(L, ray, hit, isect, finish, path);
+      if (path.depth < world_view_.rules.max_depth)
+        add_children(L, ray, hit, isect, finish, there, path);
+      if (const Mask<Real> here = isect.here && there < Real(1); any(here)) {
+        const Ray<Real> child{isect.at.p - isect.at.ng * isect.offset, ray.direction};
+        add_child(L, TermName::straight, Real(1) - there, child, here, path.straight(hit.t));
+      }
     }
     return L;
   }
@@ -113,13 +138,14 @@ class Whitted {
 
   void add_children(V& L, const Ray<Real>& ray, const Hit<Real>& hit,
                     const SurfaceInteraction<SurfacePoint<Real>, Real>& isect,
-                    const Finishes<Real>& finish, const RayPath<Real>& path) {
+                    const Finishes<Real>& finish, const Real& there, const RayPath<Real>& path) {
     const SurfacePoint<Real>& at = isect.at;
     // An interpolated normal may face away from the viewer, and the reflected ray would then go
     // through the surface; the geometric normal takes its place.
     const V n = select(dot(at.n, ray.direction) < Real(0), at.n, at.ng);
-    const SpecularSplit<Real> split = split_specular(ray.direction, n, hit.instance, isect.here,
-                                                     at.front, finish, path.transitions);
+    SpecularSplit<Real> split = split_specular(ray.direction, n, hit.instance, isect.here, at.front,
+                                               finish, path.transitions);
+    split.reflection = split.reflection * there, split.refraction = split.refraction * there;
     const V offset = at.ng * isect.offset;
     if (const Mask<Real> here = split.reflection > Real(0); any(here)) {
       const Ray<Real> child{at.p + offset, normalize(reflect(ray.direction, n))};

@@ -25,28 +25,48 @@ struct WorldView {
 
   template <class Real>
   Hit<Real> closest(const Ray<Real>& ray, Mask<Real> active) {
+    if (world.passable) return first_stop(world, ray, Sight<Real>{}, active, work);
     return closest_hit(world, ray, active, work);
   }
   /// Of rays from the camera, which before a backdrop pass the surfaces of lights.
   template <class Real>
   Hit<Real> closest_seen(const Ray<Real>& ray, Mask<Real> active) {
     if (!world.backdrop) return closest(ray, active);
-    const Hit<Real> hit = closest_object(world, ray, active, work);
+    const Hit<Real> hit = world.passable ? stop_of(ray, active, Sight<Real>{}, true)
+                                         : closest_object(world, ray, active, work);
     met = bits(active && hit.t < Real(infinity));
     return hit;
+  }
+  /// The first surface that stops rays of this sight. `seen`: of rays from the camera, or that go
+  /// on straight from these. Domain: a world that is passable.
+  template <class Real>
+  Hit<Real> stop_of(const Ray<Real>& ray, Mask<Real> active, Sight<Real> sight, bool seen) {
+    sight.objects_only = seen && world.backdrop;
+    return first_stop(world, ray, sight, active, work);
   }
   /// The share of the light that passes from t_max to the ray's origin, 0 or 1 unless shadows are
   /// transparent.
   template <class Real>
   Real visible(const Ray<Real>& ray, const Real& t_max, const WorldLight& light,
                Mask<Real> active) {
-    if (shadows_are_transparent()) return transmitted(world, ray, t_max, light, active, work);
+    if (world.passable || shadows_are_transparent())
+      return transmitted(world, ray, t_max, shadows_of(light), active, work);
     const Mask<Real> dark = occluded(world, ray, t_max, light, active, work);
     return select(dark, Real(0), Real(1));
   }
+  /// The same of light from a thing whose surface is left out, where what transmits is dark.
+  template <class Real>
+  Real passing(const Ray<Real>& ray, const Real& t_max, const Blocker& left_out,
+               Mask<Real> active) {
+    if (world.passable) return transmitted(world, ray, t_max, {left_out}, active, work);
+    return select(occluded(world, ray, t_max, left_out, active, work), Real(0), Real(1));
+  }
   /// The first thing between the ray's origin and t_max that takes light.
   Blocker blocker(const Ray<float>& ray, float t_max, const WorldLight& light) {
-    return first_blocker(world, ray, t_max, light, shadows_are_transparent(), work);
+    return first_blocker(world, ray, t_max, shadows_of(light), work);
+  }
+  Shadows shadows_of(const WorldLight& light) const {
+    return {{light.primitive, light.instance}, shadows_are_transparent()};
   }
   bool shadows_are_transparent() const {
     return world.transparent_shadows && rules.transparent_shadows;

@@ -61,6 +61,16 @@ Vec3d layer_of(const Principled& p) {
   return tia::rgb_of(p.specular_color) * f0;
 }
 
+bool is_zero(const NumberOrTexture& number) {
+  const auto* everywhere = std::get_if<double>(&number);
+  return everywhere != nullptr && *everywhere == 0;
+}
+// Whether rays may go straight on somewhere.
+bool may_be_passed(const Principled& p, const PrincipledForm& form) {
+  const bool textured = std::get_if<double>(&p.alpha) == nullptr || p.maps;
+  return textured ? p.alpha_mode != AlphaMode::opaque : alpha_at(form, form.numbers) < 1;
+}
+
 // What a unit of length absorbs where `color` is left after `distance`.
 Vec3d absorption_of(const Vec3d& color, double distance) {
   const auto one = [&](double left) { return -log_of(std::max(left, 1e-30)) / distance; };
@@ -110,7 +120,11 @@ PrincipledForm prepare(const Principled& p, const Vec3d& ambient_light) {
   put(&At::specular, p.specular), put(&At::transmission, p.transmission);
   put(&At::clearcoat, p.clearcoat), put(&At::clearcoat_roughness, p.clearcoat_roughness);
   put(&At::sheen_roughness, p.sheen_roughness), put(&At::anisotropy, p.anisotropy);
+  put(&At::alpha, p.alpha);
   form.maps = p.maps;
+  form.alpha = {p.alpha_mode, p.alpha_cutoff};
+  form.rest.see_through = may_be_passed(p, form);
+  form.rest.one_sided = !p.double_sided && is_zero(p.transmission);
   return form;
 }
 

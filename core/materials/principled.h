@@ -11,6 +11,7 @@
 #include "core/input/containers.h"
 #include "core/input/fields.h"
 #include "core/input/value_codecs.h"
+#include "core/materials/alpha_mode.h"
 #include "core/materials/number_texture.h"
 #include "core/materials/principled_form.h"
 #include "core/materials/shading_parameters.h"
@@ -57,6 +58,10 @@ struct Principled {
   double anisotropy_rotation = 0, dispersion = 0;
   Color emissive{};
   double emissive_strength = 1, ambient = 0;
+  NumberOrTexture alpha = 1;
+  AlphaMode alpha_mode = AlphaMode::opaque;
+  double alpha_cutoff = 0.5;
+  bool double_sided = true;
   std::optional<Texture> texture{};  ///< replaces the base colour
   /// What a model's file multiplies into that; not in JSON, as what a model shows is not.
   std::shared_ptr<const PrincipledMaps> maps{};
@@ -115,6 +120,17 @@ struct Principled {
                         "whitted",
                .min = 0,
                .max = 1});
+    share("alpha", &P::alpha, "how far it covers what is behind it, as alpha_mode says");
+    visit(
+        "alpha_mode", &P::alpha_mode,
+        Spec{.about = "what alpha means: opaque: nothing; mask: nothing is there where it is below "
+                      "alpha_cutoff; blend: that share of every ray meets the surface, and the "
+                      "rest goes straight on"});
+    visit("alpha_cutoff", &P::alpha_cutoff,
+          Spec{.about = "from which alpha on mask leaves something there", .min = 0, .max = 1e6});
+    visit("double_sided", &P::double_sided,
+          Spec{.about = "whether it has a back: else rays of the camera, of mirrors and of glass "
+                        "pass through it from behind, unless it transmits light itself"});
     visit("texture", &P::texture, Spec{.about = "what gives each point its base_color instead"});
   }
   bool operator==(const Principled&) const = default;

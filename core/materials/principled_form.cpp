@@ -29,6 +29,10 @@ PrincipledNumbers numbers_at(const PrincipledForm& form, const TexturePoint& at)
   return numbers;
 }
 
+double alpha_at(const PrincipledForm& form, const PrincipledNumbers& at) {
+  return opacity_of(form.alpha, at.alpha);
+}
+
 namespace {
 
 // What the layer over what is matt reflects straight on.
@@ -74,6 +78,7 @@ ShadingParameters shading_at(const PrincipledForm& form, const PrincipledNumbers
   shading.albedo = form.base * at.base * (shading.bsdf.matt + at.metallic * at.roughness);
   shading.reflection = at.metallic * (1 - at.roughness);
   shading.transmission = shading.bsdf.glass;
+  shading.opacity = alpha_at(form, at);
   return shading;
 }
 

@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/materials/alpha_mode.h"
 #include "core/materials/number_texture.h"
 #include "core/materials/principled_maps.h"
 #include "core/materials/shading_parameters.h"
@@ -15,8 +16,9 @@ struct PrincipledForm {
     double PrincipledNumbers::*number;
     NumberTextureForm texture;
   };
-  ShadingParameters rest;     ///< all that the numbers have no say in
-  Vec3d base{}, layer{};      ///< the base colour; f0 at specular 1, before it is bounded by 1
+  ShadingParameters rest;  ///< all that the numbers have no say in
+  Vec3d base{}, layer{};   ///< the base colour; f0 at specular 1, before it is bounded by 1
+  AlphaUse alpha{};
   PrincipledNumbers numbers;  ///< those of textures are the middle of their range
   std::vector<Textured> textured;
   std::shared_ptr<const PrincipledMaps> maps;  ///< null: none
@@ -31,6 +33,8 @@ std::size_t heap_bytes(const PrincipledForm& form);
 bool wants_uv(const PrincipledForm& form);
 /// Space/units, Domain: as color_at's.
 PrincipledNumbers numbers_at(const PrincipledForm& form, const TexturePoint& at);
+/// The share of rays that meets it where it has these numbers.
+double alpha_at(const PrincipledForm& form, const PrincipledNumbers& at);
 /// The shading parameters where it has these numbers, without the texture of its base colour.
 /// Source: Khronos, glTF 2.0 (2021), appendix B, and its extensions KHR_materials_*.
 ShadingParameters shading_at(const PrincipledForm& form, const PrincipledNumbers& at);

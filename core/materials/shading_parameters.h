@@ -20,8 +20,11 @@ struct ShadingParameters {
   double specular = 0, exponent = 20;
   double reflection = 0, transmission = 0, ior = 1;
   bool fresnel = false;
-  int texture = -1;  ///< the index of its texture in the geometry; -1: none
-  int form = -1;     ///< the index of what tells them at each point, likewise; -1: all are the same
+  double opacity = 1;        ///< the share of rays that meets it; the rest goes straight on
+  bool see_through = false;  ///< whether that is below 1 anywhere
+  bool one_sided = false;    ///< whether straight sight passes its back faces (Sight)
+  int texture = -1;          ///< the index of its texture in the geometry; -1: none
+  int form = -1;  ///< the index of what tells them at each point, likewise; -1: all are the same
 
   BsdfParameters<double> bsdf{};
 

@@ -10,7 +10,7 @@ namespace {
 ModelMaterial plain_principled() {
   ModelMaterial plain;
   plain.base_color = {1, 1, 1};
-  plain.thin = plain.double_sided = false;
+  plain.thin = false;
   return plain;
 }
 
@@ -80,7 +80,7 @@ void put_flags(const ModelMaterial& is, Value::Object& out) {
   if (is.alpha_mode != AlphaMode::opaque) out.emplace_back("alpha_mode", name_of(is.alpha_mode));
   if (is.attenuation_distance) out.emplace_back("attenuation_distance", *is.attenuation_distance);
   if (is.thin && (is.transmission > 0 || is.transmission_texture)) out.emplace_back("thin", true);
-  if (is.double_sided) out.emplace_back("double_sided", true);
+  if (!is.double_sided) out.emplace_back("double_sided", false);
   if (is.unlit) out.emplace_back("unlit", true);
 }
 

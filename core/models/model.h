@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/input/fields.h"
+#include "core/materials/alpha_mode.h"
 #include "core/materials/wrap.h"
 #include "core/math/vec3.h"
 
@@ -53,12 +54,6 @@ struct TextureUse {
   bool operator==(const TextureUse&) const = default;
 };
 using MaybeTexture = std::optional<TextureUse>;
-
-enum class AlphaMode : std::uint8_t { opaque, mask, blend };
-template <>
-struct Names<AlphaMode> {
-  static constexpr std::array<std::string_view, 3> names{"opaque", "mask", "blend"};
-};
 
 /// ModelMaterial: glTF's metallic-roughness with the extensions that Tia takes. Colours are linear
 /// RGB. Defaults are those of a file that has no materials (STL, PLY, bare OBJ).

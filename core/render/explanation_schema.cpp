@@ -75,7 +75,8 @@ Value term_schema(Definitions& named) {
        {"blocker", nullable_schema(name_schema()), "what takes light first, null: nothing", false},
        {"blocker_id", count_schema(1), "which of objects that is", false},
        {"blocker_copy", copy_schema(), "which copy of that, as a hit's", false},
-       {"node", node_schema(named), "reflection, refraction: the ray that follows", false}});
+       {"node", node_schema(named), "reflection, refraction, straight: the ray that follows",
+        false}});
 }
 
 Value node_schema(Definitions& named) {

@@ -88,6 +88,7 @@ ModelChoice choice_of(const Model& model, const Object& object, const Place& at,
     choice.moment.animation = choosing.number(asked.animation.value_or(0), model.animations.size(),
                                               asked.animation ? "animation" : "time", "animations");
   choice.moment.seconds = asked.time.value_or(0);
+  choice.smooth = asked.smooth;
   choice.variant = variant_of(model, asked, at, choosing);
   choice.up = asked.up.value_or(model.z_up ? UpAxis::z : UpAxis::y);
   hide(model, asked, at.at("hide"), choosing, choice);

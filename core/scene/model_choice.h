@@ -14,6 +14,7 @@ struct ModelChoice {
   ModelMoment moment;
   MaybeIndex variant;
   UpAxis up = UpAxis::y;
+  double smooth = 0;                  ///< degrees
   std::set<std::string_view> hidden;  ///< names of nodes, meshes and materials
 };
 

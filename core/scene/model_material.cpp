@@ -43,8 +43,12 @@ Principled lit_of(const ModelMaterial& m) {
 Material material_of(const ModelMaterial& material, std::shared_ptr<const PrincipledMaps> maps,
                      double ambient) {
   Principled made = material.unlit ? unlit_of(material) : lit_of(material);
-  made.maps = std::move(maps);
   made.ambient = material.unlit ? 0 : ambient;
+  made.alpha = material.alpha;
+  made.alpha_mode = material.alpha_mode;
+  made.alpha_cutoff = material.alpha_cutoff;
+  made.double_sided = material.double_sided;
+  made.maps = std::move(maps);
   return {Boxed<Principled>(std::move(made))};
 }
 

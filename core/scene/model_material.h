@@ -6,9 +6,10 @@
 
 namespace tia {
 
-/// The principled of its factors and textures: alpha is left out. One that is unlit shines with its
-/// base colour and scatters nothing. `maps`: as maps_of() gives them; null: none.
+/// The principled of its factors and textures. One that is unlit shines with its base colour and
+/// scatters nothing. `maps`: as maps_of() gives them; null: none. `ambient`: what of the scene's
+/// ambient light it sends back in whitted.
 Material material_of(const ModelMaterial& material,
-                     std::shared_ptr<const PrincipledMaps> maps = nullptr);
+                     std::shared_ptr<const PrincipledMaps> maps = nullptr, double ambient = 0);
 
 }  // namespace tia

@@ -4,6 +4,7 @@
 #include <map>
 #include <utility>
 
+#include "core/models/smooth.h"
 #include "core/scene/model_maps.h"
 
 namespace tia {
@@ -27,8 +28,22 @@ Numbers<float> colors_of(const ModelPart& part) {
   return {std::move(colors)};
 }
 
-std::int64_t size_of(const ModelPart& part) {
-  return static_cast<std::int64_t>(part.vertices() + part.triangles());
+// Where vertices may be parted, as many more as there are corners.
+std::int64_t size_of(const ModelPart& part, bool smooths) {
+  const std::size_t parted = smooths ? 3 * part.triangles() : 0;
+  return static_cast<std::int64_t>(part.vertices() + part.triangles() + parted);
+}
+
+void smooth(Mesh& mesh, double degrees) {
+  SmoothVertices shared =
+      tia::smooth(mesh.positions.values.get(), mesh.indices.values.get(), degrees);
+  if (shared.normals.empty()) return;
+  mesh.positions.values = taken(mesh.positions.values.get(), shared.from, 3);
+  mesh.uvs.values = taken(mesh.uvs.values.get(), shared.from, 2);
+  mesh.more_uvs.values = taken(mesh.more_uvs.values.get(), shared.from, 2);
+  mesh.colors.values = taken(mesh.colors.values.get(), shared.from, 4);
+  mesh.indices.values = std::move(shared.indices);
+  mesh.normals.values = std::move(shared.normals);
 }
 
 /// Gathering: goes through what a pose shows.
@@ -77,17 +92,23 @@ class Gathering {
     return true;
   }
 
+  // Whether its faces may share normals that the file does not have.
+  bool smooths(const ModelPart& part) const {
+    return choice_.smooth > 0 && part.normals.empty() && !part.points;
+  }
+
   bool afford(const ModelPart& part, std::size_t places, bool posed) {
     const std::int64_t each = part.points ? static_cast<std::int64_t>(part.vertices()) : 1;
     const bool is_new = posed || !known_.contains(&part);
-    return budget_.take(each * static_cast<std::int64_t>(places), is_new ? size_of(part) : 0);
+    return budget_.take(each * static_cast<std::int64_t>(places),
+                        is_new ? size_of(part, smooths(part)) : 0);
   }
 
   Mesh mesh_of(ModelIndex number, const ModelPart& part, const MaybeIndex& material) {
     const bool posed = is_posed(model_.nodes[number], part);
     const auto [known, is_new] = known_.try_emplace(&part);
     Mesh& mesh = known->second;
-    if (is_new && !part.points) {
+    if ((is_new || (posed && smooths(part))) && !part.points) {
       mesh.indices.values = part.indices;
       mesh.uvs = uvs_of(part.uvs[0]);
       mesh.colors = colors_of(part);
@@ -98,7 +119,8 @@ class Gathering {
       PartShape shape = shape_of(model_, pose_, number, part);
       mesh.positions.values = std::move(shape.positions);
       mesh.normals.values = std::move(shape.normals);
-      if (material && model_.materials[*material].normal_texture)
+      if (smooths(part)) smooth(mesh, choice_.smooth);
+      else if (material && model_.materials[*material].normal_texture)
         mesh.tangents.values = std::move(shape.tangents);
     }
     return mesh;

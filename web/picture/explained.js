@@ -6,12 +6,12 @@ const FAINTEST = 0.002; // of the pixel's light that a ray must be able to bring
 const MOST = 200; // rays that a person may want to step through
 const SAME = 1e-5; // what float arithmetic leaves between a weight and the product of its factors
 
-const KINDS = { reflection: 'mirror', refraction: 'refracted' };
+const KINDS = { reflection: 'mirror', refraction: 'refracted', straight: 'straight' };
 const any = (value) => value.some((part) => part > 0);
 
 /**
  * The rays as steps, each before those that it makes: { kind: 'primary' | 'shadow' | 'mirror' |
- * 'refracted', from, to, node, term, parent, weight, index, blocked }. A shadow ray has its lamp's
+ * 'refracted' | 'straight', from, to, node, term, parent, weight, index, blocked }. A shadow ray has its lamp's
  * `term` and the node that it lights; `parent` is the step that made a ray, `weight` how much of it
  * counts there. Rays without an end are `reach` long. `left`: the rays that are too faint to list.
  */

@@ -158,6 +158,11 @@ std::vector<Meeting> all_hits(const World& world, const Ray<double>& ray) {
   });
   const auto one = [&](const Meeting& a, const Meeting& b) { return same_place(world, a, b); };
   found.erase(std::unique(found.begin(), found.end(), one), found.end());
+  std::erase_if(found, [&](const Meeting& at) {
+    return is_passed(world, ray,
+                     {at.t, static_cast<double>(at.primitive), static_cast<double>(at.element),
+                      static_cast<double>(at.instance)});
+  });
   for (Meeting& each : found) {
     each.point = ray.at(each.t);
     each.normal = normals_at(world, each.point, each.primitive, each.element, each.instance).ng;

@@ -34,6 +34,7 @@ class Compiler {
       shading.texture = pushed(geometry_.textures, prepare(*texture));
     if (auto form = textured_form_of(material, rgb_of(scene_.ambient_light)))
       shading.form = pushed(geometry_.forms, std::move(*form));
+    geometry_.passable = geometry_.passable || shading.see_through || shading.one_sided;
     return shading;
   }
   int shading_index(const MaterialRef& material) {
@@ -43,7 +44,7 @@ class Compiler {
   Setting below(const Object& object, const Setting& above) {
     return {above.place * object.transform.affine(),
             object.material ? shading_index(*object.material) : above.shading, above.space,
-            above.inverted};
+            above.inverted, above.culls};
   }
 
   void add(const Object& object, const Setting& above) {
@@ -91,7 +92,8 @@ class Compiler {
   void add_surface(const F& form, const Setting& own) {
     const int primitive = builder_.add(form, own);
     if constexpr (LightsFromCenter<F>) {
-      const Constant emission = geometry_.shading_of(primitive).emission;
+      const ShadingParameters& shading = geometry_.shading_of(primitive);
+      const Constant emission = shading.emission.exact * shading.opacity;
       if (emits(emission.exact))
         add_lights(own.place.point(light_center(form)), emission, primitive);
     }
@@ -110,11 +112,13 @@ class Compiler {
     return std::visit([]<class Kind>(const Kind&) { return IsSurface<Kind>; }, shape);
   }
   bool emits_by_point(const ShadingParameters& shading) const {
+    if (shading.see_through) return true;
     if (shading.form < 0) return false;
     const auto& maps = geometry_.forms[static_cast<std::size_t>(shading.form)].maps;
     return maps && emission_varies(*maps);
   }
-  // What a luminous shape can be asked for by its area, for each instance.
+  // What a luminous shape can be asked for by its area, for each instance. One that rays may pass
+  // sends out less from some points than from others, and is left to chance.
   void add_areas(const Shape& shape, const Affine& place, int primitive) {
     const ShadingParameters& shading = geometry_.shading_of(primitive);
     const Constant emission = shading.emission;
@@ -164,12 +168,15 @@ class Compiler {
     for (const Object& child : group.children) box = around(box, bounds_.of(child));
     const int grid = builder_.begin_grid(*group.repeat, box, own);
     const int inside = geometry_.grids[static_cast<std::size_t>(grid)].inside;
-    for (const Object& child : group.children) add(child, {Affine{}, own.shading, inside, false});
+    for (const Object& child : group.children)
+      add(child, {Affine{}, own.shading, inside, false, own.culls});
     builder_.end_grid(grid, own);
   }
 
   void add_kind(const PlacedModel& model, const Setting& own) {
-    for (const Object& child : children_in(model)) add(child, own);
+    Setting inside = own;
+    inside.culls = model.culling;
+    for (const Object& child : children_in(model)) add(child, inside);
   }
 
   void add_kind(const Csg& csg, const Setting& own) {

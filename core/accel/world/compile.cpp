@@ -26,7 +26,7 @@ bool is_plain_point(const WorldLight& light) {
 bool is_plain(const ShadingParameters& shading) {
   return !emits(shading.ambient.exact) && shading.brilliance == 1 && shading.specular == 0 &&
          shading.reflection == 0 && shading.transmission == 0 && shading.texture < 0 &&
-         shading.form < 0;
+         shading.form < 0 && !shading.see_through && !shading.one_sided;
 }
 
 bool is_plain_balls(const Geometry& geometry) {
@@ -58,6 +58,7 @@ class Lighting {
     world_.transparent_shadows = scene.options.transparent_shadows;
     world_.lights = objects->lights;
     world_.origin = objects->origin;
+    world_.passable = objects->passable;
     lights_.first_primitive = static_cast<int>(objects->primitives.size());
     lights_.objects = objects->objects;
     world_.of_objects = std::move(objects);

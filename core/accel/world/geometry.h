@@ -107,6 +107,7 @@ struct Geometry {
   Vec3d origin{};                     ///< the world's, in the scene's coordinates
   int first_primitive = 0;            ///< the number of its first primitive, which is the world's
   int objects = 0;                    ///< how many, those of the primitives before it included
+  bool passable = false;              ///< whether rays may go straight through some of it (Sight)
   std::size_t degenerate = 0;         ///< triangles without area, which nothing meets
 
   /// Domain: one of its own, by the number that the world has for it.

@@ -54,6 +54,7 @@ int GeometryBuilder::add_primitive(Form form, const Setting& at, int object) {
   primitive.object = object;
   primitive.space = at.space;
   primitive.inverted = at.inverted;
+  primitive.culls = at.culls;
   return geometry_.first_primitive + pushed(geometry_.primitives, std::move(primitive));
 }
 

@@ -16,6 +16,7 @@ struct Setting {
   int shading = 0;
   int space = 0;
   bool inverted = false;  ///< whether it is subtracted from a solid
+  bool culls = true;      ///< as Primitive's
 };
 
 /// Appends a value to a list. Returns: its index.

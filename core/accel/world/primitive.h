@@ -27,6 +27,7 @@ struct Primitive {
   int numbers = 0;  ///< how many primitives after it are its own, one for each numbered material
                     ///< (material_number); -1: it is one of those
   bool inverted = false;  ///< whether it is subtracted from a solid, so that its inside is outside
+  bool culls = true;      ///< whether back faces of what is one-sided are passed (Sight)
   bool placed = false;    ///< whether to_object is not the identity
   bool colored = false;   ///< whether it is a mesh with colours
   int work = 1;           ///< what trying a ray on it costs (WorkCounter)

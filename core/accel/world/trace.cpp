@@ -60,84 +60,152 @@ Mask<Real> occluded(const World& world, const Ray<Real>& ray, const Real& t_max,
 
 namespace {
 
-// Calls visit(ray, hit, lanes) for each surface between the ray's origin and t_max, the light's own
-// left out; it returns the lanes that go on. Each next ray starts behind the surface by the same
-// offset as shadow rays start in front of theirs.
-template <class Real, class Visit>
-void walk(const World& world, const Ray<Real>& ray, const Real& t_max, const WorldLight& light,
-          Mask<Real> going, WorkCounter& work, Visit visit) {
+// Calls visit(ray, hit, lanes, t) for each surface that find(ray, lanes) finds between the ray's
+// origin and t_max, at t along the whole ray; it returns the lanes that go on. Each next ray starts
+// behind the surface by the same offset as shadow rays start in front of theirs.
+template <class Real, class Find, class Visit>
+void walk(const Ray<Real>& ray, const Real& t_max, Mask<Real> going, Find find, Visit visit) {
   Real done(0);
   while (any(going)) {
     const Ray<Real> step{ray.at(done), ray.direction};
-    const Nearest<Real> query{{}, light.primitive, light.instance};
-    const Hit<Real> hit = nearest<Real>(world, step, going, query, work);
+    const Hit<Real> hit = find(step, going);
     const Real t = done + hit.t;
-    going = visit(step, hit, going && t < t_max);
+    going = visit(step, hit, going && t < t_max, t);
     done = select(going, t + offset_of(t, ray.at(t)), done);
   }
 }
+template <class Real, class Visit>
+void walk(const World& world, const Ray<Real>& ray, const Real& t_max, const Blocker& left_out,
+          Mask<Real> going, WorkCounter& work, Visit visit) {
+  const Nearest<Real> query{{}, left_out.primitive, static_cast<int>(left_out.instance)};
+  const auto find = [&](const Ray<Real>& step, Mask<Real> lanes_left) {
+    return nearest<Real>(world, step, lanes_left, query, work);
+  };
+  walk(ray, t_max, going, find, visit);
+}
 
-// Calls f(transmission, lanes) for what the lanes have met.
-template <class Real, class F>
-void each_transmission(const World& world, const Ray<Real>& ray, const Hit<Real>& hit,
-                       Mask<Real> met, F f) {
+// Calls f(shading, primitive, lanes) for what the lanes have met. `wanted` tells by a primitive's
+// shading whether its textures are needed.
+template <class Real, class Wanted, class F>
+void each_met(const World& world, const Ray<Real>& ray, const Hit<Real>& hit, Mask<Real> met,
+              Wanted wanted, F f) {
   LaneNumbers<Real> numbers;
+  Mask<Real> those{};
   for_each_winner(hit, met, [&](int primitive, Mask<Real> here) {
-    if (world.shading_of(primitive).form >= 0)
-      take_numbers(world, ray, hit, primitive, here, Real(0), numbers);
+    const ShadingParameters& shading = world.shading_of(primitive);
+    if (!wanted(shading)) return;
+    if (shading.form >= 0) take_numbers(world, ray, hit, primitive, here, Real(0), numbers);
+    those = those || here;
   });
-  for_each_shading(world, hit, numbers, met,
-                   [&](const ShadingParameters& shading, int, Mask<Real> here) {
-                     f(shading.transmission, here);
-                   });
+  for_each_shading(world, hit, numbers, those, f);
+}
+
+// The share that goes straight on where the lanes have met something, as `share` of its shading.
+template <class Real, class Wanted, class Share>
+Real share_passed(const World& world, const Ray<Real>& ray, const Hit<Real>& hit, Mask<Real> met,
+                  Wanted wanted, Share share) {
+  Real passed(0);
+  each_met(world, ray, hit, met, wanted,
+           [&](const ShadingParameters& shading, int, Mask<Real> here) {
+             passed = select(here, lift<Real>(share(shading)), passed);
+           });
+  return passed;
+}
+template <class Real>
+Real share_lit(const World& world, const Ray<Real>& ray, const Hit<Real>& hit, Mask<Real> met,
+               bool transparent) {
+  return share_passed(
+      world, ray, hit, met,
+      [&](const ShadingParameters& shading) { return transparent || shading.see_through; },
+      [&](const ShadingParameters& shading) {
+        const double through = transparent ? shading.opacity * shading.transmission : 0;
+        return 1 - shading.opacity + through;
+      });
+}
+template <class Real>
+Real share_seen(const World& world, const Ray<Real>& ray, const Hit<Real>& hit, Mask<Real> met,
+                Mask<Real> straight) {
+  Real passed = share_passed(
+      world, ray, hit, met, [](const ShadingParameters& shading) { return shading.see_through; },
+      [](const ShadingParameters& shading) { return 1 - shading.opacity; });
+  for_each_winner(hit, met && straight, [&](int primitive, Mask<Real> here) {
+    if (!world.shading_of(primitive).one_sided || !world.primitive(primitive).culls) return;
+    const SurfacePoint<Real> at = surface(world, ray, hit, primitive, here);
+    passed = select(here && !at.front, Real(1), passed);
+  });
+  return passed;
 }
 
 }  // namespace
 
 template <class Real>
+Hit<Real> first_stop(const World& world, const Ray<Real>& ray, const Sight<Real>& sight,
+                     Mask<Real> active, WorkCounter& work) {
+  Hit<Real> stop;
+  Real left(1);
+  const auto find = [&](const Ray<Real>& step, Mask<Real> going) {
+    return sight.objects_only ? closest_object(world, step, going, work)
+                              : closest_hit(world, step, going, work);
+  };
+  const auto pass = [&](const Ray<Real>& step, const Hit<Real>& hit, Mask<Real> met,
+                        const Real& t) -> Mask<Real> {
+    left = select(met, left * share_seen(world, step, hit, met, sight.straight), left);
+    const Mask<Real> passes = met && left > sight.u, stops = met && !passes;
+    stop.t = select(stops, t, stop.t);
+    stop.primitive = select(stops, hit.primitive, stop.primitive);
+    stop.element = select(stops, hit.element, stop.element);
+    stop.instance = select(stops, hit.instance, stop.instance);
+    return passes;
+  };
+  walk(ray, Real(infinity), active, find, pass);
+  return stop;
+}
+
+bool is_passed(const World& world, const Ray<double>& ray, const Hit<double>& hit) {
+  return world.passable && share_seen(world, ray, hit, true, true) == 1;
+}
+
+template <class Real>
 Real transmitted(const World& world, const Ray<Real>& ray, const Real& t_max,
-                 const WorldLight& light, Mask<Real> active, WorkCounter& work) {
+                 const Shadows& shadows, Mask<Real> active, WorkCounter& work) {
   Real share(1);
-  const auto take = [&](const Ray<Real>& step, const Hit<Real>& hit, Mask<Real> met) -> Mask<Real> {
-    Real passed(0);
-    each_transmission(world, step, hit, met, [&](double transmission, Mask<Real> here) {
-      passed = select(here, lift<Real>(transmission), passed);
-    });
+  const auto take = [&](const Ray<Real>& step, const Hit<Real>& hit, Mask<Real> met,
+                        const Real&) -> Mask<Real> {
+    const Real passed = share_lit(world, step, hit, met, shadows.transparent);
     share = select(met, share * passed, share);
     return met && share > Real(0);
   };
-  walk(world, ray, t_max, light, active, work, take);
+  walk(world, ray, t_max, shadows.left_out, active, work, take);
   return share;
 }
 
 Blocker first_blocker(const World& world, const Ray<float>& ray, float t_max,
-                      const WorldLight& light, bool transparent, WorkCounter& work) {
+                      const Shadows& shadows, WorkCounter& work) {
   Blocker blocking;
-  const auto take = [&](const Ray<float>& step, const Hit<float>& hit, bool met) {
-    bool passes = false;
-    if (transparent)
-      each_transmission(world, step, hit, met,
-                        [&](double transmission, bool) { passes = transmission == 1; });
+  const auto take = [&](const Ray<float>& step, const Hit<float>& hit, bool met, float) {
+    const bool passes = met && share_lit(world, step, hit, met, shadows.transparent) == 1;
     if (met && !passes)
       blocking = {static_cast<int>(hit.primitive), static_cast<std::int64_t>(hit.instance)};
     return passes;
   };
-  walk(world, ray, t_max, light, true, work, take);
+  walk(world, ray, t_max, shadows.left_out, true, work, take);
   return blocking;
 }
 
 // ---- the three scalars ----------------------------------------------------------------------
 
-#define TIA_TRACE(Real)                                                                        \
-  template Hit<Real> closest_hit(const World&, const Ray<Real>&, Mask<Real>, WorkCounter&);    \
-  template Hit<Real> closest_object(const World&, const Ray<Real>&, Mask<Real>, WorkCounter&); \
-  template Mask<Real> occluded(const World&, const Ray<Real>&, const Real&, const Blocker&,    \
-                               Mask<Real>, WorkCounter&);                                      \
-  template Mask<Real> occluded(const World&, const Ray<Real>&, const Real&, const WorldLight&, \
-                               Mask<Real>, WorkCounter&);                                      \
-  template Mask<Real> occluded(const World&, const Ray<Real>&, const Real&, Mask<Real>,        \
-                               WorkCounter&);                                                  \
-  template Real transmitted(const World&, const Ray<Real>&, const Real&, const WorldLight&,    \
+#define TIA_TRACE(Real)                                                                         \
+  template Hit<Real> closest_hit(const World&, const Ray<Real>&, Mask<Real>, WorkCounter&);     \
+  template Hit<Real> closest_object(const World&, const Ray<Real>&, Mask<Real>, WorkCounter&);  \
+  template Mask<Real> occluded(const World&, const Ray<Real>&, const Real&, const Blocker&,     \
+                               Mask<Real>, WorkCounter&);                                       \
+  template Mask<Real> occluded(const World&, const Ray<Real>&, const Real&, const WorldLight&,  \
+                               Mask<Real>, WorkCounter&);                                       \
+  template Mask<Real> occluded(const World&, const Ray<Real>&, const Real&, Mask<Real>,         \
+                               WorkCounter&);                                                   \
+  template Hit<Real> first_stop(const World&, const Ray<Real>&, const Sight<Real>&, Mask<Real>, \
+                                WorkCounter&);                                                  \
+  template Real transmitted(const World&, const Ray<Real>&, const Real&, const Shadows&,        \
                             Mask<Real>, WorkCounter&);
 TIA_TRACE(Wide)
 TIA_TRACE(float)

@@ -17,6 +17,23 @@ template <class Real>
 Hit<Real> closest_object(const World& world, const Ray<Real>& ray, Mask<Real> active,
                          WorkCounter& work);
 
+/// Sight: which surfaces rays go straight through. One of opacity a stops a of all rays, which is
+/// decided for all surfaces along a ray by one number: the first surface stops it up to which the
+/// product of 1 - a is not above that. Back faces of what is one-sided stop no straight sight.
+template <class Real>
+struct Sight {
+  Real u = Real(0x1.fffffep-1F);  ///< in [0, 1), by chance; this one: whatever is there at all
+  Mask<Real> straight = Mask<Real>(true);  ///< rays of the camera, of mirrors and of glass
+  bool objects_only = false;               ///< whether the surfaces of lights are passed, too
+};
+/// The first hit that stops a ray. Rays start anew behind what they pass, by offset_of; what is
+/// nearer to that is passed with it. Errors: as closest_hit's.
+template <class Real>
+Hit<Real> first_stop(const World& world, const Ray<Real>& ray, const Sight<Real>& sight,
+                     Mask<Real> active, WorkCounter& work);
+/// Whether straight sight passes the surface at a hit.
+bool is_passed(const World& world, const Ray<double>& ray, const Hit<double>& hit);
+
 /// The closest hit in a world of few balls. Domain: `balls` lists all that the ray may hit.
 template <class Real>
 Hit<Real> closest_ball(const World& world, const std::vector<int>& balls, const Ray<Real>& ray) {
@@ -61,16 +78,22 @@ Real offset_of(const Real& t, const Vec3<Real>& p) {
   return Real(tolerance::ray_offset) * max_of(t, extent);
 }
 
-/// The share of a light's light that passes straight from t_max to the ray's origin: the product of
-/// the transmissions of all surfaces between them. Errors: as occluded's.
+/// Shadows: what takes no light from shadow rays.
+struct Shadows {
+  Blocker left_out;          ///< the light's own surface
+  bool transparent = false;  ///< whether light passes what transmits, unbent
+};
+/// The share of light that passes straight from t_max to the ray's origin: the product over all
+/// surfaces between them of 1 - a, a their opacity, and where shadows are transparent 1 - a + a
+/// times their transmission. Errors: as occluded's.
 template <class Real>
 Real transmitted(const World& world, const Ray<Real>& ray, const Real& t_max,
-                 const WorldLight& light, Mask<Real> active, WorkCounter& work);
+                 const Shadows& shadows, Mask<Real> active, WorkCounter& work);
 
-/// The first surface from the ray's origin to t_max that takes light. Where shadows are
-/// transparent, a surface of transmission 1 takes none. Errors: as occluded's.
+/// The first surface from the ray's origin to t_max that takes light. One of opacity 0 takes none,
+/// nor, where shadows are transparent, one of transmission 1. Errors: as occluded's.
 Blocker first_blocker(const World& world, const Ray<float>& ray, float t_max,
-                      const WorldLight& light, bool transparent, WorkCounter& work);
+                      const Shadows& shadows, WorkCounter& work);
 
 /// The same as occluded in a world of few balls.
 template <class Real>

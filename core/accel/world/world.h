@@ -45,6 +45,7 @@ struct World {
   int objects = 0;  ///< how many; the luminous lights are the last
   bool transparent_shadows =
       false;                   ///< whether shadow rays pass through transmitting objects, unbent
+  bool passable = false;       ///< whether rays may go straight through some surfaces (Sight)
   bool few_balls = false;      ///< whether FewBallsView can draw it
   std::size_t degenerate = 0;  ///< triangles without area, which no ray hits
 

@@ -15,7 +15,7 @@ void Fit::check(const Place& at, Faults& faults) const {
 bool PlacedModel::operator==(const PlacedModel& other) const {
   const auto written = [](const PlacedModel& m) {
     return std::tie(m.id, m.scene, m.up, m.fit, m.time, m.animation, m.variant, m.hide,
-                    m.point_radius, m.ambient);
+                    m.point_radius, m.ambient, m.smooth, m.culling);
   };
   return written(*this) == written(other);
 }

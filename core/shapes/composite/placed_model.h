@@ -64,6 +64,8 @@ struct PlacedModel {
   std::vector<std::string> hide;
   std::optional<double> point_radius;
   double ambient = 0;
+  double smooth = 0;  ///< degrees
+  bool culling = true;
 
   /// What it stands for; null until that is resolved. Copies share it. No part of the JSON, and
   /// none of what is compared: it follows from the rest.
@@ -109,6 +111,16 @@ struct PlacedModel {
                         "whitted",
                .min = 0,
                .max = 1});
+    visit("smooth", &M::smooth,
+          Spec{.about = "where its file has no normals: faces that meet at an edge at less than "
+                        "this angle share one",
+               .unit = "degrees",
+               .min = 0,
+               .max = 180});
+    visit(
+        "culling", &M::culling,
+        Spec{.about = "whether rays of the camera, of mirrors and of glass pass the back faces of "
+                      "materials that are not double_sided"});
   }
   /// Of what is written.
   bool operator==(const PlacedModel& other) const;

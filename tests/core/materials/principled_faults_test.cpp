@@ -16,9 +16,10 @@ const auto expect_principled_refused =
 
 TEST(PrincipledFaults, EveryWordIsReadAndWrittenBack) {
   const char* json =
-      R"({"anisotropy":0.5,"anisotropy_rotation":-1,"attenuation_color":[1,0.5,0.25],)"
+      R"({"alpha":0.5,"alpha_cutoff":0.25,"alpha_mode":"mask","anisotropy":0.5,)"
+      R"("anisotropy_rotation":-1,"attenuation_color":[1,0.5,0.25],)"
       R"("attenuation_distance":2,"base_color":"gold","clearcoat":0.5,"clearcoat_roughness":0.25,)"
-      R"("dispersion":0.5,)"
+      R"("dispersion":0.5,"double_sided":false,)"
       R"("emissive":[1,0.5,0],"emissive_strength":100,"ior":1.25,"metallic":1,"roughness":0.25,)"
       R"("sheen_color":[0.5,0.5,1],"sheen_roughness":0.5,"specular":0.5,)"
       R"("specular_color":[1,0.5,0],"texture":{"type":"checker"},"thin":true,"transmission":0.5,)"

@@ -73,13 +73,15 @@ TEST(ModelMaterials, AreTheModelsFactors) {
   m.attenuation_distance = 4, m.clearcoat = 0.5, m.clearcoat_roughness = 0.6;
   m.sheen_color = {0.2, 0.3, 0.4}, m.sheen_roughness = 0.7, m.anisotropy = 0.8;
   m.anisotropy_rotation = 0.9, m.dispersion = 1.1, m.emissive = {0, 0, 1};
-  m.emissive_strength = 12;
+  m.emissive_strength = 12, m.alpha = 0.25, m.alpha_mode = AlphaMode::mask;
+  m.alpha_cutoff = 0.75, m.double_sided = false;
   const Scene written = read_scene(R"({"materials":{"it":{"type":"principled",
       "base_color":[0.1,0.5,0.9],"metallic":0.1,"roughness":0.2,"ior":1.3,"specular":0.4,
       "specular_color":[0.5,0.6,0.7],"transmission":0.8,"attenuation_color":[0.1,0.2,0.3],
       "attenuation_distance":4,"clearcoat":0.5,"clearcoat_roughness":0.6,
       "sheen_color":[0.2,0.3,0.4],"sheen_roughness":0.7,"anisotropy":0.8,
-      "anisotropy_rotation":0.9,"dispersion":1.1,"emissive":[0,0,1],"emissive_strength":12}}})");
+      "anisotropy_rotation":0.9,"dispersion":1.1,"emissive":[0,0,1],"emissive_strength":12,
+      "alpha":0.25,"alpha_mode":"mask","alpha_cutoff":0.75,"double_sided":false}}})");
   EXPECT_EQ(*std::get<Boxed<Material>>(*shown_by(model)[0].material), written.materials.at("it"));
 }
 

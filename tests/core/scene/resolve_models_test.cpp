@@ -14,9 +14,9 @@ namespace tia::test {
 namespace {
 
 const std::string every_field =
-    R"({"objects":[{"animation":0,"fit":{"align":[0.5,0,0.5],"max":[1,2,1],"min":[-1,0,-1]},)"
+    R"({"objects":[{"animation":0,"culling":false,"fit":{"align":[0.5,0,0.5],"max":[1,2,1],"min":[-1,0,-1]},)"
     R"("hide":["Glass"],"id":"0123","materials":{"Body":{"color":[1,0,0]},"Feet":"red"},)"
-    R"("point_radius":0.01,"scene":0,"time":0.5,"type":"model","up":"-z","variant":"red"}]})";
+    R"("point_radius":0.01,"scene":0,"smooth":30,"time":0.5,"type":"model","up":"-z","variant":"red"}]})";
 
 TEST(ModelScene, IsReadAndWrittenWithoutTheModel) {
   const std::string text = R"({"materials":{"red":{"color":[1,0,0]}},)" + every_field.substr(1);
@@ -76,8 +76,10 @@ TEST(ModelFaults, OfTheTextSayWhatIsAllowed) {
       {{FaultKind::out_of_range, "/objects/0/fit/max", "[1,0,1]", "above min in every component"}});
   expect_scene_refused(model_scene(R"("up":"w")"),
                        {{FaultKind::unknown_name, "/objects/0/up", "\"w\"", "-z"}});
-  expect_scene_refused(model_scene(R"("culling":true)"),
-                       {{FaultKind::unknown_name, "/objects/0/culling", "\"culling\"", ""}});
+  expect_scene_refused(model_scene(R"("shiny":true)"),
+                       {{FaultKind::unknown_name, "/objects/0/shiny", "\"shiny\"", ""}});
+  expect_scene_refused(model_scene(R"("smooth":200)"),
+                       {{FaultKind::out_of_range, "/objects/0/smooth", "200", "0 to 180"}});
   expect_scene_refused(
       model_scene(R"("materials":{"Body":"reed"})"),
       {{FaultKind::unknown_name, "/objects/0/materials/Body", "\"reed\"", "names none"}});

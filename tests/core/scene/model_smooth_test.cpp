@@ -1,0 +1,95 @@
+// Models whose files have no normals, with `smooth`.
+#include <gtest/gtest.h>
+
+#include "tests/core/accel/meshes.h"
+#include "tests/core/scene/models.h"
+
+namespace tia::test {
+namespace {
+
+ModelPart part_of(const Mesh& mesh) {
+  ModelPart part;
+  part.positions = mesh.positions.values.get();
+  part.indices = mesh.indices.values.get();
+  return part;
+}
+Model model_of_mesh(const Mesh& mesh) {
+  Model model = triangle_model();
+  model.meshes[0].parts[0] = part_of(mesh);
+  return model;
+}
+std::vector<std::uint32_t> drawn_model(const Model& model, const std::string& members) {
+  Scene scene = resolved(read_scene(model_scene(members)), model);
+  scene.camera.location = {3, 2, 4};
+  scene.camera.look_at = Vec3d{0, 0, 0};
+  scene.lights = {point_light({5, 4, 3})};
+  RenderOptions options;
+  options.integrator = IntegratorName::whitted;
+  return bits_of(picture(scene, 32, 24, options).image);
+}
+
+TEST(ModelSmooth, CubeIsFlatToTheByteAtThirtyDegreesAndRoundAtAHundred) {
+  const Model cube = model_of_mesh(box_mesh({1, 1, 1}));
+  const auto flat = drawn_model(cube, "");
+  EXPECT_EQ(drawn_model(cube, R"("smooth":30)"), flat);
+  EXPECT_NE(drawn_model(cube, R"("smooth":100)"), flat);
+}
+
+TEST(ModelSmooth, BallIsAsOneWithItsRadiiForNormals) {
+  const Mesh ball = ball_mesh(2);
+  Model with_normals = model_of_mesh(ball);
+  for (const double x : ball.positions.values)
+    with_normals.meshes[0].parts[0].normals.push_back(static_cast<float>(x));
+  const auto& shown = mesh_in(shown_by(model_of_mesh(ball), R"("smooth":60)").at(0));
+  ASSERT_EQ(shown.normals.values.size(), ball.positions.values.size());
+  for (std::size_t i = 0; i < ball.positions.values.size(); ++i)
+    EXPECT_NEAR(shown.normals.values[i], shown.positions.values[i], 1e-12);
+  // A file's own normals stay.
+  EXPECT_EQ(shown_by(with_normals, R"("smooth":60)"), shown_by(with_normals));
+}
+
+TEST(ModelSmooth, UvsFollowTheirVertices) {
+  Model model = model_of_mesh(box_mesh({1, 1, 1}));
+  ModelPart& part = model.meshes[0].parts[0];
+  for (std::size_t i = 0; i < 8; ++i) {
+    part.uvs[0].push_back(part.positions[3 * i]);
+    part.uvs[0].push_back(part.positions[3 * i + 1]);
+  }
+  const auto& mesh = mesh_in(shown_by(model, R"("smooth":100)").at(0));
+  ASSERT_EQ(mesh.uvs.values.size(), 2 * mesh.vertices());
+  for (std::size_t i = 0; i < mesh.vertices(); ++i) {
+    EXPECT_EQ(mesh.uvs.values[2 * i], mesh.positions.values[3 * i]);
+    EXPECT_EQ(mesh.uvs.values[2 * i + 1], 1 - mesh.positions.values[3 * i + 1]);
+  }
+}
+
+// Of two nodes that show one mesh each, moved differently.
+TEST(ModelSmooth, WhatIsMovedVertexByVertexIsSmoothAsItStands) {
+  Model model = model_of_mesh(ball_mesh(1));
+  ModelPart& part = model.meshes[0].parts[0];
+  MorphTarget larger;
+  for (const double x : part.positions) larger.positions.push_back(static_cast<float>(x));
+  part.targets = {larger};
+  model.nodes[0].weights = {1};
+  model.nodes.push_back(model.nodes[0]);
+  model.nodes[1].weights = {3};
+  model.scenes[0].nodes = {0, 1};
+  const auto shown = shown_by(model, R"("smooth":60)");
+  ASSERT_EQ(shown.size(), 2U);
+  for (std::size_t k = 0; k < 2; ++k) {
+    const Mesh& mesh = mesh_in(shown[k]);
+    ASSERT_EQ(mesh.normals.values.size(), mesh.positions.values.size());
+    for (std::size_t i = 0; i < mesh.positions.values.size(); ++i)
+      EXPECT_NEAR(mesh.normals.values[i] * (k == 0 ? 2 : 4), mesh.positions.values[i], 1e-6);
+  }
+}
+
+TEST(ModelSmooth, PartedVerticesCountAgainstTheBudget) {
+  const Model cube = model_of_mesh(box_mesh({1, 1, 1}));  // 8 vertices, 12 faces, 36 corners
+  EXPECT_TRUE(model_faults(cube, model_scene(), {10, 20}).empty());
+  EXPECT_FALSE(model_faults(cube, model_scene(R"("smooth":30)"), {10, 55}).empty());
+  EXPECT_TRUE(model_faults(cube, model_scene(R"("smooth":30)"), {10, 56}).empty());
+}
+
+}  // namespace
+}  // namespace tia::test
