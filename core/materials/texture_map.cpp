@@ -11,6 +11,7 @@ namespace {
 // Which of n texels a place beyond them is. Source: Khronos, OpenGL 4.6, table 8.20.
 int wrapped(double texel, int n, Wrap wrap) {
   const double last = n - 1;
+  if (texel >= 0 && texel <= last) return static_cast<int>(texel);
   if (wrap == Wrap::clamp_to_edge) return static_cast<int>(std::clamp(texel, 0.0, last));
   const double period = wrap == Wrap::repeat ? n : 2.0 * n;
   double rest = texel - period * std::floor(texel / period);
@@ -34,21 +35,23 @@ struct LevelOf {
 
   int width() const { return map.pyramid->width(level); }
   int height() const { return map.pyramid->height(level); }
-  Rgba texel(double x, double y) const {
-    return map.pyramid->texel(level, wrapped(x, width(), map.wrap_u),
-                              wrapped(y, height(), map.wrap_v));
-  }
+  int column(double x) const { return wrapped(x, width(), map.wrap_u); }
+  int row(double y) const { return wrapped(y, height(), map.wrap_v); }
   Rgba nearest(const Vec2d& uv) const {
-    return texel(std::floor(sound(uv.u * width())), std::floor(sound(uv.v * height())));
+    return map.pyramid->texel(level, column(std::floor(sound(uv.u * width()))),
+                              row(std::floor(sound(uv.v * height()))));
   }
   // The centre of a texel has its colour.
   Rgba bilinear(const Vec2d& uv) const {
     const double x = sound(uv.u * width()) - 0.5, y = sound(uv.v * height()) - 0.5;
     const double left = std::floor(x), top = std::floor(y);
-    const auto row = [&](double j) {
-      return between(texel(left, j), texel(left + 1, j), x - left);
-    };
-    return between(row(top), row(top + 1), y - top);
+    const int i = column(left), j = row(top), next_i = column(left + 1), next_j = row(top + 1);
+    const MipPyramid& picture = *map.pyramid;
+    const Rgba above =
+        between(picture.texel(level, i, j), picture.texel(level, next_i, j), x - left);
+    const Rgba below =
+        between(picture.texel(level, i, next_j), picture.texel(level, next_i, next_j), x - left);
+    return between(above, below, y - top);
   }
 };
 

@@ -5,7 +5,7 @@
 #include <bit>
 #include <optional>
 
-#include "core/accel/world/trace.h"
+#include "core/accel/world/world.h"
 #include "core/math/lanes.h"
 
 namespace tia {
@@ -42,6 +42,8 @@ inline bool has_normal_map(const World& world, int primitive) {
   const auto& maps = world.geometry_of(primitive).forms[static_cast<std::size_t>(form)].maps;
   return maps && maps->normal;
 }
+template <class Real>
+struct SurfacePoint;  // trace.h
 /// Bends the shading normals in the lanes of `here`, which have hit the primitive, as its normal
 /// map says. Space/units: as take_numbers'. Domain: a primitive with one.
 template <class Real>
