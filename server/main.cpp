@@ -1,4 +1,5 @@
-// The command line: subcommands `serve` (default), `render` and `model`. Bad use exits with 2.
+// The command line: subcommands `serve` (default), `render`, `still` and `model`. Bad use exits
+// with 2.
 #include <CLI/CLI.hpp>
 #include <csignal>
 #include <iostream>
@@ -7,9 +8,12 @@
 #include "server/contract/text_form.h"
 #include "server/model_command.h"
 #include "server/operation/config.h"
+#include "server/picture_file.h"
 #include "server/render_command.h"
 #include "server/requests/picture_request.h"
+#include "server/requests/still_query.h"
 #include "server/serve_command.h"
+#include "server/still_command.h"
 #include "server/stores/model_reader.h"
 
 namespace {
@@ -41,7 +45,7 @@ void add_options(CLI::App& app, std::vector<Setting>& settings) {
   }
 }
 
-// Every parameter of /render but the scene as a flag of `tia render`.
+// Every parameter of /render but the scene as a flag of `tia render`, and of /still of `tia still`.
 struct ParameterFlags {
   CLI::App& app;
   std::vector<Setting>& settings;
@@ -71,6 +75,25 @@ void add_serve(CLI::App& app, Asked& asked) {
   }
 }
 
+// Where the picture goes, and how it is traced.
+void add_picture(CLI::App& command, Asked& asked) {
+  command.add_option("-o,--output", asked.file, picture_files() + ", or - for standard output")
+      ->required()
+      ->type_name("");
+  command.add_flag("--plain", asked.plain,
+                   "trace one ray and one thing at a time: the same bytes, to compare with");
+}
+
+// The files of a model.
+void add_model_files(CLI::App& command, Asked& asked) {
+  command
+      .add_option("files", asked.model_files,
+                  "a GLB, glTF, OBJ, PLY or STL file, and others that it names; what it names "
+                  "beside it is found")
+      ->required()
+      ->type_name("");
+}
+
 CLI::App* add_render(CLI::App& app, Asked& asked) {
   CLI::App* render = app.add_subcommand("render", "draw one picture to a file")->fallthrough();
   render
@@ -78,24 +101,24 @@ CLI::App* add_render(CLI::App& app, Asked& asked) {
                    "a gallery scene's name, or a scene file: NAME.json or a path")
       ->required()
       ->type_name("");
-  render->add_option("-o,--output", asked.file, picture_files() + ", or - for standard output")
-      ->required()
-      ->type_name("");
-  render->add_flag("--plain", asked.plain,
-                   "trace one ray and one thing at a time: the same bytes, to compare with");
+  add_picture(*render, asked);
   PictureRequest::fields(ParameterFlags{*render, asked.parameters});
   return render;
 }
 
 CLI::App* add_model(CLI::App& app, Asked& asked) {
   CLI::App* model = app.add_subcommand("model", "tell what is in a model's file, as JSON");
-  model
-      ->add_option("files", asked.model_files,
-                   "a GLB, glTF, OBJ, PLY or STL file, and others that it names; what it names "
-                   "beside it is found")
-      ->required()
-      ->type_name("");
+  add_model_files(*model, asked);
   return model;
+}
+
+CLI::App* add_still(CLI::App& app, Asked& asked) {
+  CLI::App* still =
+      app.add_subcommand("still", "draw the picture of a model's file")->fallthrough();
+  add_model_files(*still, asked);
+  add_picture(*still, asked);
+  StillParameters::fields(ParameterFlags{*still, asked.parameters});
+  return still;
 }
 
 // What the server starts: nobody else should.
@@ -114,6 +137,7 @@ int run(int argc, char** argv) {
                "ask the server on this machine whether it lives");
   add_serve(app, asked);
   const CLI::App* render = add_render(app, asked);
+  const CLI::App* still = add_still(app, asked);
   const CLI::App* model = add_model(app, asked);
   const CLI::App* reader = add_read_model(app, asked);
   app.require_subcommand(0, 1);
@@ -134,6 +158,8 @@ int run(int argc, char** argv) {
   if (asked.print_config) std::cout << env_file(config) << std::flush;
   else if (render->parsed())
     render_to_file(asked.scene, asked.file, asked.parameters, asked.plain, config);
+  else if (still->parsed())
+    still_to_file(asked.model_files, asked.file, asked.parameters, asked.plain, config);
   else serve(config);
   return 0;
 }

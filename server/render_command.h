@@ -8,9 +8,6 @@
 
 namespace tia::server {
 
-/// The files whose ending names their format: "NAME.png, NAME.pfm" and so on.
-std::string picture_files();
-
 /// Draws a gallery scene or a scene file to a file (or "-", standard output). `parameters` are
 /// /render's own, by name; `plain`: one ray and one thing at a time, which is slow and gives the
 /// same bytes. Errors: InputError; std::runtime_error for files.

@@ -97,15 +97,19 @@ double point_radius_of(const PlacedModel& asked, const Aabb& box) {
 
 }  // namespace
 
+Affine map_of(const PlacedModel& asked, const ModelChoice& choice, const Aabb& bounds) {
+  const Affine up = upright(choice.up);
+  return asked.fit ? fitted(*asked.fit, bounds_of(up, bounds)) * up : up;
+}
+
 std::vector<Object> model_objects(const Model& model, const Object& object,
                                   const ModelChoice& choice, ModelBudget& budget) {
   const std::vector<ModelPiece> pieces = pieces_of(model, choice, budget);
   if (pieces.empty()) return {};
   const auto& asked = std::get<PlacedModel>(object.shape);
-  const Affine up = upright(choice.up);
-  const Aabb box = bounds_of(up, bounds_of(pieces));
-  const Affine fit = asked.fit ? fitted(*asked.fit, box) : Affine{};
-  const Making making(model, object, fit * up, point_radius_of(asked, bounds_of(fit, box)));
+  const Aabb box = bounds_of(pieces);
+  const Affine map = map_of(asked, choice, box);
+  const Making making(model, object, map, point_radius_of(asked, bounds_of(map, box)));
   std::vector<Object> all;
   for (const ModelPiece& piece : pieces) {
     all.push_back(making.object_of(piece, budget));

@@ -7,6 +7,10 @@
 
 namespace tia {
 
+/// The map from a model's space to its object's: turned upright, then fitted into a box.
+/// Domain: the box around all that is shown, which is not empty.
+Affine map_of(const PlacedModel& asked, const ModelChoice& choice, const Aabb& bounds);
+
 /// A mesh for each part that a node shows, a group of them where the node has several instances; a
 /// group of balls where the part is points. Each has the part's material, unless the object has one
 /// for all. Where a place is not one that objects can have (is_usable), the vertices are moved

@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "core/math/deterministic.h"
+#include "core/models/pose.h"
+#include "core/scene/model_objects.h"
 
 namespace tia {
 namespace {
@@ -42,6 +44,21 @@ StudioStand stand_for(const StillRequest& request, const StillBody& body, const 
 bool is_chosen(const Model& model, ModelIndex camera, const CameraChoice& choice) {
   if (const auto* number = std::get_if<int>(&choice)) return *number == static_cast<int>(camera);
   return model.cameras[camera].name == std::get<std::string>(choice);
+}
+
+// The cameras that there are, in words.
+std::string cameras_of(const Model& model, const Pose& pose) {
+  std::string numbers;
+  std::vector<std::string_view> names;
+  for (const ModelIndex node : pose.shown) {
+    const MaybeIndex camera = model.nodes[node].camera;
+    if (!camera) continue;
+    numbers.append(numbers.empty() ? "" : ", ").append(std::to_string(*camera));
+    if (const std::string& name = model.cameras[*camera].name; !name.empty()) names.push_back(name);
+  }
+  if (numbers.empty()) return "none; the model shows no camera";
+  return "one of the model's cameras, " + excerpt_of(numbers, 240) +
+         (names.empty() ? "" : ", or by its name, " + listed(names));
 }
 
 Camera camera_at(const ModelCamera& own, const Affine& place) {
@@ -90,14 +107,24 @@ void StillRequest::check(const Place& at, Faults& faults) const {
                 "camera goes without orbit, zoom and fov"});
 }
 
-std::optional<Camera> still_camera(const Model& model, const Pose& pose, const Affine& to_scene,
-                                   const CameraChoice& choice) {
-  for (const ModelIndex number : pose.shown) {
+std::optional<Camera> still_camera(const Model& model, const Object& object,
+                                   const CameraChoice& choice, const Place& at, Faults& faults) {
+  Faults none;
+  const ModelChoice shown = choice_of(model, object, {}, none);
+  const Pose pose = pose_of(model, shown.moment);
+  const auto node = std::ranges::find_if(pose.shown, [&](ModelIndex number) {
     const MaybeIndex camera = model.nodes[number].camera;
-    if (camera && is_chosen(model, *camera, choice))
-      return camera_at(model.cameras[*camera], to_scene * pose.places[number]);
+    return camera && is_chosen(model, *camera, choice);
+  });
+  if (node == pose.shown.end()) {
+    faults.add({FaultKind::unknown_name, at.pointer(), excerpt(write_value(choice)),
+                cameras_of(model, pose)});
+    return std::nullopt;
   }
-  return std::nullopt;
+  ModelBudget budget;
+  const Aabb box = bounds_of(pieces_of(model, shown, budget));
+  const Affine map = map_of(std::get<PlacedModel>(object.shape), shown, box);
+  return camera_at(model.cameras[*model.nodes[*node].camera], map * pose.places[*node]);
 }
 
 Scene still_scene(const StillRequest& request, StillBody body, double aspect,

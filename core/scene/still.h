@@ -9,6 +9,7 @@
 #include <variant>
 #include <vector>
 
+#include "core/models/model.h"
 #include "core/scene/backdrop.h"
 #include "core/scene/scene.h"
 #include "core/scene/still_framing.h"
@@ -79,10 +80,12 @@ struct StillRequest {
   bool operator==(const StillRequest&) const = default;
 };
 
-/// The file's camera of that number or, the first, of that name, where a shown node has it; none
-/// else. Space/units: `to_scene` as still_points has it. The picture's own aspect holds.
-std::optional<Camera> still_camera(const Model& model, const Pose& pose, const Affine& to_scene,
-                                   const CameraChoice& choice);
+/// The file's camera of that number or, the first, of that name, where a shown node has it, as the
+/// object places it. The picture's own aspect holds. Errors: as a fault at that place, else none.
+/// Domain: an object of that model whose choice (choice_of) has no fault, and which shows
+/// something.
+std::optional<Camera> still_camera(const Model& model, const Object& object,
+                                   const CameraChoice& choice, const Place& at, Faults& faults);
 
 /// StillBody: what a still shows.
 struct StillBody {

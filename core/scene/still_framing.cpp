@@ -1,9 +1,7 @@
 #include "core/scene/still_framing.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <optional>
 
 #include "core/math/deterministic.h"
 
@@ -29,45 +27,6 @@ Aabb box_around(const StillPoints& points) {
     box = around(box, Aabb{p - reach, p + reach});
   });
   return box;
-}
-
-// ---- the points ---------------------------------------------------------------------------------
-
-std::vector<Vec3d> used_points(const ModelPart& part, const std::vector<double>& positions) {
-  std::vector<bool> used(part.vertices(), part.points);
-  for (const std::uint32_t index : part.indices) used[index] = true;
-  std::vector<Vec3d> points;
-  for (std::size_t i = 0; i < used.size(); ++i)
-    if (used[i]) points.push_back({positions[3 * i], positions[3 * i + 1], positions[3 * i + 2]});
-  return points;
-}
-
-std::array<Vec3d, 8> corners_of(const std::vector<Vec3d>& points) {
-  Aabb box;
-  for (const Vec3d& p : points) box = around(box, p);
-  std::array<Vec3d, 8> corners;
-  for (std::size_t i = 0; i < corners.size(); ++i)
-    corners[i] = {(i & 1U) != 0 ? box.max.x : box.min.x, (i & 2U) != 0 ? box.max.y : box.min.y,
-                  (i & 4U) != 0 ? box.max.z : box.min.z};
-  return corners;
-}
-
-// Adds points at all places, or the corners of their box where there would be too many.
-void add_placed(const std::vector<Vec3d>& points, const std::vector<Affine>& places,
-                const Affine& to_scene, std::vector<Vec3d>& all) {
-  constexpr std::size_t most = std::size_t{1} << 22U;
-  const auto add = [&](const auto& list, const Affine& place) {
-    for (const Vec3d& p : list) all.push_back(place.point(p));
-  };
-  std::optional<std::array<Vec3d, 8>> corners;
-  for (const Affine& place : places) {
-    if (points.size() <= 8 || all.size() + points.size() <= most) {
-      add(points, to_scene * place);
-    } else {
-      if (!corners) corners = corners_of(points);
-      add(*corners, to_scene * place);
-    }
-  }
 }
 
 // ---- the frame ----------------------------------------------------------------------------------
@@ -131,21 +90,6 @@ Camera framed_parallel(const StillPoints& points, const StillFrame& frame, const
 }
 
 }  // namespace
-
-StillPoints still_points(const Model& model, const Pose& pose, const Affine& to_scene,
-                         double ball_radius) {
-  StillPoints points{{}, {}, ball_radius};
-  for (const ModelIndex number : pose.shown) {
-    const ModelNode& node = model.nodes[number];
-    if (!node.mesh) continue;
-    const std::vector<Affine> places =
-        node.skin ? std::vector<Affine>{{}} : places_of(node, pose.places[number]);
-    for (const ModelPart& part : model.meshes[*node.mesh].parts)
-      add_placed(used_points(part, shape_of(model, pose, number, part).positions), places, to_scene,
-                 part.points ? points.balls : points.corners);
-  }
-  return points;
-}
 
 StillBall ball_around(const StillPoints& points) {
   StillBall ball{box_around(points).center()};

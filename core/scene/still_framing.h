@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "core/math/transform.h"
-#include "core/models/pose.h"
 #include "core/scene/camera.h"
 
 namespace tia {
@@ -17,13 +16,6 @@ struct StillPoints {
 
   bool empty() const { return corners.empty() && balls.empty(); }
 };
-
-/// The points of the shown nodes, each as often as its mesh is placed; of vertices those that
-/// triangles use. `to_scene` goes from the model's space to the scene's. Of more than 2^22, the
-/// boxes' corners of the rest, within which they are.
-/// Domain: as pose_of's. A node that is to be hidden is taken out of pose.shown before.
-StillPoints still_points(const Model& model, const Pose& pose, const Affine& to_scene,
-                         double ball_radius = 0);
 
 /// StillBall: a ball around points: its centre is that of their box, its radius the largest
 /// distance from there. It is not the smallest one.

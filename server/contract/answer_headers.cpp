@@ -14,8 +14,9 @@ const std::vector<HeaderRow>& header_rows() {
       {"Content-Encoding", "how the body is compressed, where Accept-Encoding takes that", "^gzip$",
        false},
       {"Content-Location",
-       "of a picture with a budget: the address that gives the same bytes without one",
-       "^/render\\?", false},
+       "of a picture with a budget: the address that gives the same bytes without one; of a still "
+       "whose model was sent: that of the same still by the model's id",
+       "^/(render|still)\\?", false},
       {"ETag", "the tag of the body's bytes, for If-None-Match; of a picture its recipe's SHA-256",
        "^\"[^\"]+\"$"},
       {"Location", "where what this is about is", "^/"},

@@ -4,10 +4,21 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "server/contract/text_form.h"
 
 namespace tia::server {
+
+/// How a field stands in a query, as OpenAPI describes it.
+template <class T>
+struct InQuery : TextForm<T> {};
+template <class T>
+struct InQuery<std::optional<T>> : InQuery<T> {};
+template <class T>
+struct InQuery<std::vector<T>> {
+  static Value::Object in_query(Value::Object schema) { return list_in_query(std::move(schema)); }
+};
 
 /// Visitor: makes a parameter of every field, and of the fields of a group, "ray.origin", too.
 struct QueryParameters {
@@ -22,7 +33,7 @@ struct QueryParameters {
     if constexpr (!detail::is_optional<Member>)
       if (!spec.required) schema.emplace_back("default", write_value(Base{}.*member));
     Value::Object parameter{{"name", name}, {"in", "query"}, {"description", about_text(spec)}};
-    for (auto& each : TextForm<Member>::in_query(std::move(schema)))
+    for (auto& each : InQuery<Member>::in_query(std::move(schema)))
       parameter.push_back(std::move(each));
     list.push_back(std::move(parameter));
     if constexpr (detail::is_optional<Member>)

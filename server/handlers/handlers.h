@@ -18,6 +18,7 @@ std::vector<Route> verify_routes();
 std::vector<Route> explain_routes();
 std::vector<Route> scene_routes();
 std::vector<Route> model_routes();
+std::vector<Route> still_routes();
 std::vector<Route> operation_routes();
 std::vector<Route> document_routes();
 std::vector<Route> page_routes();

@@ -1,37 +1,24 @@
 // /models: models that clients send to be kept.
 #include "core/input/object_schema.h"
-#include "core/models/formats.h"
 #include "server/contract/answers.h"
 #include "server/contract/parameters.h"
 #include "server/contract/query_parameters.h"
 #include "server/handlers/bodies.h"
 #include "server/handlers/handlers.h"
+#include "server/handlers/sent_model.h"
 #include "server/requests/model_body.h"
 
 namespace tia::server {
 namespace {
 
-BodyLimit model_limit(const Config& config) {
-  return {config.max_model_bytes, "TIA_MAX_MODEL_BYTES"};
-}
-
-LongWork::Need files_need(const Request& request) {
-  const std::size_t bytes = request.body.size();
-  return {bytes, memory_for(memory_cost::model, bytes), "the model's files"};
-}
-
 Response post_model(const Request& request, const std::string&, Service& service) {
   check_length(request.body.size(), model_limit(service.config));
   const auto query = read_described<ModelQuery>(query_object<ModelQuery>(request.query()));
-  const Requester requester = requester_of(request);
-  const SentModel sent = service.rendering.long_work(files_need(request), requester, [&] {
-    return model_in(request, query.main, 4 * service.config.max_model_bytes);
-  });
-  const ModelStore::Kept kept = service.models.keep(sent.upload, requester);
+  const auto [id, kept] = keep_sent_model(request, query.main, service);
   return {.status = kept.is_new ? 201 : 200,
           .content_type = "application/json",
           .body = *kept.known.text,
-          .headers = {{"Location", "/models/" + sent.upload.id}, {"Cache-Control", "no-store"}}};
+          .headers = {{"Location", "/models/" + id}, {"Cache-Control", "no-store"}}};
 }
 
 // HEAD asks whether it is there, for which nothing has to be read.
@@ -93,16 +80,6 @@ Value model_schema(Definitions& named) {
          {"extensions", list_schema(text)},
          {"warnings", list_schema(warning_schema()), "what of it is not taken, the first 20"}});
   });
-}
-
-std::vector<Content> model_bodies() {
-  return {{"application/octet-stream"},
-          {"multipart/form-data"},
-          {"application/zip"},
-          {"model/gltf-binary"},
-          {"model/gltf+json"},
-          {"model/obj"},
-          {"model/stl"}};
 }
 
 Answer told(int status, std::string_view about) {

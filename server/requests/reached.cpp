@@ -18,19 +18,24 @@ void tell_reached(const Reached& reached, Headers& headers) {
   headers.emplace_back("Tia-Noise", noise);
 }
 
-std::string address_of_reached(const Request& request, int samples) {
-  if (request.method == "POST") return "";
+std::string query_without(std::string_view left, std::initializer_list<std::string_view> names) {
   std::string query;
-  std::string_view left = request.query();
   while (!left.empty()) {
     const std::string_view each = left.substr(0, left.find('&'));
     left.remove_prefix(std::min(left.size(), each.size() + 1));
     QueryReader one(each);
     if (!one.next()) continue;
-    if (one.name() != "budget_ms" && one.name() != "max_rays" && one.name() != "samples")
+    if (std::find(names.begin(), names.end(), one.name()) == names.end())
       query.append(each).append("&");
   }
-  std::string address = "/render?" + query + "samples=" + std::to_string(samples);
+  return query;
+}
+
+std::string address_of_reached(const Request& request, int samples) {
+  if (request.method == "POST") return "";
+  std::string address = std::string(request.path()) + "?" +
+                        query_without(request.query(), {"budget_ms", "max_rays", "samples"}) +
+                        "samples=" + std::to_string(samples);
   return address.size() < longest_target ? address : "";
 }
 

@@ -1,7 +1,9 @@
 // What is said of a picture that its budget may have ended.
 #pragma once
 
+#include <initializer_list>
 #include <string>
+#include <string_view>
 
 #include "core/render/reached.h"
 #include "server/http/message.h"
@@ -10,6 +12,9 @@ namespace tia::server {
 
 /// Adds the headers that tell how far the rounds have come.
 void tell_reached(const Reached& reached, Headers& headers);
+
+/// The query without the parameters of these names, an & after each that is left.
+std::string query_without(std::string_view query, std::initializer_list<std::string_view> names);
 
 /// The same picture's address without what has ended it: the query with as many samples as it came
 /// to. Returns: empty where that would be too long, and for a body.

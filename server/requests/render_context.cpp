@@ -4,6 +4,7 @@
 
 #include "core/input/object_schema.h"
 #include "core/scene/resolve_models.h"
+#include "server/requests/find_model.h"
 
 namespace tia::server {
 namespace {
@@ -29,8 +30,7 @@ KnownScene with_models(const KnownScene& scene, const RenderContext& context,
   std::size_t bytes = 0;
   for (const std::string& id : models_in(*scene)) {
     SharedModel& model = models[id];
-    if (context.models != nullptr && is_model_id(id))
-      model = context.models->find(id, requester).model;
+    model = find_model(id, context, requester);
     if (model) bytes += bytes_of(*model);
   }
   if (models.empty()) return scene;

@@ -3,6 +3,7 @@
 
 #include "core/input/described.h"
 #include "tests/core/integrators/paths.h"
+#include "tests/core/scene/models.h"
 #include "tests/core/scene/stills.h"
 
 namespace tia {
@@ -80,9 +81,10 @@ TEST(StillScene, AWhiteBodyInNeutralLightIsOneInThePicture) {
 
 // ---- the file's cameras -------------------------------------------------------------------------
 
-// Camera 0 at (0, 0, 5) looking along -z; camera 1, parallel, from the right, twice as large.
+// A sheet with camera 0 at (0, 0, 5) looking along -z; camera 1, parallel, from the right, twice as
+// large.
 Model two_cameras() {
-  Model model;
+  Model model = test::triangle_model();
   model.cameras.resize(2);
   model.cameras[0].name = "front";
   model.cameras[0].yfov = pi / 6;
@@ -101,15 +103,23 @@ Model two_cameras() {
   return model;
 }
 
+Object placed_model(const std::string& members = "") {
+  return read_scene(model_scene(members)).objects[0];
+}
+std::optional<Camera> camera_of(const CameraChoice& choice, const std::string& members = "") {
+  Faults faults;
+  const auto camera = still_camera(two_cameras(), placed_model(members), choice, {}, faults);
+  EXPECT_TRUE(faults.empty());
+  return camera;
+}
+
 TEST(StillCamera, IsTheFilesOwn) {
-  const Model model = two_cameras();
-  const Pose pose = pose_of(model);
-  const auto front = still_camera(model, pose, {}, CameraChoice(0));
+  const auto front = camera_of(0);
   ASSERT_TRUE(front);
   EXPECT_EQ(front->location, (Vec3d{0, 0, 5}));
   EXPECT_LT(length(*front->direction - Vec3d{0, 0, -1}), 1e-15);
   EXPECT_NEAR(front->fov_degrees, 30, 1e-12);
-  const auto right = still_camera(model, pose, {}, CameraChoice("right"));
+  const auto right = camera_of("right");
   ASSERT_TRUE(right);
   EXPECT_EQ(right->location, (Vec3d{4, 0, 0}));
   EXPECT_LT(length(*right->direction - Vec3d{-1, 0, 0}), 1e-15);
@@ -117,21 +127,41 @@ TEST(StillCamera, IsTheFilesOwn) {
   EXPECT_NEAR(*right->height, 12, 1e-12);
 }
 
-TEST(StillCamera, OfAnotherNameOrNotShownIsNone) {
-  const Model model = two_cameras();
-  Pose pose = pose_of(model);
-  EXPECT_FALSE(still_camera(model, pose, {}, CameraChoice("left")));
-  EXPECT_FALSE(still_camera(model, pose, {}, CameraChoice(2)));
-  pose.shown = {0, 1};
-  EXPECT_FALSE(still_camera(model, pose, {}, CameraChoice(1)));
+// The sheet, 4 by 2, is in a box of twice its size at (1, 0, 0): so is the camera before it.
+TEST(StillCamera, IsPlacedAsTheModelIs) {
+  const auto fitted = camera_of(0, R"("fit":{"min":[1,0,0],"max":[9,9,9],"align":[0,0,0]})");
+  ASSERT_TRUE(fitted);
+  EXPECT_LT(length(fitted->location - Vec3d{1, 0, 10}), 1e-12);
+  const auto turned = camera_of(0, R"("up":"z")");
+  ASSERT_TRUE(turned);
+  EXPECT_EQ(turned->location, (Vec3d{0, 5, 0}));
+  EXPECT_LT(length(*turned->direction - Vec3d{0, -1, 0}), 1e-15);
+}
+
+TEST(StillCamera, OfAnotherNameOrNotShownIsAFaultThatSaysWhichThereAre) {
+  const auto fault_of = [](const Model& model, const CameraChoice& choice) {
+    Faults faults;
+    const Place all{};
+    EXPECT_FALSE(still_camera(model, placed_model(), choice, all.at("camera"), faults));
+    EXPECT_EQ(faults.count(), 1U);
+    EXPECT_EQ(faults.list().at(0).pointer, "/camera");
+    return faults.list().at(0).allowed;
+  };
+  Model model = two_cameras();
+  for (const CameraChoice& choice : {CameraChoice("left"), CameraChoice(2)})
+    EXPECT_EQ(fault_of(model, choice),
+              "one of the model's cameras, 0, 1, or by its name, front, right");
+  model.scenes[0].nodes = {0, 1};
+  EXPECT_EQ(fault_of(model, 1), "one of the model's cameras, 0, or by its name, front");
+  model.scenes[0].nodes = {0};
+  EXPECT_EQ(fault_of(model, 1), "none; the model shows no camera");
 }
 
 TEST(StillCamera, TurnsTheStudio) {
-  const Model model = two_cameras();
   StillRequest request;
   request.camera = "right";
   StillBody body = cube();
-  body.camera = still_camera(model, pose_of(model), {}, *request.camera);
+  body.camera = camera_of(*request.camera);
   const Scene scene = still_scene(request, body, 1);
   EXPECT_EQ(scene.camera, *body.camera);
   request.camera.reset();

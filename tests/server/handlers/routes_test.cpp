@@ -57,6 +57,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Path{"Scenes", "/scenes", "GET, HEAD, POST, OPTIONS", 200, 201},
                     Path{"Models", "/models", "POST, OPTIONS", 200, 415},
                     Path{"Model", "/models/part", "GET, HEAD, OPTIONS", 404},
+                    Path{"Still", "/still", "GET, HEAD, POST, OPTIONS", 422, 415},
                     Path{"Explain", "/explain", "GET, HEAD, POST, OPTIONS", 422, 422},
                     Path{"Scene", "/scenes/thesis", "GET, HEAD, DELETE, OPTIONS"},
                     Path{"Schema", "/schema/scene.json", "GET, HEAD, OPTIONS"},

@@ -1,0 +1,131 @@
+// Pictures as answers: tags, caches, what is said of them.
+#include "server/handlers/rendered.h"
+
+#include "core/scene/left_out.h"
+#include "server/handlers/bodies.h"
+#include "server/handlers/handlers.h"
+#include "server/handlers/picture_response.h"
+#include "server/http/headers.h"
+#include "server/requests/draw.h"
+#include "server/requests/etag.h"
+#include "server/requests/reached.h"
+#include "server/requests/recipe.h"
+
+namespace tia::server {
+namespace {
+
+/// What is said of a picture, whether it is sent or not.
+Headers validators(const std::string& etag, const AskedPicture& asked) {
+  const bool for_good = asked.picture.v.has_value() && !asked.picture.has_budget();
+  Headers headers{{"ETag", etag},
+                  {"Cache-Control", for_good ? "public, max-age=31536000, immutable" : "no-cache"}};
+  if (asked.accepted) add_vary(headers, "Accept");
+  return headers;
+}
+
+/// What is said of a picture that is sent, or would be, and not of how it was drawn.
+Headers told_of(const Plan& plan) {
+  Headers headers;
+  if (plan.in_effect.clamp) headers.emplace_back("Tia-Biased", "clamp");
+  std::string ignored;
+  for (const LeftOut& each : left_out_by(plan.in_effect.integrator, *plan.scene))
+    ignored.append(ignored.empty() ? "" : ", ").append(each.pointer);
+  if (!ignored.empty()) headers.emplace_back("Tia-Ignored", ignored);
+  return headers;
+}
+
+Response not_modified() {
+  return {.status = 304,
+          .content_type = "",
+          .body = "",
+          .headers = {{"Cache-Status", "Tia; hit; detail=not-modified"}}};
+}
+
+Response with(Response response, const Headers& headers) {
+  response.headers.insert(response.headers.end(), headers.begin(), headers.end());
+  return response;
+}
+
+// What a picture with a budget is called is known once it is there.
+Response rendered_within(const AskedPicture& asked, Plan& plan, double parse_ms, Stopwatch watch,
+                         const Request& request, Service& service) {
+  const std::string type(media_type_of(plan.format));
+  const Headers beside = told_of(plan);
+  if (request.is_head()) {
+    Response response{.content_type = type, .body = "", .headers = beside, .unsized = true};
+    response.headers.emplace_back("Cache-Control", "no-cache");
+    if (asked.accepted) add_vary(response.headers, "Accept");
+    return response;
+  }
+  const PictureRequest& picture = asked.picture;
+  const std::string wish =
+      etag_of(plan.recipe + " " + std::to_string(picture.budget_ms.value_or(0)) + " " +
+              std::to_string(picture.max_rays.value_or(0)));
+  const auto found = picture_of(plan, wish, requester_of(request), service);
+  Headers headers = validators(found.picture->etag, asked);
+  if (std::string to = address_of_reached(request, found.picture->reached->samples); !to.empty())
+    headers.emplace_back("Content-Location", std::move(to));
+  if (request.method != "POST" && has_already(request, found.picture->etag))
+    return with(not_modified(), headers);
+  return with(with(picture_response(found, parse_ms, watch.lap_ms()), headers), beside);
+}
+
+}  // namespace
+
+// HEAD and If-None-Match need no ray: what the picture is called is known.
+Response rendered(const AskedPicture& asked, Stopwatch watch, const Request& request,
+                  Service& service) {
+  const Requester requester = requester_of(request);
+  Plan plan = plan_of(asked.picture, service.rendering, requester);
+  const std::string etag = etag_of(plan.recipe);
+  const double parse_ms = watch.lap_ms();
+  if (asked.picture.has_budget())
+    return rendered_within(asked, plan, parse_ms, watch, request, service);
+  const Headers headers = validators(etag, asked), beside = told_of(plan);
+  const std::string type(media_type_of(plan.format));
+  if (request.method != "POST") {
+    const auto* name = std::get_if<std::string>(&asked.picture.scene);
+    if (name != nullptr)
+      service.targets.keep(KnownTargets::name_of(request), {etag, *name, type, headers, beside});
+    if (has_already(request, etag)) return with(not_modified(), headers);
+  }
+  if (request.is_head())
+    return with({.content_type = type, .body = "", .headers = beside, .unsized = true}, headers);
+  const auto found = picture_of(plan, etag, requester, service);
+  return with(with(picture_response(found, parse_ms, watch.lap_ms()), headers), beside);
+}
+
+std::optional<Response> known_picture(const Request& request, Service& service) {
+  if ((request.method != "GET" && !request.is_head()) || request.path() != "/render")
+    return std::nullopt;
+  const auto known = service.targets.find(KnownTargets::name_of(request));
+  if (!known || !is_at_hand(known->scene, service.rendering)) return std::nullopt;
+  if (has_already(request, known->etag)) return with(not_modified(), known->validators);
+  if (request.is_head())
+    return with({.content_type = known->content_type,
+                 .body = "",
+                 .headers = known->beside,
+                 .unsized = true},
+                known->validators);
+  const auto found = service.pictures.find(known->etag);
+  if (!found) return std::nullopt;
+  return with(with(picture_response(*found, 0, 0), known->validators), known->beside);
+}
+
+Answer picture_answer() {
+  Answer answer{.about = "the picture"};
+  for (const FormatRow& row : formats) answer.contents.push_back({row.media_type});
+  answer.headers = {"Server-Timing", "Tia-Rays",         "Cache-Control", "ETag",
+                    "Cache-Status",  "Content-Location", "Tia-Samples",   "Tia-Noise",
+                    "Tia-Biased",    "Tia-Ignored"};
+  return answer;
+}
+
+Answer picture_unchanged() {
+  return {304,
+          "If-None-Match names the picture's tag: no ray was traced",
+          {},
+          {"ETag", "Cache-Control", "Cache-Status", "Content-Location"}};
+}
+
+}  // namespace tia::server

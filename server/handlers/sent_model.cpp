@@ -1,0 +1,39 @@
+#include "server/handlers/sent_model.h"
+
+#include "core/models/formats.h"
+#include "server/handlers/bodies.h"
+#include "server/requests/model_body.h"
+
+namespace tia::server {
+namespace {
+
+LongWork::Need files_need(const Request& request) {
+  const std::size_t bytes = request.body.size();
+  return {bytes, memory_for(memory_cost::model, bytes), "the model's files"};
+}
+
+}  // namespace
+
+BodyLimit model_limit(const Config& config) {
+  return {config.max_model_bytes, "TIA_MAX_MODEL_BYTES"};
+}
+
+SentId keep_sent_model(const Request& request, const std::string& main, Service& service) {
+  const Requester requester = requester_of(request);
+  const SentModel sent = service.rendering.long_work(files_need(request), requester, [&] {
+    return model_in(request, main, 4 * service.config.max_model_bytes);
+  });
+  return {sent.upload.id, service.models.keep(sent.upload, requester)};
+}
+
+std::vector<Content> model_bodies() {
+  return {{"application/octet-stream"},
+          {"multipart/form-data"},
+          {"application/zip"},
+          {"model/gltf-binary"},
+          {"model/gltf+json"},
+          {"model/obj"},
+          {"model/stl"}};
+}
+
+}  // namespace tia::server

@@ -1,0 +1,91 @@
+#include "server/requests/still_query.h"
+
+#include "core/input/described.h"
+#include "core/scene/resolve_models.h"
+#include "core/scene/still_points.h"
+
+namespace tia::server {
+namespace {
+
+constexpr std::string_view of_object = "/objects/0", of_options = "/options";
+
+// Faults of a scene of one model, at the parameters that the scene was made from.
+InputError of_parameters(std::vector<Fault> faults) {
+  for (Fault& fault : faults)
+    for (const std::string_view stem : {of_object, of_options})
+      if (fault.pointer.starts_with(stem)) fault.pointer.erase(0, stem.size());
+  return InputError(std::move(faults));
+}
+void raise(const Faults& faults) {
+  if (!faults.empty()) throw of_parameters(faults.list());
+}
+
+Object placed_of(const StillParameters& asked) {
+  Object object;
+  object.shape = static_cast<const PlacedModel&>(asked);
+  return object;
+}
+
+StillBody body_of(const StillParameters& asked, const SharedModel& model,
+                  const std::stop_token& stop) {
+  Faults faults(stop);
+  Scene alone;
+  alone.objects = {placed_of(asked)};
+  resolve_models(
+      alone, [&](const std::string&) { return model; }, faults);
+  raise(faults);
+  StillBody body;
+  body.objects = alone.objects.get();
+  body.points = points_of(*std::get<PlacedModel>(body.objects[0].shape).shown);
+  if (body.points.empty())
+    throw InputError({FaultKind::missing, asked.hide.empty() ? "/scene" : "/hide", std::nullopt,
+                      "what leaves a triangle or a point of the model to be seen"});
+  if (asked.StillRequest::camera)
+    body.camera = still_camera(*model->model, body.objects[0], *asked.StillRequest::camera,
+                               Place{}.at("camera"), faults);
+  raise(faults);
+  return body;
+}
+
+SceneOptions options_of(const StillParameters& asked) {
+  SceneOptions options;
+  options.integrator = asked.integrator_in_effect();
+  const IntegratorRow& row = row_of(options.integrator);
+  if (row.gathers_light() && !row.is_chance()) options.samples = 16;
+  return options_in_effect<PictureRequest>(options, asked);
+}
+
+// As POST /render would read it. What is told in numbers that scenes cannot have is refused here.
+Scene read_again(const Scene& scene, const std::stop_token& stop) {
+  Faults faults(stop);
+  Scene again;
+  read_value(write_value(scene), Place{}, Spec{}, faults, again);
+  for (const Fault& fault : faults.list())
+    if (!fault.pointer.starts_with(of_options))
+      throw InputError({FaultKind::out_of_range, "/fit", std::nullopt,
+                        "a box for the model, which is too large, too small or too far away for a "
+                        "camera and lights around it"});
+  raise(faults);
+  return again;
+}
+
+}  // namespace
+
+void StillParameters::check(const Place& at, Faults& faults) const {
+  StillRequest::check(at, faults);
+  PictureRequest::check(at, faults);
+  if (format != Format::png && background.is_transparent() && gathers_light(integrator_in_effect()))
+    faults.add({FaultKind::conflict, at.at("format").pointer(), write_value(format),
+                "png, which alone has alpha, or a background that is a colour"});
+}
+
+Scene still_of(const StillParameters& asked, const SharedModel& model,
+               const std::stop_token& stop) {
+  const double aspect = static_cast<double>(asked.width) / asked.height;
+  Scene scene =
+      still_scene(asked, body_of(asked, model, stop), aspect, asked.integrator_in_effect());
+  scene.options = options_of(asked);
+  return read_again(scene, stop);
+}
+
+}  // namespace tia::server
