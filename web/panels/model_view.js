@@ -50,7 +50,7 @@ export function makeModelView(studio, panel) {
     lines.named(bundle, known.id);
     model.asked = null;
     const { width, height } = model.request.model ? model.request : {};
-    await studio.open({ model: description.id, width, height });
+    await studio.open({ model: description.id, integrator: 'path', samples: 64, width, height }); // said, so that rounds begin at once
   });
 
   function follow() {
