@@ -18,13 +18,16 @@ export async function firstState() {
   return { request: Object.keys(request).length ? request : FIRST, asked, problem };
 }
 
+// What is shown, however it is seen.
+const whatOf = ({ scene, model }) => JSON.stringify([scene, model]);
+
 /** Keeps the address in step. */
 export function mountAddress(studio) {
   let scene = null;
   let newest = 0;
   studio.model.on('rest', async () => {
     const mine = ++newest;
-    const now = JSON.stringify(studio.model.request.scene);
+    const now = whatOf(studio.model.request);
     const address = await pageAddress(studio);
     if (mine !== newest) return;
     const move = scene === null || scene === now ? 'replaceState' : 'pushState';
@@ -35,7 +38,7 @@ export function mountAddress(studio) {
   addEventListener('popstate', async () => {
     newest += 1;
     const state = await firstState();
-    scene = JSON.stringify(state.request.scene);
+    scene = whatOf(state.request);
     studio.begin(state);
   });
   document.addEventListener('click', goWithin);
@@ -54,5 +57,6 @@ function goWithin(event) {
 
 /** The page's address for what is shown, relative to the page. */
 export function pageAddress({ unasked, model }) {
-  return writeAddress({ ...unasked, scene: unasked.scene ?? 'thesis', pixel: model.asked ?? undefined });
+  const scene = unasked.scene ?? (unasked.model ? undefined : 'thesis');
+  return writeAddress({ ...unasked, scene, pixel: model.asked ?? undefined });
 }

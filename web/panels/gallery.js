@@ -25,8 +25,9 @@ export function mountGallery(studio) {
     } }, element('label', {}, t('gallery.id'), typed), element('button', { type: 'submit' }, t('gallery.open'))),
     element('p', { class: 'note' }, t('gallery.drop')));
   const mark = () => {
+    const { model, scene = 'thesis' } = studio.model.request;
     for (const one of place.querySelectorAll('button'))
-      one.setAttribute('aria-current', one.dataset.scene === (studio.model.request.scene ?? 'thesis'));
+      one.setAttribute('aria-current', !model && one.dataset.scene === scene);
   };
   studio.model.on('want', mark);
 

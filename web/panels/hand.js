@@ -14,6 +14,7 @@ import { t } from '../words/words.js';
 import { bindGestures } from './gestures.js';
 import { cameraTool } from './hand_camera.js';
 import { lampTool } from './hand_lamp.js';
+import { orbitTool } from './hand_orbit.js';
 
 const STEP_PX = 12; // of a picture 640 wide, for an arrow key; with Shift four times that
 const CLOSER = 0.9;
@@ -27,16 +28,29 @@ export function mountHand(studio) {
   const hand = part('hand');
   const lamp = { pan: still, ...lampTool(studio) };
   const camera = cameraTool(studio);
-  const tools = { lamp, camera, ask: askTool(studio, camera.nearer) };
-  let tool = null; // by name
+  const orbit = orbitTool(studio);
+  const ask = askTool(studio, (factor) => (model.request.model ? orbit : camera).nearer(factor));
+  const tools = { lamp, camera, orbit, ask };
+  let chosen = null; // by name
+  let tool = null; // of a model the camera is another one
   const drawMark = () => lamp.draw(tool === 'lamp');
 
-  mountChoice((name) => {
-    tool = name;
+  function take(name) {
+    chosen = name;
+    tool = name === 'camera' && model.request.model ? 'orbit' : name;
     hand.dataset.tool = name;
-    hand.setAttribute('aria-label', t(`tools.${name}Label`));
-    part('hint').textContent = t(`tools.${name}Hint`);
+    hand.setAttribute('aria-label', t(`tools.${tool}Label`));
+    part('hint').textContent = t(`tools.${tool}Hint`);
     drawMark();
+  }
+
+  const choose = mountChoice(take);
+  let turned = false; // who opens a model wants to turn it, and back among scenes to hold the lamp
+  model.on('want', () => {
+    if (turned === Boolean(model.request.model)) return;
+    turned = !turned;
+    if (chosen === 'ask') return;
+    choose(turned ? 'camera' : 'lamp');
   });
 
   let grip = null;
@@ -44,13 +58,13 @@ export function mountHand(studio) {
     seen: () => windowOf(model.request),
     begin: () => (grip = tools[tool].begin()),
     drag(move) {
-      if (!studio.pivot) grip = null; // another scene has come under the hand
+      if (!studio.pivot && tool !== 'orbit') grip = null; // another scene has come under the hand
       if (grip) tools[tool].drag(grip, move);
     },
     end: () => (grip = null),
     nearer: (factor) => tools[tool].nearer(factor),
     pan: (by) => tools[tool].pan(by),
-    click: tools.ask.at,
+    click: ask.at,
   });
   hand.addEventListener('keydown', (event) => {
     if (event.ctrlKey || event.altKey || event.metaKey) return;
@@ -60,12 +74,13 @@ export function mountHand(studio) {
     const px = STEP_PX * (event.shiftKey ? 4 : 1) * (windowOf(model.request).width / 640);
     if (step) tools[tool].turn(step.map((way) => way * px), event.shiftKey);
     else if (factor) tools[tool].nearer(factor);
-    else tools.ask.at(model.asked ?? middleOf(model.request));
+    else ask.at(model.asked ?? middleOf(model.request));
   });
   part('start-again').addEventListener('click', () => {
     model.asked = null;
-    const { scene, width, height } = model.request;
-    studio.open({ ...opened(model.source ? scene : undefined), width, height }); // one that is not there is left
+    const { scene, width, height, model: id } = model.request;
+    const there = model.source !== null; // one that is not there is left
+    studio.open({ ...(id && there ? { model: id } : opened(there ? scene : undefined)), width, height });
   });
   for (const event of ['show', 'world', 'source']) model.onFrame(event, drawMark);
 }
@@ -90,7 +105,7 @@ function askTool(studio, nearer) {
   return { begin: () => null, drag: still, turn, nearer, pan: still, at };
 }
 
-// The radio group of the tools.
+// The radio group of the tools. Gives what chooses one by its name.
 function mountChoice(chosen) {
   const radios = [...part('tools').querySelectorAll('[role=radio]')];
   const choose = (radio) => {
@@ -110,5 +125,7 @@ function mountChoice(chosen) {
     next.focus();
   });
   for (const radio of radios) radio.addEventListener('click', () => choose(radio));
-  choose(radios.find((radio) => radio.dataset.tool === 'lamp'));
+  const chooseNamed = (name) => choose(radios.find((radio) => radio.dataset.tool === name));
+  chooseNamed('lamp');
+  return chooseNamed;
 }

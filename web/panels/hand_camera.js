@@ -5,8 +5,6 @@ import { tidyVector } from '../space/vec.js';
 
 /** A tool of the hand (panels/hand.js). */
 export function cameraTool(studio) {
-  const { model } = studio;
-
   function begin() {
     const { view, pivot, camera } = studio;
     return pivot && { view, pivot, camera };
@@ -29,7 +27,7 @@ export function cameraTool(studio) {
   function look(fields) {
     const tidied = Object.fromEntries(Object.entries(fields).map(([name, value]) =>
       [name, ['location', 'look_at'].includes(name) ? tidyVector(value, 5) : value]));
-    model.change({ camera: { ...model.request.camera, ...tidied } });
+    studio.moveCamera(tidied);
   }
 
   return { begin, drag, turn, nearer, pan: (by) => turn(by, true) };

@@ -120,6 +120,7 @@ export default function mountLight(studio) {
   const letters = part('letters');
 
   function press(key) {
+    if (model.request.model) return;
     if (key === 'Escape') model.change({ key: null, light: null });
     else model.change({ key, light: null });
   }
@@ -127,7 +128,10 @@ export default function mountLight(studio) {
   function show() {
     const { key, light } = model.request;
     const on = key ?? (light ? 'typed' : 'Escape');
-    for (const button of buttons) button.setAttribute('aria-pressed', button.dataset.key === on);
+    for (const button of buttons) {
+      button.setAttribute('aria-pressed', button.dataset.key === on);
+      button.disabled = Boolean(model.request.model); // whose studio has no keys
+    }
     part('pad').dataset.on = on;
     const lit = !key && !light && studio.light;
     buttons.find((button) => button.dataset.key === 'Escape').lastElementChild.textContent = t(lit ? 'light.own' : 'light.off');

@@ -76,7 +76,7 @@ class PlanMap {
   }
 
   async #drawBackdrop() {
-    const { scene, key } = this.#studio.model.request;
+    const { scene, key } = this.#studio.inScene;
     const request = { scene, key, ...DRAWN, camera: planCamera(this.#plan, this.#region) };
     const drawn = JSON.stringify(request);
     if (drawn === this.#drawn) return;
@@ -155,7 +155,7 @@ class PlanMap {
       move: (way) => {
         const fields = moved(taken, way);
         if (!fields) return false;
-        studio.model.change({ camera: { ...studio.model.request.camera, ...fields } });
+        studio.moveCamera(fields);
         this.#aimed = { camera: studio.model.request.camera, at: fields.look_at ?? taken.pivot };
         return true;
       },

@@ -20,7 +20,9 @@ export function mountPicture(studio) {
     async show({ blob }) {
       const image = await decode(blob);
       for (const side of ['width', 'height']) if (picture[side] !== image[side]) picture[side] = image[side];
-      picture.getContext('2d').drawImage(image, 0, 0);
+      const context = picture.getContext('2d');
+      context.globalCompositeOperation = 'copy'; // one that is transparent hides the one before, too
+      context.drawImage(image, 0, 0);
       const { width, height } = windowOf(model.request);
       frame.style.setProperty('--ratio', width / height);
       image.close();
@@ -56,7 +58,7 @@ export function mountPicture(studio) {
     const known = !shown || light !== undefined; // else the words of before stay until it is
     const words = shown ? lampWords(model.shown.request, light) : t('picture.none');
     if (known && status.textContent !== words) status.textContent = words;
-    const title = model.source?.title ?? t('picture.rendered');
+    const title = model.source?.title ?? t(model.request.model ? 'model.still' : 'picture.rendered');
     picture.setAttribute('aria-label', shown ? `${title}. ${known ? words : ''}`.trim() : words);
   }
 

@@ -5,6 +5,7 @@
 import { fetchExplanation } from '../picture/server.js';
 import { movedLight } from '../space/lamp.js';
 import { serverFaults, syntaxFaults } from '../state/scene_faults.js';
+import { subjectOf } from '../state/request.js';
 import { formatScene, parseScene, withValue } from '../state/scene_text.js';
 import { t } from '../words/words.js';
 import { element } from './element.js';
@@ -34,8 +35,8 @@ class Desk {
   #studio;
   #editor = new Editor(() => this.#typed());
   #form;
-  #names = new Map(); // scenes of the gallery by their text: these keep their names
-  #home = null; // the gallery's scene that the text began as
+  #names = new Map(); // by their text what asks for scenes of the gallery, and of models: these keep it
+  #home = null; // what asks for the one that the text began as
   #seen = null; // the studio's source that the text has taken, or given
   #value = null; // the scene that the text means and the studio wants
   #late = false; // whether another scene waits to be shown in the text
@@ -91,8 +92,8 @@ class Desk {
   #show(source, request) {
     const text = formatScene(source);
     if (typeof request.scene !== 'object') {
-      this.#home = request.scene ?? 'thesis';
-      this.#names.set(text, request.scene);
+      this.#home = subjectOf(request);
+      this.#names.set(text, this.#home);
     }
     this.#mean(source, text);
     this.#editor.load(text);
@@ -107,7 +108,7 @@ class Desk {
     this.#kept = null;
     if (!text) return this.#take();
     this.#late = false;
-    this.#home = text.home;
+    this.#home = Object(text.home) === text.home ? text.home : null;
     this.#mean(this.#studio.model.source);
     this.#editor.load(text.text);
     this.#editor.area.setSelectionRange(...text.caret);
@@ -189,12 +190,12 @@ class Desk {
     if (!value || JSON.stringify(value) === JSON.stringify(this.#value)) return;
     const request = this.#wish(value);
     this.#seen = this.#value = value;
-    model.want({ ...request, scene: this.#names.has(text) ? this.#names.get(text) : value }, value);
+    model.want({ ...request, ...(this.#names.get(text) ?? { scene: value }) }, value);
   }
 
   // Light and camera stay where the hand has put them, but where the text has moved them since.
   #wish(scene) {
-    const { request } = this.#studio.model;
+    const request = this.#studio.inScene;
     const moved = (name) => JSON.stringify(scene?.[name]) !== JSON.stringify(this.#value?.[name]);
     const lamp = placeOf(scene) !== placeOf(this.#value);
     const key = lamp || (request.key && !scene?.keys?.[request.key]);
@@ -242,7 +243,7 @@ class Desk {
   #discard() {
     const { request } = this.#studio.model;
     this.#seen = null;
-    if (typeof request.scene === 'object') this.#studio.open({ ...request, scene: this.#home });
+    if (typeof request.scene === 'object') this.#studio.open({ ...request, ...this.#home });
     else this.#show(this.#studio.model.source, request);
     this.#editor.area.focus({ preventScroll: true });
   }

@@ -1,5 +1,5 @@
 // Files: a scene's JSON, or a picture drawn by Tia with its recipe, dropped anywhere on the page
-// or chosen. Anything else is refused in words.
+// or chosen; dropped, those of models and folders too. Anything else is refused in words.
 
 import { readRecipe } from '../picture/png_text.js';
 import { parseScene } from '../state/scene_text.js';
@@ -8,6 +8,7 @@ import { element } from './element.js';
 
 const MOST_BYTES = 64 * 1024 * 1024;
 const PNG = [137, 80, 78, 71];
+const MODEL = /\.(gltf|glb|obj|ply|stl|zip)$/i;
 
 /** Takes files; `desk.open(text, request)` shows a scene's text. */
 export function mountDrop(studio, desk) {
@@ -34,7 +35,10 @@ export function mountDrop(studio, desk) {
     input.value = '';
     if (file) await take(file);
   });
-  bindDrop(target, take);
+  bindDrop(target, async (files, folder) => {
+    if (folder || files.some(({ path }) => MODEL.test(path))) await studio.openModel(files);
+    else if (files[0]) await take(files[0].file);
+  });
 }
 
 function bindDrop(target, take) {
@@ -51,8 +55,28 @@ function bindDrop(target, take) {
   on('dragover', ({ dataTransfer }) => (dataTransfer.dropEffect = 'copy'));
   on('drop', ({ dataTransfer }) => {
     inside = 0;
-    if (dataTransfer.files[0]) take(dataTransfer.files[0]);
+    const entries = [...dataTransfer.items].map((item) => item.webkitGetAsEntry?.()).filter(Boolean);
+    const files = [...dataTransfer.files].map((file) => ({ path: file.name, file }));
+    const folder = entries.some((entry) => entry.isDirectory);
+    if (folder) filesBelow(entries).then((all) => take(all, true));
+    else take(files, false);
   });
+}
+
+/** All files of folders and what is in them, as [{ path, file }]. */
+async function filesBelow(entries) {
+  const each = entries.map(async (entry) => {
+    if (entry.isDirectory) return filesBelow(await entriesOf(entry.createReader()));
+    const file = await new Promise((resolve, reject) => entry.file(resolve, reject));
+    return [{ path: entry.fullPath.replace(/^\//, ''), file }];
+  });
+  return (await Promise.all(each)).flat();
+}
+
+// A reader gives some at a time, and none at its end.
+async function entriesOf(reader) {
+  const some = await new Promise((resolve, reject) => reader.readEntries(resolve, reject));
+  return some.length ? [...some, ...await entriesOf(reader)] : [];
 }
 
 // Opens a file, or says why not.

@@ -1,10 +1,11 @@
 // Taking the picture along: as a file, a link, an address, a shell line, a scene.
 
 import { finalPicture } from '../studio/studio.js';
-import { curlLine, fetchable, fileName } from '../state/request.js';
+import { curlLine, fetchable, fileName, routeOf } from '../state/request.js';
 import { t } from '../words/words.js';
 import { pageAddress } from './address.js';
-import { bindCopy, save } from './carry.js';
+import { save } from './carry.js';
+import { copiedLine, copyButton } from './copied_line.js';
 import { element } from './element.js';
 import { showProblem } from './problem_view.js';
 import { takeForm } from './take_form.js';
@@ -15,9 +16,9 @@ export default function mountTake(studio, panel) {
   const { model } = studio;
   const form = takeForm(studio);
   const lines = [
-    line('link', () => linkOf(studio)),
-    line('address', () => addressOf(studio.final)),
-    line('shell', () => shellLine(studio.final)),
+    copiedLine('take-link', 'take.link', () => linkOf(studio)),
+    copiedLine('take-address', 'take.address', () => addressOf(studio.final)),
+    copiedLine('take-shell', 'take.shell', () => shellLine(studio.final)),
   ];
   panel.append(
     element('div', { class: 'row wrap' },
@@ -39,33 +40,6 @@ function button(name, press) {
   return element('button', { type: 'button', onclick: press }, t(`take.${name}`));
 }
 
-function copyButton(label, words, text) {
-  const made = element('button', { type: 'button', 'aria-label': label }, words);
-  bindCopy(made, text);
-  return made;
-}
-
-// A text to be read, and copied as it is; null where there is none that short.
-function line(name, text) {
-  const title = `take-${name}`;
-  const shown = element('pre', { tabindex: 0, role: 'group', 'aria-labelledby': title });
-  const copy = copyButton(t(`take.${name}Copy`), t('take.copy'), async () => (await text()) ?? '');
-  const note = element('p', { class: 'note' }, t(`take.${name}Note`));
-  let newest = 0;
-  const node = element('div', { class: `take-${name}` },
-    element('h2', { id: title }, t(`take.${name}`)), element('div', { class: 'line' }, shown, copy), note);
-  return { node, draw };
-
-  async function draw() {
-    const mine = ++newest;
-    const words = await text();
-    if (mine !== newest) return;
-    if (shown.textContent !== (words ?? '')) shown.textContent = words ?? '';
-    shown.parentElement.hidden = words === null;
-    note.textContent = t(words === null ? `take.${name}Long` : `take.${name}Note`);
-  }
-}
-
 /** The page's address for what is shown, whole. */
 async function linkOf(studio) {
   return `${location.origin}${location.pathname}${await pageAddress(studio)}`;
@@ -73,7 +47,7 @@ async function linkOf(studio) {
 
 /** Where the picture itself lies; null where its request is too long for an address. */
 function addressOf(request) {
-  const { path, init } = fetchable('render', request);
+  const { path, init } = fetchable(routeOf(request), request);
   return init.body ? null : new URL(path, document.baseURI).href;
 }
 

@@ -1,11 +1,11 @@
 // How the picture is drawn: its size, its edges, and how many rays it takes.
 
 import { aboutOf, countingOptions, lightNames, usualOf } from '../picture/integrators.js';
-import { SIZE, resized, sizeOf } from '../state/window.js';
+import { resized, sizeOf, usualSizeOf } from '../state/window.js';
 import { t, wordsOr } from '../words/words.js';
 import { element } from './element.js';
 
-const SIZES = [[320, 240], [640, 480], [800, 600], [1024, 768], [1280, 960], [1600, 1200], [1920, 1440]];
+const SIZES = [[320, 240], [512, 512], [640, 480], [800, 600], [1024, 768], [1280, 960], [1600, 1200], [1920, 1440]];
 // Least, most and step.
 const NUMBERS = { samples: [1, 65536, 1], noise: [0, 1, 'any'], max_depth: [0, 64, 1], exposure: [-32, 32, 'any'],
   seed: [0, Number.MAX_SAFE_INTEGER, 1] };
@@ -78,7 +78,7 @@ function choices(select, usual, value, words) {
 function resize({ model }, [width, height]) {
   const before = sizeOf(model.request);
   if (model.asked) model.asked = model.asked.map((at, i) => Math.floor((at * [width, height][i]) / before[i]));
-  const usual = width === SIZE[0] && height === SIZE[1];
+  const usual = [width, height].join() === usualSizeOf(model.request).join();
   const { crop } = resized(model.request, [width, height]);
   model.change(usual ? { width: null, height: null, crop } : { width, height, crop });
   if (model.asked) model.tell('ask');

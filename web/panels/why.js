@@ -38,8 +38,8 @@ export default function mountWhy(studio, panel) {
     asking = question;
     question.abort = new AbortController();
     const { request, pixel, abort } = question;
-    const told = await import('../picture/explain_pixel.js')
-      .then(({ explainPixel }) => explainPixel(request, pixel, studio.pivot, abort.signal))
+    const told = await Promise.all([import('../picture/explain_pixel.js'), view.learn()])
+      .then(([{ explainPixel }]) => explainPixel(request, pixel, studio.pivot, abort.signal))
       .catch((problem) => ({ problem }));
     if (model.asked !== pixel) return;
     if (told.problem) fail(told.problem);
@@ -96,7 +96,7 @@ export default function mountWhy(studio, panel) {
   function tellRays() {
     const known = explained && explained.pixel === model.asked;
     model.rays = known ? explained.steps.map(({ from, to, aim, kind, blocked, index }) =>
-      ({ from, to, aim, kind, blocked, current: index === view.steps.current })) : null;
+      ({ from, to, aim, kind, blocked, current: index === view.current })) : null;
     model.tell('rays');
     draw();
   }

@@ -1,6 +1,6 @@
 // The page's only way to the server. Every failure comes out as a Problem, but an abort.
 
-import { fetchable } from '../state/request.js';
+import { fetchable, inScene, queryOf, routeOf } from '../state/request.js';
 import { t } from '../words/words.js';
 import { Problem, readProblem, unanswered } from './problem.js';
 import { readRays, readTiming } from './timing.js';
@@ -14,7 +14,7 @@ const PATIENCE_MS = 120_000;
  */
 export async function fetchPicture(request, signal) {
   const start = performance.now();
-  const { path, init } = fetchable('render', request);
+  const { path, init } = fetchable(routeOf(request), request);
   const response = await get(path, init, signal);
   const blob = await body(() => response.blob());
   const header = (name) => response.headers.get(name);
@@ -34,14 +34,16 @@ export async function fetchPicture(request, signal) {
 
 /** A feature image or picture in linear light: the bytes of its PFM file. */
 export async function fetchPfm(request, signal) {
-  const { path, init } = fetchable('render', { ...request, format: 'pfm' });
+  const opaque = request.model && { background: [0, 0, 0] }; // such a file has no alpha
+  const { path, init } = fetchable(routeOf(request), { ...request, ...opaque, format: 'pfm' });
   const response = await get(path, init, signal);
   return body(() => response.arrayBuffer());
 }
 
 /** What /explain tells of the pixel `x`, `y` of a request, or of its `ray`: of light, not of files. */
 export async function fetchExplanation(asked, signal) {
-  const { transfer, exposure, white_balance_kelvin, crop, ...request } = asked;
+  const drawn = asked.model ? inScene(asked, await fetchStillScene(asked, signal)) : asked;
+  const { transfer, exposure, white_balance_kelvin, crop, ...request } = drawn;
   const { path, init } = fetchable('explain', request);
   const response = await get(path, init, signal);
   return body(() => response.json());
@@ -50,6 +52,11 @@ export async function fetchExplanation(asked, signal) {
 /** A scene's canonical JSON, where fields at their defaults are left out. */
 export function fetchScene(name, signal) {
   return fetchJson(`scenes/${encodeURIComponent(name)}`, signal);
+}
+
+/** The scene that a still is of, of which /render draws the same bytes. */
+export function fetchStillScene({ x, y, ray, ...request }, signal) {
+  return fetchJson(`still?${queryOf({ ...request, as: 'scene' })}`, signal);
 }
 
 /** The gallery: [{ name, title, description }]. */

@@ -1,8 +1,14 @@
-// A request: the parameters of /render as a plain object, and what is sent for it. Paths are
-// relative to the page, which may be served below a prefix.
+// A request: the parameters of /render as a plain object, and what is sent for it; where it names a
+// `model`, those of /still. Paths are relative to the page, which may be served below a prefix.
+
+import { sizeOf } from './window.js';
+
+/** What only a still has, but for `camera` and `scene`, which mean another thing there. */
+const OF_STILLS = ['model', 'orbit', 'zoom', 'fov', 'studio', 'ground', 'background', 'variant', 'animation', 'time',
+  'hide', 'up'];
 
 /** The parameters that the page knows, in the order in which a URL names them. */
-export const PARAMETERS = ['scene', 'key', 'light', 'camera', 'integrator', 'max_depth', 'ao_radius', 'seed',
+export const PARAMETERS = [...OF_STILLS, 'scene', 'key', 'light', 'camera', 'integrator', 'max_depth', 'ao_radius', 'seed',
   'width', 'height', 'samples', 'threshold', 'noise', 'budget_ms', 'max_rays', 'crop', 'transfer', 'exposure', 'white_balance_kelvin'];
 
 /** What asks for one ray a pixel, whatever else was asked for. */
@@ -14,13 +20,31 @@ export const FIRST = { scene: 'thesis', key: 'a' };
 /** A scene of that name as it is opened. */
 export const opened = (scene = FIRST.scene) => (scene === FIRST.scene ? FIRST : { scene });
 
-const LISTS = ['light', 'crop', 'pixel'];
-const TEXTS = ['scene', 'key', 'integrator', 'transfer'];
+const LISTS = ['light', 'crop', 'pixel', 'orbit', 'background'];
+const TEXTS = ['scene', 'key', 'integrator', 'transfer', 'model', 'variant', 'hide'];
 const LONGEST_TARGET = 4000; // the server refuses 4096 bytes and more
 
 /** The request without what is undefined or null. */
 export function tidy(request) {
   return Object.fromEntries(Object.entries(request).filter(([, value]) => value != null));
+}
+
+/** What draws a request's picture. */
+export const routeOf = ({ model }) => (model ? 'still' : 'render');
+
+/** The same of /render: a still as the scene that it is of. */
+export function inScene(request, scene) {
+  if (!request.model) return request;
+  const [width, height] = sizeOf(request);
+  const others = Object.entries(request).filter(([name]) => ![...OF_STILLS, 'camera'].includes(name));
+  return { ...Object.fromEntries(others), scene, width, height };
+}
+
+/** What of a request says which scene it is of: its name; of a still all that makes its scene. */
+export function subjectOf(request) {
+  if (!request.model) return { scene: request.scene ?? FIRST.scene };
+  const own = [...OF_STILLS, 'camera'].map((name) => [name, request[name] ?? null]);
+  return { ...Object.fromEntries(own), scene: null, key: null, light: null };
 }
 
 /** A request as a query string without its question mark; what PARAMETERS does not name follows. */
@@ -60,28 +84,28 @@ function readValue(name, text) {
 export function fetchable(route, request) {
   const query = queryOf(request);
   const path = query ? `${route}?${query}` : route;
-  if (path.length < LONGEST_TARGET) return { path, init: {} };
+  if (path.length < LONGEST_TARGET || request.model) return { path, init: {} };
   const headers = { 'Content-Type': 'application/json' };
   return { path: route, init: { method: 'POST', headers, body: JSON.stringify(tidy(request)) } };
 }
 
 /** The shell command that fetches the request's picture; `base` is the page's own address. */
 export function curlLine(request, base) {
-  const { path, init } = fetchable('render', request);
+  const { path, init } = fetchable(routeOf(request), request);
   const url = quoted(new URL(path, base).href);
   const name = `tia${fileName(request)}.png`;
   return init.body ? `curl -o ${name} ${url} -d ${quoted(init.body)}` : `curl -o ${name} ${url}`;
 }
 
 /** What tells this picture's file from others: "-thesis-a"; letters, digits and dashes only. */
-export function fileName({ scene, key, light }) {
-  const named = typeof scene === 'string' ? scene.slice(0, 40) : scene && 'scene';
+export function fileName({ scene, key, light, model }) {
+  const named = model ? `model-${model.slice(0, 8)}` : typeof scene === 'string' ? scene.slice(0, 40) : scene && 'scene';
   const parts = [named, key ?? (light && 'light')].filter(Boolean);
   return parts.map((part) => `-${part.replace(/[^\w-]+/g, '-')}`).join('');
 }
 
-// In single quotes a POSIX shell takes every byte as it is.
-function quoted(text) {
+/** In single quotes a POSIX shell takes every byte as it is. */
+export function quoted(text) {
   return `'${text.replaceAll("'", "'\\''")}'`;
 }
 

@@ -1,16 +1,17 @@
 // A picture's size, and its window: the part of it that a `crop` leaves. Pixels are counted in the
 // whole picture, wherever the window is.
 
-/** What a picture's size is where a request names none. */
-export const SIZE = [640, 480];
+/** What a picture's size is where a request names none: of a scene, and of a model. */
+export const usualSizeOf = ({ model }) => (model ? [512, 512] : [640, 480]);
 
 /** The whole picture's [width, height]. */
-export function sizeOf({ width = SIZE[0], height = SIZE[1] }) {
-  return [width, height];
+export function sizeOf(request) {
+  return [request.width ?? usualSizeOf(request)[0], request.height ?? usualSizeOf(request)[1]];
 }
 
 /** What is seen of it: { x, y, width, height }. A crop that the server will refuse is none. */
-export function windowOf({ crop, ...request }) {
+export function windowOf(request) {
+  const { crop } = request;
   const [width, height] = sizeOf(request);
   const [x0, y0, x1, y1] = Array.isArray(crop) ? crop : [0, 0, width, height];
   const good = 0 <= x0 && x0 < x1 && x1 <= width && 0 <= y0 && y0 < y1 && y1 <= height;

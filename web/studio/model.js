@@ -46,7 +46,7 @@ export class Model {
 
   /** Wants a request as it stands. Another scene needs its source again. */
   want(request, source = null) {
-    const other = request.scene !== this.request.scene;
+    const other = ['scene', 'model'].some((name) => request[name] !== this.request[name]);
     this.request = tidy(request);
     if (source || other) this.source = source ?? (typeof request.scene === 'object' ? request.scene : null);
     this.tell('want');

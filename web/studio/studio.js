@@ -4,12 +4,12 @@
 import { isChance } from '../picture/integrators.js';
 import { finest, Passes, plain, SMOOTH } from '../picture/passes.js';
 import { readRecipe } from '../picture/png_text.js';
-import { fetchExplanation, fetchPicture, fetchScene } from '../picture/server.js';
+import { fetchExplanation, fetchPicture, fetchScene, fetchStillScene } from '../picture/server.js';
 import { totalMs } from '../picture/timing.js';
 import { lightOf, pivotOf } from '../space/lamp.js';
 import { completeCamera, viewOf } from '../space/view.js';
 import { mergePatch } from '../state/merge_patch.js';
-import { ONE_RAY, queryOf } from '../state/request.js';
+import { inScene, ONE_RAY, queryOf } from '../state/request.js';
 import { middleOf, sizeOf } from '../state/window.js';
 import { Model } from './model.js';
 
@@ -50,12 +50,12 @@ export class Studio {
     [this.#sourceProblem, this.#notice] = [null, null];
     this.#passes.forget();
     this.model.want(request, source);
-    if (!this.model.source) await this.#learnSource(request.scene ?? 'thesis');
+    if (!this.model.source) await this.#learnSource();
   }
 
   /** Draws what is wanted once more, such as after a failure. */
   again() {
-    if (!this.model.source) this.#learnSource(this.model.request.scene ?? 'thesis');
+    if (!this.model.source) this.#learnSource();
     this.#passes.ask(this.#wish());
   }
 
@@ -90,7 +90,14 @@ export class Studio {
 
   /** The camera that is wanted, every spelling as the scene has it. */
   get camera() {
-    return completeCamera({ ...(this.model.world ?? this.model.source)?.camera, ...this.model.request.camera });
+    const { world, source } = this.model;
+    return completeCamera({ ...(world ?? source)?.camera, ...this.inScene.camera });
+  }
+
+  /** What is wanted as a request of /render: a still as the scene of the picture shown. */
+  get inScene() {
+    const { request, world, source } = this.model;
+    return inScene(request, world ?? source);
   }
 
   /** The camera of the picture wanted, in the whole picture's pixels. */
@@ -117,9 +124,23 @@ export class Studio {
   /** What changes in a request when the lamp is put there. */
   lightPatch(light) {
     const { request, source, world } = this.model;
+    if (request.model) return { ...this.#scenePatch, light };
     const patches = request.key && Object.keys(source?.keys?.[request.key] ?? {}).some((it) => it !== 'light');
     if (!patches) return { light, key: null };
     return this.#knows(request) ? { light, key: null, scene: world, camera: null } : {};
+  }
+
+  /** Changes fields of the camera. */
+  moveCamera(fields) {
+    const { model } = this;
+    model.change({ ...this.#scenePatch, camera: { ...this.inScene.camera, ...fields } });
+  }
+
+  // What a still does not know makes a scene of it.
+  get #scenePatch() {
+    const { request } = this.model;
+    const gone = Object.keys(request).map((name) => [name, null]);
+    return request.model ? { ...Object.fromEntries(gone), ...this.inScene } : {};
   }
 
   /** How the picture is shown: `show(picture, request, last)`, and what is told of failures. */
@@ -178,6 +199,7 @@ export class Studio {
     this.model.world = this.#whole(recipe.request.scene, request.key);
     // An edited scene goes on about the same point: what moves away from there is not run after.
     const middle = JSON.stringify([request.key, request.camera, request.crop]);
+    if (request.model && this.model.source) this.model.know(this.model.world); // its eye and lights go with it
     if (middle !== this.#middle || !this.pivot)
       await this.#findPivot(request, middle).catch((error) => console.warn('The picture\u2019s middle:', error.message));
     if (this.model.shown.request === request) this.model.tell('world');
@@ -200,17 +222,19 @@ export class Studio {
     this.pivot = pivotOf(this.view, this.camera, hits);
   }
 
-  async #learnSource(name) {
-    if (typeof name !== 'string') return;
+  async #learnSource() {
+    const { request } = this.model;
+    if (typeof request.scene === 'object') return;
+    const held = () => matterOf({ ...this.model.request, key: null }) === matterOf({ ...request, key: null });
     try {
-      const source = await fetchScene(name);
-      if ((this.model.request.scene ?? 'thesis') !== name) return;
+      const source = await (request.model ? fetchStillScene(request) : fetchScene(request.scene ?? 'thesis'));
+      if (!held()) return;
       this.model.know(source);
       // What was begun without knowing that has all its samples.
       if (isChance(source.options?.integrator)) this.#passes.ask(this.#wish(), true);
       if (this.#sourceProblem) this.#failed((this.#sourceProblem = null));
     } catch (problem) {
-      if ((this.model.request.scene ?? 'thesis') === name) this.#failed((this.#sourceProblem = problem));
+      if (held()) this.#failed((this.#sourceProblem = problem));
     }
   }
 }
@@ -223,4 +247,4 @@ export async function finalPicture({ final, model }, signal) {
 }
 
 // What decides which scene a request's picture is of, but for light and camera.
-const matterOf = ({ scene, key }) => JSON.stringify([scene, key]);
+const matterOf = ({ scene = 'thesis', key = null, model }) => JSON.stringify([scene, key, model]);

@@ -68,11 +68,18 @@ export function msWords(ms) {
   return `${numberWords(ms, ms < 1000 ? 3 : 4)} ms`;
 }
 
-/** Where the lamp is, in words; `light` is its place, where that is known. */
-export function lampWords({ key, light: wished }, light) {
+/** Where the lamp is, in words, of a still where the eye is; `light` is its place, where that is known. */
+export function lampWords({ key, light: wished, ...request }, light) {
+  if (request.model) return stillWords(request);
   if (!key && !light) return t('light.isOff');
   const at = (wished ?? light)?.map((value) => numberText(Number(value.toPrecision(6)))).join(', ');
   if (!key) return t('light.isAt', { at });
   const place = has(`light.key_${key}`) ? t(`light.key_${key}`) : t('light.key', { key });
   return at ? t('light.isPlacedAt', { place, at }) : t('light.isPlaced', { place });
+}
+
+function stillWords({ camera, orbit: [azimuth, elevation] = [30, 20], studio = 'soft' }) {
+  const light = t('model.litBy', { studio: wordsOr(`model.studio_${studio}`, studio) });
+  const eye = camera != null ? t('model.throughCamera', { camera }) : t('model.from', { azimuth, elevation });
+  return `${eye} ${light}`;
 }
