@@ -40,7 +40,7 @@ TEST(ModelSmooth, BallIsAsOneWithItsRadiiForNormals) {
   Model with_normals = model_of_mesh(ball);
   for (const double x : ball.positions.values)
     with_normals.meshes[0].parts[0].normals.push_back(static_cast<float>(x));
-  const auto& shown = mesh_in(shown_by(model_of_mesh(ball), R"("smooth":60)").at(0));
+  const Mesh shown = mesh_in(shown_by(model_of_mesh(ball), R"("smooth":60)").at(0));
   ASSERT_EQ(shown.normals.values.size(), ball.positions.values.size());
   for (std::size_t i = 0; i < ball.positions.values.size(); ++i)
     EXPECT_NEAR(shown.normals.values[i], shown.positions.values[i], 1e-12);
@@ -55,7 +55,7 @@ TEST(ModelSmooth, UvsFollowTheirVertices) {
     part.uvs[0].push_back(part.positions[3 * i]);
     part.uvs[0].push_back(part.positions[3 * i + 1]);
   }
-  const auto& mesh = mesh_in(shown_by(model, R"("smooth":100)").at(0));
+  const Mesh mesh = mesh_in(shown_by(model, R"("smooth":100)").at(0));
   ASSERT_EQ(mesh.uvs.values.size(), 2 * mesh.vertices());
   for (std::size_t i = 0; i < mesh.vertices(); ++i) {
     EXPECT_EQ(mesh.uvs.values[2 * i], mesh.positions.values[3 * i]);
