@@ -11,7 +11,6 @@
 #include "server/http/head.h"
 #include "server/http/headers.h"
 #include "server/requests/accept.h"
-#include "server/requests/find_model.h"
 #include "server/requests/reached.h"
 #include "server/requests/recipe.h"
 #include "server/requests/still_query.h"

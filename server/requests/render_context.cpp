@@ -4,7 +4,6 @@
 
 #include "core/input/object_schema.h"
 #include "core/scene/resolve_models.h"
-#include "server/requests/find_model.h"
 
 namespace tia::server {
 namespace {
@@ -62,6 +61,12 @@ Camera patched(const Camera& camera, const CameraPatch& patch) {
 
 bool is_at_hand(const std::string& name, const RenderContext& context) {
   return context.gallery.find(name) || context.kept.is_at_hand(name);
+}
+
+SharedModel find_model(const std::string& name, const RenderContext& context,
+                       const Requester& requester) {
+  if (context.models == nullptr) return nullptr;
+  return context.models->find(name, requester).model;
 }
 
 KnownScene find_scene(const std::string& name, const RenderContext& context,

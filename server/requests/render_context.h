@@ -46,6 +46,10 @@ bool is_at_hand(const std::string& name, const RenderContext& context);
 KnownScene find_scene(const std::string& name, const RenderContext& context,
                       const Requester& requester);
 
+/// The model of that id or, in the gallery, of that name; or null. Errors: as ModelStore::find.
+SharedModel find_model(const std::string& name, const RenderContext& context,
+                       const Requester& requester);
+
 /// The scene that is asked for: with what its models stand for, with its camera patched, then its
 /// key pressed or its light moved. It may be the request's own, and lives no longer.
 /// Errors: InputError; as PressedScenes::get, ModelStore::find.

@@ -14,9 +14,11 @@ namespace tia::test {
 namespace {
 
 const std::string every_field =
-    R"({"objects":[{"animation":0,"culling":false,"fit":{"align":[0.5,0,0.5],"max":[1,2,1],"min":[-1,0,-1]},)"
+    R"({"objects":[{"animation":0,"culling":false,)"
+    R"("fit":{"align":[0.5,0,0.5],"max":[1,2,1],"min":[-1,0,-1]},)"
     R"("hide":["Glass"],"id":"0123","materials":{"Body":{"color":[1,0,0]},"Feet":"red"},)"
-    R"("point_radius":0.01,"scene":0,"smooth":30,"time":0.5,"type":"model","up":"-z","variant":"red"}]})";
+    R"("point_radius":0.01,"scene":0,"smooth":30,)"
+    R"("time":0.5,"type":"model","up":"-z","variant":"red"}]})";
 
 TEST(ModelScene, IsReadAndWrittenWithoutTheModel) {
   const std::string text = R"({"materials":{"red":{"color":[1,0,0]}},)" + every_field.substr(1);

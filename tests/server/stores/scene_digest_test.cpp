@@ -151,11 +151,11 @@ TEST(SceneDigest, TellsWhatOnlyMeshesOfModelsHave) {
   plain.positions.values = {0, 0, 0, 1, 0, 0, 0, 1, 0};
   plain.indices.values = {0, 1, 2};
   Mesh with_uvs = plain, with_tangents = plain;
-  with_uvs.more_uvs.values.assign(12, 1.0);
-  with_tangents.tangents.values.assign(12, 1.0);
-  EXPECT_NE(digest_of(plain), digest_of(with_uvs));
-  EXPECT_NE(digest_of(plain), digest_of(with_tangents));
-  EXPECT_NE(digest_of(with_uvs), digest_of(with_tangents));
+  with_uvs.more_uvs.values.edit().assign(12, 1.0);
+  with_tangents.tangents.values.edit().assign(12, 1.0);
+  EXPECT_NE(server::digest_of(plain), server::digest_of(with_uvs));
+  EXPECT_NE(server::digest_of(plain), server::digest_of(with_tangents));
+  EXPECT_NE(server::digest_of(with_uvs), server::digest_of(with_tangents));
 }
 
 TEST(SceneDigest, TellsOneStepOfATransformFromAnother) {
