@@ -394,9 +394,9 @@ export default {
     time: 'Time',
     seconds: '{at} of {all} seconds',
     asScene: 'Go on as a scene',
-    shell: 'Lines for a shell',
-    shellCopy: 'Copy the lines for a shell',
-    shellNote: 'The first sends the model, once; the second fetches this picture.',
+    shell: 'Line for a shell',
+    shellCopy: 'Copy the line for a shell',
+    shellNote: 'It sends the model, where it came from a file here, and saves this picture.',
   },
   compare: {
     tab: 'Compare',

@@ -394,9 +394,9 @@ export default {
     time: 'Thời điểm',
     seconds: '{at} trên {all} giây',
     asScene: 'Làm tiếp như một cảnh',
-    shell: 'Các dòng lệnh cho shell',
-    shellCopy: 'Chép các dòng lệnh cho shell',
-    shellNote: 'Dòng đầu gửi mô hình, một lần; dòng sau lấy ảnh này về.',
+    shell: 'Dòng lệnh cho shell',
+    shellCopy: 'Chép dòng lệnh cho shell',
+    shellNote: 'Nó gửi mô hình, nếu mô hình đến từ tệp ở đây, và lưu ảnh này.',
   },
   compare: {
     tab: 'So sánh',
