@@ -1,8 +1,11 @@
 // Models dropped on the page: sent once, told of, drawn, turned, and taken along.
 
 import assert from 'node:assert/strict';
+import { mkdir, mkdtemp, rm, writeFile } from 'node:fs/promises';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
 import { test } from 'node:test';
-import { glbOf, MTL, OBJ } from './model_files.mjs';
+import { glbOf, MTL, OBJ, zipOf } from './model_files.mjs';
 import { drop, modelStage, queryOf, still } from './model_stage.mjs';
 import { faults, rests, shows, until } from './page.mjs';
 
@@ -52,8 +55,9 @@ test('what the server keeps already is not sent, by whatever name it comes', () 
     assert.deepEqual(sent, []);
   }));
 
-test('files that belong together become one model of all of them, sent once', () =>
+test('files that belong together become one model of all of them, sent once; a ZIP of them is the same', () =>
   shared(async (page, { sent }) => {
+    await kept(sail);
     sent.length = 0;
     const files = { 'sail.obj': OBJ, 'sail.mtl': MTL, 'notes.txt': 'none of it' };
     const query = await dropped(page, files);
@@ -63,6 +67,12 @@ test('files that belong together become one model of all of them, sent once', ()
     await dropped(page, { 'sail.glb': sail });
     assert.equal((await dropped(page, files)).get('model'), query.get('model'));
     assert.equal(sent.length, 1, String(sent));
+    const zip = { 'sail.zip': zipOf({ 'sail.obj': OBJ, 'sail.mtl': MTL }) };
+    for (const times of [1, 2]) {
+      await dropped(page, { 'sail.glb': sail });
+      assert.equal((await dropped(page, zip)).get('model'), query.get('model'));
+      assert.equal(sent.length, 2, `${times}: ${sent}`); // what is in a ZIP is known once it was read
+    }
   }));
 
 test('of several models the page asks which is meant; a broken one tells its fault and changes nothing', () =>
@@ -76,6 +86,28 @@ test('of several models the page asks which is meant; a broken one tells its fau
     await drop(page, { 'a.glb': sail, 'b.ply': '' });
     await page.locator('.model-ask button', { hasText: 'a.glb' }).waitFor();
     assert.equal(page.url(), before);
+  }));
+
+test('a folder is chosen by its button; an upload that broke off is tried again', () =>
+  shared(async (page) => {
+    await page.locator('#tab-model').click();
+    const folder = await mkdtemp(join(tmpdir(), 'tia-'));
+    try {
+      await mkdir(join(folder, 'ship'));
+      await writeFile(join(folder, 'ship', 'sail.obj'), `# of a folder\n${OBJ}`);
+      await writeFile(join(folder, 'ship', 'sail.mtl'), MTL);
+      await page.route('**/models?main=*', (route) => route.abort());
+      const choosing = page.waitForEvent('filechooser');
+      await page.getByRole('button', { name: 'Open a folder\u2026' }).click();
+      await (await choosing).setFiles(folder);
+      const again = page.locator('.model-ask button');
+      await again.waitFor();
+      await page.unroute('**/models?main=*');
+      await again.click();
+      await until(async () => /^curl -F 'file=@"sail\.(obj|mtl)"/.test(await shellOf(page)), 'the line of its files');
+    } finally {
+      await rm(folder, { recursive: true });
+    }
   }));
 
 test('arrow keys and the hand turn a model, plus and the wheel change its size', () =>

@@ -524,7 +524,7 @@ export default {
     anyRange: '{name}: a number from {least} to {most}, or nothing.',
     link: 'Link to this page',
     linkCopy: 'Copy the link to this page',
-    linkNote: 'Whoever opens it sees the same picture, byte for byte. All of it is in the link; no server keeps anything.',
+    linkNote: 'Whoever opens it sees the same picture, byte for byte. All of it is in the link; the server keeps nothing but models.',
     address: 'Address of the picture',
     addressCopy: 'Copy the address of the picture',
     addressNote: 'For a document, a chat or a slide: the server draws the picture whenever somebody asks for it.',

@@ -524,7 +524,7 @@ export default {
     anyRange: '{name}: một số từ {least} đến {most}, hoặc để trống.',
     link: 'Liên kết tới trang này',
     linkCopy: 'Chép liên kết tới trang này',
-    linkNote: 'Ai mở liên kết cũng thấy đúng ảnh này, giống từng byte. Mọi thứ nằm trong liên kết; máy chủ không giữ gì cả.',
+    linkNote: 'Ai mở liên kết cũng thấy đúng ảnh này, giống từng byte. Mọi thứ nằm trong liên kết; máy chủ chỉ giữ mô hình.',
     address: 'Địa chỉ của ảnh',
     addressCopy: 'Chép địa chỉ của ảnh',
     addressNote: 'Dùng cho tài liệu, tin nhắn hay bài trình bày: mỗi khi có người mở, máy chủ lại vẽ ảnh.',
