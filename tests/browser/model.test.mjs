@@ -172,6 +172,8 @@ test('a link with the name of a gallery\u2019s model shows it, and its line fetc
     assert.equal(await aboutOf(page, 'Format'), 'STL');
     assert.match(await shellOf(page), /^curl -o tia-model-part\.png 'http.*\/still\?model=part&/);
     assert.deepEqual(sent, []);
+    await page.getByRole('group', { name: 'Models of the gallery' }).getByRole('button', { name: 'scan' }).click();
+    await until(async () => await aboutOf(page, 'Format') === 'PLY', 'another model of the gallery');
     const bare = `${on.tia.base}/?model=part&width=64&height=64`;
     await page.goto(bare);
     const query = await still(page, (now) => now.get('width') === '64');

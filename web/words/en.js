@@ -342,6 +342,7 @@ export default {
     tab: 'Model',
     intro: 'Drop a model anywhere on the page: GLB, glTF, OBJ, PLY or STL, with the files that it names, a folder or a ZIP.',
     files: 'Open files\u2026',
+    gallery: 'Models of the gallery',
     folder: 'Open a folder\u2026',
     reading: 'Reading {name}\u2026',
     sending: 'Sending it to the server\u2026',

@@ -342,6 +342,7 @@ export default {
     tab: 'Mô hình',
     intro: 'Thả một mô hình vào bất cứ đâu trên trang: GLB, glTF, OBJ, PLY hay STL, cùng các tệp mà nó nêu tên, một thư mục hay một tệp ZIP.',
     files: 'Mở tệp\u2026',
+    gallery: 'Mô hình của bộ sưu tập',
     folder: 'Mở thư mục\u2026',
     reading: 'Đang đọc {name}\u2026',
     sending: 'Đang gửi lên máy chủ\u2026',
