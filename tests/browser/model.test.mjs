@@ -131,6 +131,20 @@ test('arrow keys and the hand turn a model, plus and the wheel change its size',
     assert.ok(stills.every((query) => query.get('model') === id && query.get('integrator') === 'path'));
   }));
 
+test('a point of a model is asked why by the method whose rays can be told; the picture comes back after it', () =>
+  shared(async (page, { stills }) => {
+    const query = await dropped(page, { 'asked.glb': glbOf({ asset: { version: '2.0', generator: 'Asked' } }) });
+    stills.length = 0;
+    await page.locator('#hand').click();
+    await page.locator('#panel-why [role=treeitem], #panel-why li').first().waitFor();
+    await still(page, (now) => now.has('pixel'));
+    assert.equal(queryOf(page).get('integrator'), 'path');
+    assert.ok(stills.every((asked) => asked.get('integrator') === 'whitted' && asked.get('samples') === '1'), String(stills));
+    await page.getByRole('button', { name: 'Stop asking' }).click();
+    await still(page, (now) => !now.has('pixel'));
+    assert.ok(await shows(page, await on.tia.get(`/still?${query}`)), 'the picture of before');
+  }));
+
 test('studio, ground, variant, camera, animation and time are chosen, and Start again forgets them', () =>
   shared(async (page) => {
     const id = (await dropped(page, { 'chosen.glb': glbOf({ asset: { version: '2.0', generator: 'Chosen' } }) })).get('model');

@@ -148,11 +148,13 @@ export class Studio {
     [this.#shower, this.#failed] = [show, failed];
   }
 
-  // While a pixel is asked about, the picture has one ray a pixel: the ray that is explained.
+  // While a pixel is asked about, the picture has one ray a pixel: the ray that is explained. A model
+  // is seen by the method whose rays can be.
   #wish() {
-    const { request, source, asked } = this.model;
+    const { request: wanted, source, asked } = this.model;
     this.#passes.still = Boolean(asked);
-    if (!asked) return request;
+    if (!asked) return wanted;
+    const request = wanted.model ? { ...wanted, integrator: 'whitted' } : wanted;
     return source ? plain(request, source.options) : { ...request, ...ONE_RAY };
   }
 
