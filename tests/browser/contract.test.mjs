@@ -43,9 +43,11 @@ test('is refused by that schema where anything that it needs is missing', async 
 });
 
 test('names the parameters that the page knows, and those that are none of a picture’s own', () => {
-  const names = openapi.paths['/render'].get.parameters.filter(({ in: place }) => place === 'query')
+  const queries = (path) => openapi.paths[path].get.parameters.filter(({ in: place }) => place === 'query')
     .map(({ name }) => name);
-  assert.deepEqual(names.toSorted(), [...PARAMETERS, 'format', 'threads', 'v'].toSorted());
+  const [render, still] = [queries('/render'), queries('/still')];
+  const known = PARAMETERS.filter((name) => render.includes(name) || !still.includes(name)); // but what only stills have
+  assert.deepEqual(render.toSorted(), [...known, 'format', 'threads', 'v'].toSorted());
 });
 
 test('holds no schema that ajv does not take as JSON Schema 2020-12', () => {

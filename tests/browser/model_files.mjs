@@ -1,5 +1,7 @@
 // Models that the tests make: a GLB of one triangle above another, cameras, variants, an animation.
 
+import { crc32 } from './png.mjs';
+
 /** A GLB: `parts` are put over the document. */
 export function glbOf(parts = {}) {
   const corners = Float32Array.of(-1, 0, 0, 1, 0, 0, 0, 2, 0.5);
@@ -43,3 +45,28 @@ function words(...all) {
 /** A triangle as OBJ, with its material in a file beside it. */
 export const OBJ = 'mtllib sail.mtl\nv -1 0 0\nv 1 0 0\nv 0 2 0\nusemtl red\nf 1 2 3\n';
 export const MTL = 'newmtl red\nKd 0.8 0.1 0.1\n';
+
+/** A ZIP of files, { path: bytes }, stored as they are. */
+export function zipOf(files) {
+  const entries = [];
+  const directory = [];
+  let offset = 0;
+  for (const [path, bytes] of Object.entries(files)) {
+    const [name, data] = [Buffer.from(path), Buffer.from(bytes)];
+    const common = Buffer.alloc(26); // what stands in both headers
+    common.writeUInt16LE(20, 0); // the version that can read it
+    common.writeUInt32LE(crc32(data), 10);
+    common.writeUInt32LE(data.length, 14);
+    common.writeUInt32LE(data.length, 18);
+    common.writeUInt16LE(name.length, 22);
+    entries.push(words(0x04034b50), common, name, data);
+    directory.push(words(0x02014b50), Buffer.alloc(2), common, Buffer.alloc(10), words(offset), name);
+    offset += 30 + name.length + data.length;
+  }
+  const central = Buffer.concat(directory);
+  const end = Buffer.alloc(18);
+  for (const at of [4, 6]) end.writeUInt16LE(Object.keys(files).length, at);
+  end.writeUInt32LE(central.length, 8);
+  end.writeUInt32LE(offset, 12);
+  return Buffer.concat([...entries, central, words(0x06054b50), end]);
+}

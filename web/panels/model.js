@@ -2,6 +2,7 @@
 // with the first.
 
 import { Problem } from '../picture/problem.js';
+import { fetchJson } from '../picture/server.js';
 import { t } from '../words/words.js';
 import { element } from './element.js';
 import { showProblem } from './problem_view.js';
@@ -20,7 +21,29 @@ export default function mountModel(studio, panel) {
   };
   panel.append(element('p', {}, t('model.intro')), element('div', { class: 'row wrap' },
     chooser(studio, 'files', { multiple: true, accept: ENDINGS }), chooser(studio, 'folder', { webkitdirectory: true })));
+  mountShelf(studio, panel);
   model.on('want', async () => (model.request.model || view) && (await learn())?.follow());
+}
+
+// The models of the gallery, asked for by who opens the panel.
+function mountShelf(studio, panel) {
+  const { model } = studio;
+  const shelf = element('div', { class: 'row wrap', role: 'group', 'aria-label': t('model.gallery'), hidden: true });
+  panel.append(shelf);
+  const choose = (name) => {
+    model.asked = null;
+    studio.open({ model: name });
+  };
+  let asked = false;
+  model.on('tab', async () => {
+    if (asked || studio.tab !== 'tab-model') return;
+    asked = true;
+    const { models } = await fetchJson('models').catch(() => ({ models: [] }));
+    asked = models.length > 0; // else when it is opened again
+    shelf.hidden = !asked;
+    shelf.append(...models.map(({ name }) =>
+      element('button', { type: 'button', lang: 'en', onclick: () => choose(name) }, name)));
+  });
 }
 
 function chooser(studio, name, properties) {

@@ -18,8 +18,8 @@ export function makeModelView(studio, panel) {
   const form = modelForm(studio);
   const lines = modelLines(studio);
   const shown = element('div', { class: 'model-shown', hidden: true }, about, form.node, ...lines.nodes);
-  let known = null; // the description of the model wanted
-  let asked = null; // its id, from when it is wanted
+  let known = null; // the description of the model that is asked for, null until it comes
+  let asked = null; // its id, or its name in the gallery
   let abort = new AbortController();
   panel.append(shown);
 
@@ -50,21 +50,20 @@ export function makeModelView(studio, panel) {
     lines.named(bundle, known.id);
     model.asked = null;
     const { width, height } = model.request.model ? model.request : {};
-    await studio.open({ model: description.id, integrator: 'path', samples: 64, width, height }); // said, so that rounds begin at once
+    await studio.open({ model: description.id, width, height });
   });
 
   function follow() {
     const id = model.request.model;
-    shown.hidden = !id || known?.id !== id;
-    if (!id) return;
-    if (known?.id === id) draw();
-    else if (asked !== id) {
-      asked = id;
+    if (id && asked !== id) {
+      [known, asked] = [null, id];
       go(async (signal) => {
         known = await fetchModel(id, signal);
         follow();
       });
     }
+    shown.hidden = !id || !known;
+    if (!shown.hidden) draw();
   }
 
   let told = null;
@@ -76,10 +75,10 @@ export function makeModelView(studio, panel) {
       way.say('');
     }
     form.draw();
-    lines.draw(known);
+    lines.draw();
   }
 
-  model.on('rest', () => known && model.request.model && lines.draw(known));
+  model.on('rest', () => known && model.request.model && lines.draw());
   return { take, follow };
 }
 

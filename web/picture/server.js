@@ -34,7 +34,8 @@ export async function fetchPicture(request, signal) {
 
 /** A feature image or picture in linear light: the bytes of its PFM file. */
 export async function fetchPfm(request, signal) {
-  const opaque = request.model && { background: [0, 0, 0] }; // such a file has no alpha
+  const opaque = request.model ? { background: [0, 0, 0] } : request.scene?.backdrop // such a file has no alpha
+    && { scene: { ...request.scene, backdrop: undefined } };
   const { path, init } = fetchable(routeOf(request), { ...request, ...opaque, format: 'pfm' });
   const response = await get(path, init, signal);
   return body(() => response.arrayBuffer());

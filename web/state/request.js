@@ -40,6 +40,18 @@ export function inScene(request, scene) {
   return { ...Object.fromEntries(others), scene, width, height };
 }
 
+const SAMPLING = ['samples', 'threshold', 'noise', 'budget_ms', 'max_rays'];
+
+/**
+ * A request as it is opened: a still that does not say how it is sampled has what /still takes then,
+ * said, so that its rounds begin before anything is known of it.
+ */
+export function spelled(request) {
+  if (!request.model || request.integrator) return request;
+  const samples = SAMPLING.some((name) => request[name] != null) ? {} : { samples: 64 };
+  return { ...request, integrator: 'path', ...samples };
+}
+
 /** What of a request says which scene it is of: its name; of a still all that makes its scene. */
 export function subjectOf(request) {
   if (!request.model) return { scene: request.scene ?? FIRST.scene };

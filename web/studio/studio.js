@@ -9,7 +9,7 @@ import { totalMs } from '../picture/timing.js';
 import { lightOf, pivotOf } from '../space/lamp.js';
 import { completeCamera, viewOf } from '../space/view.js';
 import { mergePatch } from '../state/merge_patch.js';
-import { inScene, ONE_RAY, queryOf } from '../state/request.js';
+import { inScene, ONE_RAY, queryOf, spelled } from '../state/request.js';
 import { middleOf, sizeOf } from '../state/window.js';
 import { Model } from './model.js';
 
@@ -49,7 +49,7 @@ export class Studio {
     this.model.world = null;
     [this.#sourceProblem, this.#notice] = [null, null];
     this.#passes.forget();
-    this.model.want(request, source);
+    this.model.want(spelled(request), source);
     if (!this.model.source) await this.#learnSource();
   }
 
@@ -148,11 +148,13 @@ export class Studio {
     [this.#shower, this.#failed] = [show, failed];
   }
 
-  // While a pixel is asked about, the picture has one ray a pixel: the ray that is explained.
+  // While a pixel is asked about, the picture has one ray a pixel: the ray that is explained. A model
+  // is seen by the method whose rays can be.
   #wish() {
-    const { request, source, asked } = this.model;
+    const { request: wanted, source, asked } = this.model;
     this.#passes.still = Boolean(asked);
-    if (!asked) return request;
+    if (!asked) return wanted;
+    const request = wanted.model ? { ...wanted, integrator: 'whitted' } : wanted;
     return source ? plain(request, source.options) : { ...request, ...ONE_RAY };
   }
 
