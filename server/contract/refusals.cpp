@@ -11,7 +11,7 @@ bool meets(const Route& route, Met met) {
     case Met::by_body: return !route.body.empty();
     case Met::by_write: return route.method != "GET";
     case Met::by_input: return route.query != nullptr || !route.body.empty();
-    case Met::by_name: return route.path.ends_with("{}") && route.has == nullptr;
+    case Met::by_name: return route.path.find("{}") != route.path.npos && route.has == nullptr;
     case Met::by_accept: return !route.gives.empty() || route.chooses;
     case Met::by_method: return false;  // then it is no request of the route
   }

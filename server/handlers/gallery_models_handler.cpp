@@ -31,13 +31,6 @@ Response get_model_scene(const Request& request, const std::string& id, Service&
 std::vector<Route> gallery_model_routes() {
   return {
       {.method = "GET",
-       .path = "/models",
-       .name = "get_models",
-       .about = "the gallery's models: names, ids and formats",
-       .handler = get_models,
-       .answers = {ok("the models that come with the server", media::json, gallery_models_schema)},
-       .gives = {media::json}},
-      {.method = "GET",
        .path = "/models/{}/scene",
        .name = "get_model_scene",
        .about = "a model's file as a scene that /render draws: an object of type model, whose "
@@ -50,7 +43,14 @@ std::vector<Route> gallery_model_routes() {
                       schema_for<Scene>)},
        .gives = {media::json},
        .segment = {"id", "a name of the gallery's models, or the id of a kept one"},
-       .examples = {"/models/lantern/scene"}}};
+       .examples = {"/models/lantern/scene"}},
+      {.method = "GET",
+       .path = "/models",
+       .name = "get_models",
+       .about = "the gallery's models: names, ids and formats",
+       .handler = get_models,
+       .answers = {ok("the models that come with the server", media::json, gallery_models_schema)},
+       .gives = {media::json}}};
 }
 
 }  // namespace tia::server

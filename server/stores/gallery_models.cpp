@@ -4,7 +4,6 @@
 
 #include "core/input/json.h"
 #include "core/input/object_schema.h"
-#include "core/models/formats.h"
 #include "server/stores/assets.h"
 #include "server/stores/digest.h"
 
@@ -17,9 +16,9 @@ std::vector<GalleryModel> models_of_assets() {
   for (const Asset& asset : assets()) {
     if (!asset.path.starts_with(folder)) continue;
     const std::string_view file = asset.path.substr(folder.size());
-    const auto* bytes = reinterpret_cast<const std::uint8_t*>(asset.bytes.data());
-    all.push_back({file.substr(0, file.rfind('.')), asset.bytes, sha256_hex(asset.bytes),
-                   format_of({bytes, asset.bytes.size()})->name});
+    const std::size_t dot = file.rfind('.');
+    all.push_back(
+        {file.substr(0, dot), asset.bytes, sha256_hex(asset.bytes), file.substr(dot + 1)});
   }
   return all;
 }

@@ -65,7 +65,7 @@ TEST(ModelStore, FindsWhatItKeepsAndReadsItOnce) {
 
 TEST(ModelStore, KnowsNothingElse) {
   Models models;
-  for (const std::string& id : {std::string(64, 'a'), std::string("part"), std::string("../x")}) {
+  for (const std::string& id : {std::string(64, 'a'), std::string("parts"), std::string("../x")}) {
     EXPECT_FALSE(models->contains(id));
     EXPECT_FALSE(models->find(id, {}));
   }
