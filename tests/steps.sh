@@ -226,7 +226,7 @@ step_portable() { build_portable || true; }
 
 # Another compiler and instruction set render the same pictures.
 step_same_bytes() {
-  local key format options
+  local key format options model
   for key in none a d s w; do
     options=()
     [ "$key" = none ] || options+=(--key "$key")
@@ -242,6 +242,9 @@ step_same_bytes() {
   same_picture lens.pfm shapes --samples 3 --camera '{"aperture": 1, "focus_distance": 12}'
   same_picture parallel.pfm shapes \
     --camera '{"projection": "orthographic", "height": 9, "fov_degrees": null}'
+  for model in web/models/*.{glb,ply,stl}; do
+    same_file "$(basename "$model").pfm" still "$model" --samples 4 --background 1,1,1
+  done
   stated_hashes build/portable/tia
 }
 
@@ -259,10 +262,12 @@ stated_hashes() {
 }
 
 # same_picture FILE SCENE OPTION...: both builds make the same file.
-same_picture() {
+same_picture() { same_file "$1" render "${@:2}"; }
+# same_file FILE COMMAND OPTION...
+same_file() {
   local preset
   for preset in release portable; do
-    "build/$preset/tia" render "${@:2}" --width 320 --height 240 -o "$scratch/$preset-$1" || true
+    "build/$preset/tia" "${@:2}" --width 320 --height 240 -o "$scratch/$preset-$1" || true
   done
   if cmp "$scratch/release-$1" "$scratch/portable-$1"; then pass; else fail "same bytes: $1"; fi
 }
