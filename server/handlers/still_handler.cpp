@@ -67,8 +67,9 @@ Response get_still(const Request& request, const std::string&, Service& service)
   const std::string& id = asked.query.id;
   const SharedModel model = find_model(id, service.rendering, requester_of(request));
   if (!model)
-    throw InputError({FaultKind::missing, "/model", excerpt(Value(id)),
-                      "the id of a model that is kept here; send it to POST /models"});
+    throw InputError(
+        {FaultKind::missing, "/model", excerpt(Value(id)),
+         "a name of the gallery's models, or the id of one that is kept; send it to POST /models"});
   return shown(asked, model, watch, request, service);
 }
 

@@ -109,7 +109,7 @@ struct StillQuery : StillParameters {
   template <class Visitor>
   static void fields(Visitor&& visit) {
     visit("model", &PlacedModel::id,
-          Spec{.about = "the id of a model that POST /models has kept",
+          Spec{.about = "a name of the gallery's models, or the id that POST /models has answered",
                .required = true,
                .max_bytes = longest_name});
     StillParameters::fields(visit);
