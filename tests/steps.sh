@@ -185,7 +185,10 @@ node_count() {
 
 # ---- what a change needs --------------------------------------------------------------------------
 
-build_release() { build release -DTIA_WERROR=ON -DTIA_TESTS=ON -DTIA_BENCH=ON -- all; }
+build_release() {
+  build tests -DTIA_WERROR=ON -- {core,server,memory}_tests &&
+    build release -DTIA_WERROR=ON -DTIA_TESTS_OF="$ROOT/build/tests" -DTIA_BENCH=ON -- all
+}
 step_release() {
   install_missing bench || fail "installing the measurements' packages"
   build_release || true
@@ -314,9 +317,9 @@ step_old() {
 # ---- what watches the program ---------------------------------------------------------------------
 
 # Watched soaks need not be long: what a hundred rounds do not show, a thousand do not either.
-# The tests are those that release has compiled: what is watched are the libraries.
+# The tests are those of release: what is watched are the libraries.
 build_asan() {
-  build asan -DTIA_TESTS_OF="$ROOT/build/release" -- core_tests server_tests memory_tests \
+  build asan -DTIA_TESTS_OF="$ROOT/build/tests" -- core_tests server_tests memory_tests \
     {request,scene,query,formula,picture,model}_fuzz
 }
 step_asan() {
