@@ -162,8 +162,7 @@ SurfacePoint<Real> textured_surface(const WorldView& world_view, const Ray<Real>
   if (world.shading_of(primitive).form < 0) return at;
   const PixelCone& cone = world_view.cone;
   const Real width = lift<Real>(cone.width) + lift<Real>(cone.spread) * (travelled + hit.t);
-  take_numbers(world, ray, hit, primitive, here, width, numbers);
-  if (has_normal_map(world, primitive)) bend_normals(world, ray, hit, primitive, here, width, at);
+  take_textures(world, ray, hit, primitive, here, width, numbers, at);
   return at;
 }
 

@@ -24,12 +24,7 @@ const CodeLight& light_of_codes(Encoding encoding) {
   return encoding == Encoding::srgb ? srgb : linear;
 }
 
-std::size_t place_of(int width, int x, int y) {
-  return 4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
-              static_cast<std::size_t>(x));
-}
-
-int half(int side) { return std::max(side / 2, 1); }
+int half_side(int side) { return std::max(side / 2, 1); }
 
 /// Cover: which texels of a side of n one of its half covers, and their shares of it. Of an odd n
 /// it covers 2 + 1/m: of the i-th of m three texels, m - i, m and i + 1 parts of n.
@@ -58,33 +53,17 @@ std::uint16_t sixteen_bits(double value) {
 }  // namespace
 
 MipPyramid::MipPyramid(std::shared_ptr<const ImageRgba8> image, Encoding encoding, bool halves)
-    : image_(std::move(image)), light_(&light_of_codes(encoding)) {
+    : image_(std::move(image)),
+      light_(&light_of_codes(encoding)),
+      shares_(&light_of_codes(Encoding::linear)) {
   while (halves && (width(levels() - 1) > 1 || height(levels() - 1) > 1))
     halves_.push_back(half_of(levels() - 1));
 }
 
-int MipPyramid::width(int level) const {
-  return level == 0 ? image_->width : halves_[static_cast<std::size_t>(level) - 1].width;
-}
-int MipPyramid::height(int level) const {
-  return level == 0 ? image_->height : halves_[static_cast<std::size_t>(level) - 1].height;
-}
-
-Rgba MipPyramid::texel(int level, int x, int y) const {
-  if (level == 0) {
-    const std::uint8_t* code = &image_->rgba[place_of(image_->width, x, y)];
-    const CodeLight& light = *light_;
-    return {light[code[0]], light[code[1]], light[code[2]], code[3] / 255.0};
-  }
-  const Half& own = halves_[static_cast<std::size_t>(level) - 1];
-  const std::uint16_t* code = &own.rgba[place_of(own.width, x, y)];
-  return {code[0] / 65535.0, code[1] / 65535.0, code[2] / 65535.0, code[3] / 65535.0};
-}
-
 MipPyramid::Half MipPyramid::half_of(int level) const {
   const int w = width(level), h = height(level);
-  Half made{half(w), half(h), {}};
-  made.rgba.resize(place_of(made.width, 0, made.height));
+  Half made{half_side(w), half_side(h), {}};
+  made.rgba.resize(place(made.width, 0, made.height));
   for (int y = 0; y < made.height; ++y) {
     const Cover rows(h, y);
     for (int x = 0; x < made.width; ++x) {
@@ -97,7 +76,7 @@ MipPyramid::Half MipPyramid::half_of(int level) const {
               columns.share[static_cast<std::size_t>(i)] * rows.share[static_cast<std::size_t>(j)];
           for (std::size_t k = 0; k < 4; ++k) sum[k] += share * one[k];
         }
-      std::ranges::transform(sum, &made.rgba[place_of(made.width, x, y)], sixteen_bits);
+      std::ranges::transform(sum, &made.rgba[place(made.width, x, y)], sixteen_bits);
     }
   }
   return made;
@@ -113,8 +92,8 @@ std::size_t heap_bytes(const MipPyramid& pyramid) {
 std::size_t bytes_of_halves(int width, int height) {
   std::size_t bytes = 0;
   while (width > 1 || height > 1) {
-    width = half(width), height = half(height);
-    bytes += heap_block + sizeof(std::uint16_t) * place_of(width, 0, height);
+    width = half_side(width), height = half_side(height);
+    bytes += heap_block + sizeof(std::uint16_t) * MipPyramid::place(width, 0, height);
   }
   return bytes;
 }

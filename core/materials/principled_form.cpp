@@ -21,11 +21,12 @@ bool wants_uv(const PrincipledForm& form) {
          });
 }
 
-PrincipledNumbers numbers_at(const PrincipledForm& form, const TexturePoint& at) {
+PrincipledNumbers numbers_at(const PrincipledForm& form, TextureReader& reader) {
+  const TexturePoint& at = reader.at();
   PrincipledNumbers numbers = form.numbers;
   for (const auto& [number, texture] : form.textured)
     numbers.*number = number_at(texture, at.p, at.uv[0], at.blur);
-  if (form.maps) multiply(*form.maps, at, numbers);
+  if (form.maps) multiply(*form.maps, reader, numbers);
   return numbers;
 }
 

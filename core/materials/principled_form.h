@@ -32,7 +32,7 @@ std::size_t heap_bytes(const PrincipledForm& form);
 /// Whether one of its textures is looked up by surface coordinates.
 bool wants_uv(const PrincipledForm& form);
 /// Space/units, Domain: as color_at's.
-PrincipledNumbers numbers_at(const PrincipledForm& form, const TexturePoint& at);
+PrincipledNumbers numbers_at(const PrincipledForm& form, TextureReader& reader);
 /// The share of rays that meets it where it has these numbers.
 double alpha_at(const PrincipledForm& form, const PrincipledNumbers& at);
 /// The shading parameters where it has these numbers, without the texture of its base colour.

@@ -20,15 +20,15 @@ bool emission_varies(const PrincipledMaps& maps) {
          });
 }
 
-void multiply(const PrincipledMaps& maps, const TexturePoint& at, PrincipledNumbers& numbers) {
+void multiply(const PrincipledMaps& maps, TextureReader& reader, PrincipledNumbers& numbers) {
   for (const MapUse& use : maps.uses) {
-    const Rgba found = rgba_at(use.map, at);
+    const Rgba found = reader.rgba_of(use.map);
     if (use.color != nullptr) numbers.*use.color = numbers.*use.color * rgb_of(found);
     for (const auto& [number, channel] : use.channels)
       numbers.*number = numbers.*number * weakened(found[channel], use.map.strength);
   }
-  numbers.alpha = numbers.alpha * at.color[3];
-  if (maps.shines_with_mesh) numbers.emissive = numbers.emissive * rgb_of(at.color);
+  numbers.alpha = numbers.alpha * reader.at().color[3];
+  if (maps.shines_with_mesh) numbers.emissive = numbers.emissive * rgb_of(reader.at().color);
 }
 
 double map_alpha(const PrincipledMaps& maps, const TexturePoint& at) {
@@ -39,8 +39,8 @@ double map_alpha(const PrincipledMaps& maps, const TexturePoint& at) {
   return alpha;
 }
 
-Vec3d mapped_normal(const PrincipledMaps& maps, const TexturePoint& at) {
-  const Rgba found = rgba_at(*maps.normal, at);
+Vec3d mapped_normal(const PrincipledMaps& maps, TextureReader& reader) {
+  const Rgba found = reader.rgba_of(*maps.normal);
   const double scale = maps.normal->strength;
   const Vec3d n{(2 * found[0] - 1) * scale, (2 * found[1] - 1) * scale, 2 * found[2] - 1};
   return dot(n, n) > 0 ? normalize(n) : Vec3d{0, 0, 1};

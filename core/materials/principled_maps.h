@@ -44,12 +44,12 @@ struct PrincipledMaps {
 bool emission_varies(const PrincipledMaps& maps);
 /// Multiplies what the maps have there into the numbers, and into alpha the mesh's. The mesh's
 /// colour is left out, but where the material shines with it.
-void multiply(const PrincipledMaps& maps, const TexturePoint& at, PrincipledNumbers& numbers);
+void multiply(const PrincipledMaps& maps, TextureReader& reader, PrincipledNumbers& numbers);
 /// Alpha alone: the product of the maps' and the mesh's.
 double map_alpha(const PrincipledMaps& maps, const TexturePoint& at);
 /// The normal map's normal in tangent space, unit: x along the tangent, y along the bitangent, z
 /// along the shading normal. Domain: maps with a normal map.
 /// Source: Khronos, glTF 2.0, 3.9.3: normalize((2 t - 1) (scale, scale, 1)).
-Vec3d mapped_normal(const PrincipledMaps& maps, const TexturePoint& at);
+Vec3d mapped_normal(const PrincipledMaps& maps, TextureReader& reader);
 
 }  // namespace tia

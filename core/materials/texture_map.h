@@ -39,10 +39,48 @@ struct TextureMap {
 /// Where in the picture, v downward, a point is that has these coordinates, v upward.
 Vec2d place_in(const TextureMap& map, const Vec2d& uv);
 
-/// The picture there. Of what is seen as more than a texel, the mean of about as much: of the two
-/// levels next to log2(footprint in texels). Nearest looks at level 0 alone.
+/// TextureLookup: which texels of a map are looked up, and their shares.
+struct TextureLookup {
+  /// Four: around a place, by their places in the list of their level, row by row.
+  struct Four {
+    std::array<std::size_t, 4> texels;
+    double right, down;  ///< the shares of the second column and row
+  };
+  int level = 0;
+  double next = 0;  ///< the share of the next level; 0: it is not looked up
+  std::array<Four, 2> of;
+};
+/// Whether two maps look the same texels up wherever they are looked up.
+bool look_alike(const TextureMap& a, const TextureMap& b);
+/// Of what is seen as more than a texel, the mean of about as much: of the two levels next to
+/// log2(footprint in texels). Nearest looks at level 0 alone.
 /// Source: Akenine-Moeller et al., "Improved shader and texture level of detail using ray cones",
 /// JCGT 10(1), 2021; Khronos, glTF 2.0, 3.8.4.
-Rgba rgba_at(const TextureMap& map, const TexturePoint& at);
+TextureLookup lookup_of(const TextureMap& map, const TexturePoint& at);
+/// Domain: a lookup of this map or of one that looks alike.
+Rgba rgba_at(const TextureMap& map, const TextureLookup& lookup);
+
+/// TextureReader: what maps have at one point. Those that look alike share their lookups.
+class TextureReader {
+ public:
+  /// Domain: a point that outlives it, as the maps do.
+  explicit TextureReader(const TexturePoint& at) : at_(at) {}
+  const TexturePoint& at() const { return at_; }
+  Rgba rgba_of(const TextureMap& map) {
+    if (last_ == nullptr || !look_alike(*last_, map)) lookup_ = lookup_of(map, at_);
+    last_ = &map;
+    return rgba_at(map, lookup_);
+  }
+
+ private:
+  const TexturePoint& at_;
+  const TextureMap* last_ = nullptr;
+  TextureLookup lookup_;
+};
+
+/// The picture there.
+inline Rgba rgba_at(const TextureMap& map, const TexturePoint& at) {
+  return rgba_at(map, lookup_of(map, at));
+}
 
 }  // namespace tia

@@ -106,6 +106,10 @@ std::shared_ptr<const PrincipledMaps> maps_of(const KeptModel& kept, const Model
   return std::make_shared<const PrincipledMaps>(std::move(maps));
 }
 
+const TextureUse* tangent_texture(const ModelMaterial& material) {
+  return material.normal_texture && !material.unlit ? &*material.normal_texture : nullptr;
+}
+
 bool wants_more_uvs(const ModelMaterial& material) {
   bool wants = false;
   each_use(material, [&](const TextureUse& use, Encoding) { wants = wants || use.uv_set == 1; });

@@ -14,6 +14,10 @@ namespace tia {
 std::shared_ptr<const PrincipledMaps> maps_of(const KeptModel& kept, const ModelMaterial& material,
                                               bool colored);
 
+/// The texture along whose rows a mesh's tangents run, where its material asks for tangents; null
+/// where it does not.
+const TextureUse* tangent_texture(const ModelMaterial& material);
+
 /// Whether a texture of it is looked up by the second set of uvs.
 bool wants_more_uvs(const ModelMaterial& material);
 

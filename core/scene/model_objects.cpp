@@ -1,5 +1,7 @@
 #include "core/scene/model_objects.h"
 
+#include <array>
+#include <map>
 #include <utility>
 
 #include "core/scene/model_maps.h"
@@ -51,13 +53,13 @@ class Making {
     std::vector<Object> all;
     for (const Affine& place : piece.places) {
       const Affine whole = map_ * place;
-      if (piece.points) add_balls(piece, whole, all);
+      if (piece.points) add_points(piece, whole, all, budget);
       else all.push_back(placed(piece, whole, budget));
     }
     Object made;
     if (all.size() == 1) made = std::move(all.front());
     else made.shape = Group{std::move(all), {}};
-    if (!object_.material) made.material = material_for(piece);
+    if (!object_.material && !made.material) made.material = material_for(piece);
     return made;
   }
 
@@ -70,12 +72,36 @@ class Making {
     return {piece.name, moved(mesh, map), {}, {}};
   }
 
-  void add_balls(const ModelPiece& piece, const Affine& map, std::vector<Object>& all) const {
-    for (std::size_t i = 0; i < piece.mesh.vertices(); ++i)
-      all.push_back({piece.name,
-                     Sphere{map.point(vertex(piece.mesh.positions.values, i)), point_radius_},
-                     {},
-                     {}});
+  // Balls of one colour share a material, and what shading takes of it.
+  void add_points(const ModelPiece& piece, const Affine& map, std::vector<Object>& all,
+                  ModelBudget& budget) const {
+    const std::vector<double>& colors = piece.mesh.colors.values;
+    if (colors.empty() || instead_of(piece) != nullptr) {
+      for (std::size_t i = 0; i < piece.mesh.vertices(); ++i) all.push_back(ball(piece, map, i));
+      return;
+    }
+    std::map<std::array<double, 4>, std::size_t> known;
+    for (std::size_t i = 0; i < piece.mesh.vertices(); ++i) {
+      const std::array<double, 4> color{colors[4 * i], colors[4 * i + 1], colors[4 * i + 2],
+                                        colors[4 * i + 3]};
+      const auto [at, is_new] = known.try_emplace(color, all.size());
+      if (is_new) {
+        if (!budget.take(1, 0)) return;
+        all.push_back({piece.name, Group{}, {}, colored(piece, color)});
+      }
+      std::get<Group>(all[at->second].shape).children.push_back(ball(piece, map, i));
+    }
+  }
+  Object ball(const ModelPiece& piece, const Affine& map, std::size_t i) const {
+    const Vec3d center = map.point(vertex(piece.mesh.positions.values, i));
+    return {piece.name, Sphere{center, point_radius_}, {}, {}};
+  }
+  // The piece's own material where the mesh has that colour.
+  MaterialRef colored(const ModelPiece& piece, const std::array<double, 4>& color) const {
+    ModelMaterial own = material_in(piece);
+    own.base_color.r *= color[0], own.base_color.g *= color[1], own.base_color.b *= color[2];
+    own.alpha *= color[3];
+    return Boxed<Material>(material_of(own, nullptr, std::get<PlacedModel>(object_.shape).ambient));
   }
 
   const ModelMaterial& material_in(const ModelPiece& piece) const {

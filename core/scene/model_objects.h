@@ -16,7 +16,7 @@ Affine map_of(const PlacedModel& asked, const ModelChoice& choice, const Aabb& b
 /// group of balls where the part is points. Each has the part's material, unless the object has one
 /// for all. Where a place is not one that objects can have (is_usable), the vertices are moved
 /// themselves, and their normals and tangents are left out. Colours of vertices go with the part's
-/// own material: another one has none of them, and points have none.
+/// own material: another one has none of them. Points of one colour are a group in that of all.
 /// Returns: none where the budget does not reach, which is then exceeded.
 /// Space/units: the object's own, before its transform. Domain: what choice_of has made of both.
 std::vector<Object> model_objects(const KeptModel& kept, const Object& object,

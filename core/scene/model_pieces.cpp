@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/models/smooth.h"
+#include "core/models/tangents.h"
 #include "core/scene/model_maps.h"
 
 namespace tia {
@@ -29,8 +30,8 @@ Numbers<float> colors_of(const ModelPart& part) {
 }
 
 // Where vertices may be parted, as many more as there are corners.
-std::int64_t size_of(const ModelPart& part, bool smooths) {
-  const std::size_t parted = smooths ? 3 * part.triangles() : 0;
+std::int64_t size_of(const ModelPart& part, bool parts) {
+  const std::size_t parted = parts ? 3 * part.triangles() : 0;
   return static_cast<std::int64_t>(part.vertices() + part.triangles() + parted);
 }
 
@@ -44,6 +45,42 @@ void smooth(Mesh& mesh, double degrees) {
   mesh.colors.values = taken(mesh.colors.values.get(), shared.from, 4);
   mesh.indices.values = std::move(shared.indices);
   mesh.normals.values = std::move(shared.normals);
+}
+
+// Where the uvs are in a picture, v upward.
+std::vector<double> uvs_in(const TextureUse& use, const Mesh& mesh) {
+  TextureMap map;
+  map.transform({use.offset[0], use.offset[1]}, {use.scale[0], use.scale[1]}, use.rotation);
+  const auto& more = mesh.more_uvs.values.get();
+  std::vector<double> uvs = use.uv_set == 1 && !more.empty() ? more : mesh.uvs.values.get();
+  for (std::size_t i = 0; i + 1 < uvs.size(); i += 2) {
+    const Vec2d at = place_in(map, {uvs[i], uvs[i + 1]});
+    uvs[i] = at.u, uvs[i + 1] = -at.v;
+  }
+  return uvs;
+}
+
+// Appends to a list what it has of those vertices.
+void add_vertices(Numbers<float>& list, const std::vector<std::uint32_t>& which,
+                  std::size_t width) {
+  const std::vector<double> more = taken(list.values.get(), which, width);
+  if (more.empty()) return;
+  auto& all = list.values.edit();
+  all.insert(all.end(), more.begin(), more.end());
+}
+
+// Source: Khronos, glTF 2.0, 3.7.2.1.
+void add_tangents(Mesh& mesh, const TextureUse& use) {
+  const std::vector<double> uvs = uvs_in(use, mesh);
+  if (uvs.empty()) return;
+  TangentVertices made = tangents_of(
+      {mesh.positions.values.get(), mesh.normals.values.get(), uvs, mesh.indices.values.get()});
+  mesh.tangents.values = std::move(made.tangents);
+  if (made.from.empty()) return;
+  mesh.indices.values = std::move(made.indices);
+  add_vertices(mesh.positions, made.from, 3), add_vertices(mesh.normals, made.from, 3);
+  add_vertices(mesh.uvs, made.from, 2), add_vertices(mesh.more_uvs, made.from, 2);
+  add_vertices(mesh.colors, made.from, 4);
 }
 
 /// Gathering: goes through what a pose shows.
@@ -85,7 +122,7 @@ class Gathering {
       const MaybeIndex material = worn_by(part);
       if (!part.points && part.indices.empty()) continue;
       if (material && is_hidden(model_.materials[*material].name)) continue;
-      if (!afford(part, places.size(), is_posed(node, part))) return false;
+      if (!afford(part, material, places.size(), is_posed(node, part))) return false;
       pieces_.push_back({excerpt_of(name, longest_name), places, material, part.points,
                          mesh_of(number, part, material)});
     }
@@ -97,18 +134,30 @@ class Gathering {
     return choice_.smooth > 0 && part.normals.empty() && !part.points;
   }
 
-  bool afford(const ModelPart& part, std::size_t places, bool posed) {
+  // The texture along which tangents are to be made that the file does not have.
+  const TextureUse* tangents_along(const ModelPart& part, const MaybeIndex& material) const {
+    if (!material || part.points || (!part.tangents.empty() && !smooths(part))) return nullptr;
+    return tangent_texture(model_.materials[*material]);
+  }
+
+  // Whether vertices may be parted.
+  bool parts(const ModelPart& part, const MaybeIndex& material) const {
+    return smooths(part) || tangents_along(part, material) != nullptr;
+  }
+
+  bool afford(const ModelPart& part, const MaybeIndex& material, std::size_t places, bool posed) {
     const std::int64_t each = part.points ? static_cast<std::int64_t>(part.vertices()) : 1;
     const bool is_new = posed || !known_.contains(&part);
     return budget_.take(each * static_cast<std::int64_t>(places),
-                        is_new ? size_of(part, smooths(part)) : 0);
+                        is_new ? size_of(part, parts(part, material)) : 0);
   }
 
   Mesh mesh_of(ModelIndex number, const ModelPart& part, const MaybeIndex& material) {
     const bool posed = is_posed(model_.nodes[number], part);
     const auto [known, is_new] = known_.try_emplace(&part);
     Mesh& mesh = known->second;
-    if ((is_new || (posed && smooths(part))) && !part.points) {
+    if (is_new && part.points) mesh.colors = colors_of(part);
+    if ((is_new || (posed && parts(part, material))) && !part.points) {
       mesh.indices.values = part.indices;
       mesh.uvs = uvs_of(part.uvs[0]);
       mesh.colors = colors_of(part);
@@ -120,8 +169,9 @@ class Gathering {
       mesh.positions.values = std::move(shape.positions);
       mesh.normals.values = std::move(shape.normals);
       if (smooths(part)) smooth(mesh, choice_.smooth);
-      else if (material && model_.materials[*material].normal_texture)
+      else if (material && tangent_texture(model_.materials[*material]) != nullptr)
         mesh.tangents.values = std::move(shape.tangents);
+      if (const TextureUse* along = tangents_along(part, material)) add_tangents(mesh, *along);
     }
     return mesh;
   }

@@ -12,7 +12,8 @@ namespace tia {
 /// ModelBudget: how much the models of one scene may come to. A short file may name a large mesh
 /// many times.
 struct ModelBudget {
-  std::int64_t objects = 1 << 20;   ///< meshes and points, each as often as it is placed
+  std::int64_t objects =
+      1 << 20;  ///< meshes, points and their colours, each as often as it is placed
   std::int64_t vertices = 1 << 26;  ///< with triangles; of lists that are shared once
   /// Takes from what is left. Returns: whether so much was.
   bool take(std::int64_t more_objects, std::int64_t more_vertices) {
@@ -29,7 +30,7 @@ struct ModelPiece {
   std::vector<Affine> places;  ///< in the model's space, one at least
   MaybeIndex material;
   bool points = false;
-  Mesh mesh;  ///< its triangles; of points the positions alone
+  Mesh mesh;  ///< its triangles; of points the positions and colours alone
 };
 
 /// All that is shown. Lists are shared between pieces wherever they are the same: of a part that

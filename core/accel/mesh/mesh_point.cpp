@@ -5,21 +5,7 @@
 namespace tia {
 namespace {
 
-/// TrianglePoint: a point of a triangle by the shares of the area that face each corner.
-struct TrianglePoint {
-  std::array<Vec3d, 3> corner;
-  Vec3d whole;  // twice the area, along the normal
-  std::array<double, 3> share;
-
-  TrianglePoint(const MeshIndex& mesh, std::size_t triangle, const Vec3d& p)
-      : corner{mesh.corner(triangle, 0), mesh.corner(triangle, 1), mesh.corner(triangle, 2)},
-        whole(area(corner[0], corner[1], corner[2])) {
-    const double v = dot(area(corner[0], p, corner[2]), whole) / dot(whole, whole);
-    const double w = dot(area(corner[0], corner[1], p), whole) / dot(whole, whole);
-    share = {1 - v - w, v, w};
-  }
-  static Vec3d area(const Vec3d& a, const Vec3d& b, const Vec3d& c) { return cross(b - a, c - a); }
-};
+Vec3d area(const Vec3d& a, const Vec3d& b, const Vec3d& c) { return cross(b - a, c - a); }
 
 std::array<Vec2d, 3> corner_uvs(const HugeVector<Vec2d>& uvs,
                                 const std::array<std::uint32_t, 3>& corners) {
@@ -71,52 +57,60 @@ MeshTangent uv_tangent(const TrianglePoint& at, const std::array<Vec2d, 3>& uv) 
 
 }  // namespace
 
-MeshPoint point_of(const MeshIndex& mesh, std::size_t triangle, const Vec3d& p) {
-  const TrianglePoint at(mesh, triangle, p);
-  const auto& [u, v, w] = at.share;
-  MeshPoint point{normalize(at.whole), {}, {v, w}};
-  const auto& [i, j, k] = mesh.triangles[triangle];
-  point.n = point.ng;
-  if (!mesh.normals.empty()) {
-    const Vec3d smooth = mesh.normals[i] * u + mesh.normals[j] * v + mesh.normals[k] * w;
-    if (dot(smooth, smooth) > 0) point.n = normalize(smooth);
+TrianglePoint::TrianglePoint(const MeshIndex& of, std::size_t triangle, const Vec3d& p)
+    : mesh(of),
+      corners(of.triangles[triangle]),
+      corner{of.positions[corners[0]], of.positions[corners[1]], of.positions[corners[2]]},
+      whole(area(corner[0], corner[1], corner[2])) {
+  const double v = dot(area(corner[0], p, corner[2]), whole) / dot(whole, whole);
+  const double w = dot(area(corner[0], corner[1], p), whole) / dot(whole, whole);
+  share = {1 - v - w, v, w};
+}
+
+Vec3d normal_of(const TrianglePoint& at) {
+  const HugeVector<Vec3d>& normals = at.mesh.normals;
+  if (!normals.empty()) {
+    const auto& [i, j, k] = at.corners;
+    const auto& [u, v, w] = at.share;
+    const Vec3d smooth = normals[i] * u + normals[j] * v + normals[k] * w;
+    if (dot(smooth, smooth) > 0) return normalize(smooth);
   }
-  if (!mesh.uvs.empty())
-    point.uv = between(corner_uvs(mesh.uvs, mesh.triangles[triangle]), at.share);
+  return normalize(at.whole);
+}
+
+MeshPoint point_of(const TrianglePoint& at) {
+  MeshPoint point{normalize(at.whole), normal_of(at), {at.share[1], at.share[2]}};
+  if (!at.mesh.uvs.empty()) point.uv = between(corner_uvs(at.mesh.uvs, at.corners), at.share);
   return point;
 }
 
-MeshTexturePoint texture_point_of(const MeshIndex& mesh, std::size_t triangle, const Vec3d& p) {
-  const TrianglePoint at(mesh, triangle, p);
-  const auto& corners = mesh.triangles[triangle];
+MeshTexturePoint texture_point_of(const TrianglePoint& at) {
   MeshTexturePoint point;
-  point.area = at.whole;
-  for (std::size_t set = 0; set < 2; ++set) {
-    const HugeVector<Vec2d>& uvs = uvs_of(mesh, set);
+  const std::size_t sets = at.mesh.more_uvs.empty() ? 1 : 2;
+  for (std::size_t set = 0; set < sets; ++set) {
+    const HugeVector<Vec2d>& uvs = uvs_of(at.mesh, set);
     point.uv[set] = {at.share[1], at.share[2]};
     if (uvs.empty()) continue;
-    const std::array<Vec2d, 3> uv = corner_uvs(uvs, corners);
+    const std::array<Vec2d, 3> uv = corner_uvs(uvs, at.corners);
     point.uv[set] = between(uv, at.share);
     point.uv_area[set] = uv_area_of(uv);
   }
-  if (!mesh.colors.empty()) point.color = between(mesh.colors, corners, at.share);
+  if (sets == 1) point.uv[1] = point.uv[0], point.uv_area[1] = point.uv_area[0];
+  if (!at.mesh.colors.empty()) point.color = color_of(at);
   return point;
 }
 
-std::array<double, 4> color_of(const MeshIndex& mesh, std::size_t triangle, const Vec3d& p) {
-  return between(mesh.colors, mesh.triangles[triangle], TrianglePoint(mesh, triangle, p).share);
+std::array<double, 4> color_of(const TrianglePoint& at) {
+  return between(at.mesh.colors, at.corners, at.share);
 }
 
-MeshTangent tangent_of(const MeshIndex& mesh, std::size_t triangle, const TextureMap& map,
-                       const Vec3d& p, const Vec3d& n) {
-  const TrianglePoint at(mesh, triangle, p);
-  const auto& corners = mesh.triangles[triangle];
+MeshTangent tangent_of(const TrianglePoint& at, const TextureMap& map, const Vec3d& n) {
   MeshTangent found;
-  if (!mesh.tangents.empty()) {
-    const auto [x, y, z, w] = between(mesh.tangents, corners, at.share);
+  if (!at.mesh.tangents.empty()) {
+    const auto [x, y, z, w] = between(at.mesh.tangents, at.corners, at.share);
     found = {{x, y, z}, w < 0 ? -1.0 : 1.0};
-  } else if (const HugeVector<Vec2d>& uvs = uvs_of(mesh, map.uv_set); !uvs.empty()) {
-    std::array<Vec2d, 3> places = corner_uvs(uvs, corners);
+  } else if (const HugeVector<Vec2d>& uvs = uvs_of(at.mesh, map.uv_set); !uvs.empty()) {
+    std::array<Vec2d, 3> places = corner_uvs(uvs, at.corners);
     for (Vec2d& each : places) each = place_in(map, each), each.v = -each.v;
     found = uv_tangent(at, places);
     if (dot(at.whole, n) < 0) found.sign = -found.sign;

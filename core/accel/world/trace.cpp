@@ -94,7 +94,7 @@ void each_met(const World& world, const Ray<Real>& ray, const Hit<Real>& hit, Ma
   for_each_winner(hit, met, [&](int primitive, Mask<Real> here) {
     const ShadingParameters& shading = world.shading_of(primitive);
     if (!wanted(shading)) return;
-    if (shading.form >= 0) take_numbers(world, ray, hit, primitive, here, Real(0), numbers);
+    if (shading.form >= 0) take_numbers(world, ray, hit, primitive, here, numbers);
     those = those || here;
   });
   for_each_shading(world, hit, numbers, those, f);

@@ -29,26 +29,20 @@ template <class Real>
 using LaneNumbers =
     std::optional<std::array<PrincipledNumbers, static_cast<std::size_t>(lanes<Real>)>>;
 
-/// Looks up the textures in the lanes of `here`, which have hit the primitive. `width`: of the
-/// rays' cones there, in scene units; 0: of rays. Domain: a primitive whose numbers are textured.
+/// Looks up the textures in the lanes of `here`, which have hit the primitive, as points see them.
+/// Domain: a primitive whose numbers are textured.
 template <class Real>
 void take_numbers(const World& world, const Ray<Real>& ray, const Hit<Real>& hit, int primitive,
-                  Mask<Real> here, const Real& width, LaneNumbers<Real>& numbers);
+                  Mask<Real> here, LaneNumbers<Real>& numbers);
 
-/// Whether a normal map bends a primitive's normals.
-inline bool has_normal_map(const World& world, int primitive) {
-  const int form = world.shading_of(primitive).form;
-  if (form < 0 || world.primitive(primitive).mesh < 0) return false;
-  const auto& maps = world.geometry_of(primitive).forms[static_cast<std::size_t>(form)].maps;
-  return maps && maps->normal;
-}
 template <class Real>
 struct SurfacePoint;  // trace.h
-/// Bends the shading normals in the lanes of `here`, which have hit the primitive, as its normal
-/// map says. Space/units: as take_numbers'. Domain: a primitive with one.
+/// The same as rays of some width see them, and bends the shading normals `at` those points as a
+/// normal map says. Space/units: `width`: of the rays' cones there, in scene units; 0: of rays.
 template <class Real>
-void bend_normals(const World& world, const Ray<Real>& ray, const Hit<Real>& hit, int primitive,
-                  Mask<Real> here, const Real& width, SurfacePoint<Real>& at);
+void take_textures(const World& world, const Ray<Real>& ray, const Hit<Real>& hit, int primitive,
+                   Mask<Real> here, const Real& width, LaneNumbers<Real>& numbers,
+                   SurfacePoint<Real>& at);
 
 /// Calls f(shading, primitive, mask) for what lanes have hit: for each primitive, and where its
 /// numbers are textured for each lane. Domain: take_numbers has been called for those.

@@ -16,7 +16,12 @@ MapUse map_use(Vec3d MapNumbers::*color, std::vector<MapUse::Channel> channels) 
   return {texture_map(even_rgba(2, 2, map_code)), color, std::move(channels)};
 }
 PrincipledNumbers map_numbers(const Principled& principled, const TexturePoint& at) {
-  return numbers_at(prepare(principled), at);
+  TextureReader reader(at);
+  return numbers_at(prepare(principled), reader);
+}
+Vec3d normal_in(const PrincipledMaps& maps, const TexturePoint& at) {
+  TextureReader reader(at);
+  return mapped_normal(maps, reader);
 }
 std::shared_ptr<const PrincipledMaps> shared_maps(PrincipledMaps maps) {
   return std::make_shared<const PrincipledMaps>(std::move(maps));
@@ -60,7 +65,7 @@ TEST(PrincipledMaps, WhatIsUnlitShinesWithItsMeshsColour) {
   TexturePoint at = texture_point(0, 0);
   at.color = {0.25, 0.5, 0.75, 1};
   const PrincipledForm form = prepare(p);
-  const ShadingParameters shading = shading_at(form, numbers_at(form, at));
+  const ShadingParameters shading = shading_at(form, map_numbers(p, at));
   EXPECT_LE(length(shading.emission.exact - Vec3d{0.25, 0.25, 0.75}), 1e-12);
   EXPECT_TRUE(emission_varies(*p.maps));
 }
@@ -90,11 +95,43 @@ TEST(PrincipledMaps, NormalIsTheTexelsScaledInItsPlane) {
   maps.normal = texture_map(even_rgba(1, 1, {204, 102, 255, 255}));
   maps.normal->strength = 0.5;
   const Vec3d n{0.5 * (2 * 0.8 - 1), 0.5 * (2 * 0.4 - 1), 1};
-  EXPECT_LE(length(mapped_normal(maps, texture_point(0, 0)) - normalize(n)), 1e-12);
+  EXPECT_LE(length(normal_in(maps, texture_point(0, 0)) - normalize(n)), 1e-12);
   maps.normal = texture_map(ImageRgba8{2, 1, {0, 0, 0, 0, 255, 255, 255, 0}});
   maps.normal->strength = 1;
   maps.normal->wrap_u = Wrap::clamp_to_edge;
-  EXPECT_EQ(mapped_normal(maps, texture_point(0.5, 0)), (Vec3d{0, 0, 1})) << "none, of no length";
+  EXPECT_EQ(normal_in(maps, texture_point(0.5, 0)), (Vec3d{0, 0, 1})) << "none, of no length";
+}
+
+// Changed one by one: the picture, its size, wraps, filter, set of uvs and place.
+TextureMap other_map(const TextureMap& before, const std::vector<TextureMap>& pictures,
+                     Random& random) {
+  TextureMap map = before;
+  map.pyramid = pictures[static_cast<std::size_t>(random.below(4))].pyramid;
+  switch (random.below(9)) {
+    case 0: map.wrap_u = Wrap::mirrored_repeat; break;
+    case 1: map.wrap_v = Wrap::clamp_to_edge; break;
+    case 2: map.nearest = !map.nearest; break;
+    case 3: map.uv_set = 1 - map.uv_set; break;
+    case 4: map.transform({0.1, 0.2}, {1, 1}, 0); break;
+    case 5: map.transform({0, 0}, {2, 1}, 0.3); break;
+    default: break;
+  }
+  return map;
+}
+
+TEST(TextureReader, GivesEachMapWhatItHasAlone) {
+  Random random(517);
+  std::vector<TextureMap> pictures;
+  for (const auto& [w, h] : {std::pair{8, 4}, {8, 4}, {5, 4}, {8, 6}})
+    pictures.push_back(texture_map(random_rgba(random, w, h)));
+  for (int i = 0; i < 2000; ++i) {
+    TexturePoint at = texture_point(random.in(-2, 2), random.in(-2, 2), random.in(0, 0.5));
+    at.uv[1] = {random.in(-2, 2), random.in(-2, 2)}, at.footprint[1] = random.in(0, 0.5);
+    std::vector<TextureMap> maps{pictures[0]};
+    while (maps.size() < 6) maps.push_back(other_map(maps.back(), pictures, random));
+    TextureReader reader(at);
+    for (const TextureMap& map : maps) EXPECT_EQ(reader.rgba_of(map), rgba_at(map, at));
+  }
 }
 
 }  // namespace

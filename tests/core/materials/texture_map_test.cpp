@@ -219,5 +219,14 @@ TEST(TextureMap, TransformsCountInTheFootprint) {
   expect_rgba(rgba_at(map, texture_point(0.15, 0.175, 0.0625)), once, 1e-9);
 }
 
+TEST(MipPyramid, CodesOfHalvesAreTheirQuotientsToTheBit) {
+  for (int code = 0; code < 65536; code += 4) {
+    std::array<std::uint16_t, 4> codes;
+    for (std::size_t k = 0; k < 4; ++k) codes[k] = static_cast<std::uint16_t>(code + int(k));
+    const Rgba light = doubles_of(light_of_half(codes.data()));
+    for (std::size_t k = 0; k < 4; ++k) ASSERT_EQ(light[k], codes[k] / 65535.0);
+  }
+}
+
 }  // namespace
 }  // namespace tia

@@ -187,5 +187,38 @@ TEST(ModelPoints, AreBallsOfA500thOfTheDiagonal) {
             (Shape{Sphere{{3, 4, 0.5}, 5.0 / 500}}));
 }
 
+// glTF 2.0, 3.7.2.1: colour = factor x vertex colour; so its alpha.
+TEST(ModelPoints, OfOneColourAreAGroupInIt) {
+  Model model = triangle_model();
+  ModelPart& part = model.meshes[0].parts[0];
+  part.positions = {0, 0, 0, 1, 0, 0, 2, 0, 0};
+  part.colors = {0.5F, 1, 0.25F, 1, 0, 1, 0, 0.5F, 0.5F, 1, 0.25F, 1};
+  part.indices.clear();
+  part.points = true;
+  model.materials = {{}};
+  model.materials[0].base_color = {0.5, 0.75, 1}, model.materials[0].alpha = 0.5;
+  part.material = 0;
+  const std::vector<Object> shown = shown_by(model, "");
+  const std::vector<Object>& groups = *children_of(shown.at(0));
+  ASSERT_EQ(groups.size(), 2U);
+  const auto worn = [](const Object& object) {
+    const Material& material = *std::get<Boxed<Material>>(*object.material);
+    return *std::get<Boxed<Principled>>(material.kind);
+  };
+  EXPECT_EQ(std::get<Color>(worn(groups[0]).base_color), (Color{0.25, 0.75, 0.25}));
+  EXPECT_EQ(std::get<Color>(worn(groups[1]).base_color), (Color{0, 0.75, 0}));
+  EXPECT_EQ(std::get<double>(worn(groups[0]).alpha), 0.5);
+  EXPECT_EQ(std::get<double>(worn(groups[1]).alpha), 0.25);
+  ASSERT_EQ(children_of(groups[0])->size(), 2U);
+  EXPECT_EQ(std::get<Sphere>(children_of(groups[0])->at(1).shape).center, (Vec3d{2, 0, 0}));
+
+  part.colors = {0.5F, 1, 0.25F, 1, 0.5F, 1, 0.25F, 1, 0.5F, 1, 0.25F, 1};
+  const std::vector<Object> alike = shown_by(model, "");
+  EXPECT_EQ(children_of(alike.at(0))->size(), 3U);
+  EXPECT_EQ(std::get<Color>(worn(alike[0]).base_color), (Color{0.25, 0.75, 0.25}));
+  const std::vector<Object> other = shown_by(model, R"("material":{"color":[1,0,0]})");
+  EXPECT_EQ(children_of(other.at(0))->size(), 3U) << "another material has none of them";
+}
+
 }  // namespace
 }  // namespace tia::test
