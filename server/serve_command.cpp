@@ -109,6 +109,7 @@ Application application(Service& service) {
       .at_once = is_answered_at_once,
       .from_memory = [&](const Request& request) { return answer_from_memory(request, service); },
       .body_limit = [&](const Request& request) { return body_limit(request, service.config); },
+      .long_body = [&](const Request& request) { return long_body(request, service); },
       .retry_after = [&] { return service.admission.retry_after(); },
       .rested = give_memory_back,
       .held = [&](std::ptrdiff_t bytes) { service.memory.add(MemoryAccount::connections, bytes); },

@@ -79,6 +79,8 @@ CONSTANTS = [
     ("server/http/timeouts.h", "seconds stuck{«1»}", SERVER, "LimitNumbers.OfTimeouts"),
     ("server/http/timeouts.h", "slowest_rate = «64 << 10»", SERVER, "LimitNumbers.OfTimeouts"),
     ("server/http/timeouts.h", "most_requests = «100'000»", SERVER, "LimitNumbers.OfAConnection"),
+    ("server/http/request_reader.h", "longest_held_body = «1 << 20»", SERVER,
+     "LongBody.OfAMegabyteStaysInMemory"),
     ("server/http/timeouts.h", "most_ahead = «64 << 10»", SERVER, "LimitNumbers.OfAConnection"),
     ("server/http/timeouts.h", "most_at_once = «256 << 10»", SERVER, "LimitNumbers.OfAConnection"),
     ("server/http/timeouts.h", "most_parts = «256 << 10»", SERVER, "LimitNumbers.OfAConnection"),

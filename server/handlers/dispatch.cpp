@@ -144,4 +144,9 @@ std::optional<BodyLimit> body_limit(const Request& request, const Config& config
   return route->body_limit(config);
 }
 
+std::shared_ptr<LongBody> long_body(const Request& request, Service& service) {
+  const Route* const route = route_of(request);
+  return route != nullptr && route->keeps_body ? service.models.begin() : nullptr;
+}
+
 }  // namespace tia::server

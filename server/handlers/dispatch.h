@@ -2,6 +2,7 @@
 #pragma once
 
 #include <exception>
+#include <memory>
 #include <optional>
 #include <string_view>
 
@@ -31,5 +32,8 @@ bool is_answered_at_once(const Request& request);
 
 /// How long the body of such a request may be, where its route says so.
 std::optional<BodyLimit> body_limit(const Request& request, const Config& config);
+
+/// Where the body of such a request may go while it comes, where it is long; or null.
+std::shared_ptr<LongBody> long_body(const Request& request, Service& service);
 
 }  // namespace tia::server

@@ -24,10 +24,6 @@ std::vector<Route> operation_routes();
 std::vector<Route> document_routes();
 std::vector<Route> page_routes();
 
-/// The model of that id or name, with what is told of it. Errors: HttpError (not-found); as
-/// ModelStore::find.
-KnownModel known_model(const std::string& id, const Requester& requester, Service& service);
-
 /// What GET /render would answer, where its target is known and its picture kept, or not to be sent
 /// again. None: somebody has to look into it.
 std::optional<Response> known_picture(const Request& request, Service& service);

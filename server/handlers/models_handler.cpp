@@ -5,15 +5,15 @@
 #include "server/contract/query_parameters.h"
 #include "server/handlers/bodies.h"
 #include "server/handlers/handlers.h"
+#include "server/handlers/known_model.h"
 #include "server/handlers/sent_model.h"
 #include "server/requests/model_body.h"
-#include "server/stores/gallery_models.h"
 
 namespace tia::server {
 namespace {
 
 Response post_model(const Request& request, const std::string&, Service& service) {
-  check_length(request.body.size(), model_limit(service.config));
+  check_length(request.body_bytes(), model_limit(service.config));
   const auto query = read_described<ModelQuery>(query_object<ModelQuery>(request.query()));
   const auto [id, kept] = keep_sent_model(request, query.main, service);
   return {.status = kept.is_new ? 201 : 200,
@@ -22,15 +22,8 @@ Response post_model(const Request& request, const std::string&, Service& service
           .headers = {{"Location", "/models/" + id}, {"Cache-Control", "no-store"}}};
 }
 
-// HEAD asks whether it is there, for which nothing has to be read.
 Response get_model(const Request& request, const std::string& id, Service& service) {
-  Response response{.content_type = "application/json", .body = ""};
-  if (request.is_head() && service.models.contains(id)) {
-    response.unsized = true;
-    return response;
-  }
-  response.body = *known_model(id, requester_of(request), service).text;
-  return response;
+  return told_of_model(request, id, service, [](const KnownModel& known) { return *known.text; });
 }
 
 // ---- as the documents have it -------------------------------------------------------------------
@@ -87,15 +80,6 @@ Answer told(int status, std::string_view about) {
 
 }  // namespace
 
-KnownModel known_model(const std::string& id, const Requester& requester, Service& service) {
-  KnownModel known = service.models.find(id, requester);
-  if (!known)
-    throw HttpError("not-found",
-                    "no model is called that; there are: " + listed(gallery_model_names()) +
-                        ", and those sent to POST /models, by their ids");
-  return known;
-}
-
 std::vector<Route> model_routes() {
   return {
       {.method = "POST",
@@ -109,14 +93,15 @@ std::vector<Route> model_routes() {
        .gives = {media::json},
        .query = query_parameters<ModelQuery>,
        .body = model_bodies(),
-       .body_limit = model_limit},
+       .body_limit = model_limit,
+       .keeps_body = true},
       {.method = "GET",
        .path = "/models/{}",
        .name = "get_model",
        .about = "what is in a model; HEAD says whether it is there",
        .pace = Pace::in_turn,
        .handler = get_model,
-       .answers = {ok("the model in words and numbers", media::json, model_schema)},
+       .answers = tagged("the model in words and numbers", {{media::json, model_schema}}),
        .gives = {media::json},
        .segment = {"id", "a name of the gallery's models, or the id of a kept one"},
        .examples = {"/models/chess"}}};

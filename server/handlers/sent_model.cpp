@@ -8,8 +8,10 @@ namespace tia::server {
 namespace {
 
 LongWork::Need files_need(const Request& request) {
-  const std::size_t bytes = request.body.size();
-  return {bytes, memory_for(memory_cost::model, bytes), "the model's files"};
+  const std::size_t bytes = request.body_bytes();
+  const std::size_t from_disk = request.long_body ? bytes : 0;
+  return {bytes, memory_for(memory_cost::model, bytes) + static_cast<std::int64_t>(from_disk),
+          "the model's files"};
 }
 
 }  // namespace

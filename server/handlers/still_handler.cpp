@@ -82,7 +82,7 @@ void tell_address(const std::string& id, const Request& request, Response& respo
 
 Response post_still(const Request& request, const std::string&, Service& service) {
   const Stopwatch watch;
-  check_length(request.body.size(), model_limit(service.config));
+  check_length(request.body_bytes(), model_limit(service.config));
   auto asked = asked_in_query<SentStillQuery>(request, service);
   const auto [id, kept] = keep_sent_model(request, asked.query.main, service);
   asked.query.id = id;
@@ -120,7 +120,8 @@ std::vector<Route> still_routes() {
            .chooses = true,
            .query = query_parameters<SentStillQuery>,
            .body = model_bodies(),
-           .body_limit = model_limit}};
+           .body_limit = model_limit,
+           .keeps_body = true}};
 }
 
 }  // namespace tia::server

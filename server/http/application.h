@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <exception>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -59,6 +60,11 @@ struct Application {
   /// How long the body of a request may be whose head this is, where it is not as all are.
   std::function<std::optional<BodyLimit>(const Request&)> body_limit = [](const Request&) {
     return std::nullopt;
+  };
+  /// Where the body of a request may go, as it comes, whose head this is, if it is longer than
+  /// longest_held_body; null: nowhere but to memory.
+  std::function<std::shared_ptr<LongBody>(const Request&)> long_body = [](const Request&) {
+    return nullptr;
   };
   /// Seconds after which one who is refused for want of workers may ask again.
   std::function<int()> retry_after = [] { return 1; };

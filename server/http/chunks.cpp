@@ -26,7 +26,7 @@ std::uint64_t size_of(std::string_view line) {
 bool ChunkDecoder::decode(std::string_view& bytes, std::string& body) {
   bool more = true;
   while (more && !ended_) switch (at_) {
-      case At::size: more = take_size(bytes, body); break;
+      case At::size: more = take_size(bytes); break;
       case At::data: more = take_data(bytes, body); break;
       case At::data_end: more = take_data_end(bytes); break;
       case At::trailer: more = take_trailer(bytes); break;
@@ -34,7 +34,7 @@ bool ChunkDecoder::decode(std::string_view& bytes, std::string& body) {
   return ended_;
 }
 
-bool ChunkDecoder::take_size(std::string_view& bytes, const std::string& body) {
+bool ChunkDecoder::take_size(std::string_view& bytes) {
   const std::string_view start = bytes.substr(0, longest_line);
   const auto end = start.find("\r\n");
   check_lines(start.substr(0, end == start.npos ? end : end + 2));
@@ -43,7 +43,7 @@ bool ChunkDecoder::take_size(std::string_view& bytes, const std::string& body) {
     return false;
   }
   left_ = size_of(bytes.substr(0, end));
-  check_length(body.size() + left_, limit_);
+  check_length(all_ += left_, limit_);
   at_ = left_ == 0 ? At::trailer : At::data;
   bytes.remove_prefix(left_ == 0 ? end : end + 2);  // a trailer ends with an empty line
   return true;

@@ -23,14 +23,14 @@ class ChunkDecoder {
 
  private:
   enum class At { size, data, data_end, trailer };
-  bool take_size(std::string_view& bytes, const std::string& body);
+  bool take_size(std::string_view& bytes);
   bool take_data(std::string_view& bytes, std::string& body);
   bool take_data_end(std::string_view& bytes);
   bool take_trailer(std::string_view& bytes);
 
   BodyLimit limit_;
   At at_ = At::size;
-  std::uint64_t left_ = 0;  // of the chunk's data
+  std::uint64_t left_ = 0, all_ = 0;  // of the chunk's data; and of all chunks so far
   bool ended_ = false;
 };
 

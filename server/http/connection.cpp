@@ -42,7 +42,7 @@ Connection::Connection(tcp::socket socket, ServerContext& context)
     : socket_(std::move(socket)),
       context_(context),
       peer_(address_of(socket_)),
-      reader_(limits_of(context)) {}
+      reader_(limits_of(context), context.application.long_body) {}
 
 void Connection::start() {
   asio::error_code error;
@@ -84,7 +84,8 @@ void Connection::read() {
 }
 
 void Connection::wait_readable() {
-  if (read_armed_ || phase_ == Phase::closed) return;
+  const bool is_full = phase_ == Phase::reading && storing_ > 0;
+  if (read_armed_ || is_full || phase_ == Phase::closed) return;
   socket_.async_wait(tcp::socket::wait_read, [self = shared_from_this()](asio::error_code error) {
     self->read_armed_ = false;
     // While an answer goes out, only whether it does tells that the client is there.
@@ -144,12 +145,13 @@ void Connection::queue_up() {
   queued_ = true;
 }
 
-// Returns: false where more bytes must come first.
+// Returns: false where more bytes must come first, or go.
 bool Connection::take_request() {
+  if (storing_ > 0) return false;
   try {
     const State before = reader_.state(), now = reader_.read();
     account();
-    if (now == State::whole) {
+    if (now == State::whole && !reader_.has_portion()) {
       keep_alive_ = reader_.keep_alive() && ++requests_ < timeouts::most_requests;
       begin(reader_.take());
       return true;
@@ -158,6 +160,7 @@ bool Connection::take_request() {
       throw HttpError("busy", "too many requests with long bodies come at once",
                       {{"Retry-After", std::to_string(context_.application.retry_after())}});
     set_timeout(before);
+    if (reader_.has_portion()) store();
     if (!reader_.wants_continue()) return false;
     outbox_.put("HTTP/1.1 100 Continue\r\n\r\n");
   } catch (...) {
@@ -175,15 +178,14 @@ void Connection::set_timeout(State before) {
     if (before != now) enter(Phase::reading, timeouts::body);
     // Who has sent faster than the slowest rate may not pause longer for that: the deadline is at
     // most `body` from now.
-    due_ =
-        std::min(since_ + timeouts::at_slowest_rate(reader_.request().body.size()), Clock::now()) +
-        timeouts::body;
+    due_ = std::min(since_ + timeouts::at_slowest_rate(reader_.body_bytes()), Clock::now()) +
+           timeouts::body;
   }
 }
 
 void Connection::account() {
   const std::size_t held =
-      reader_.held() + outbox_.held() + (task_ ? task_->request.body.capacity() : 0);
+      reader_.held() + storing_ + outbox_.held() + (task_ ? task_->request.body.capacity() : 0);
   if (held != held_)
     context_.hold(static_cast<std::ptrdiff_t>(held) - static_cast<std::ptrdiff_t>(held_));
   held_ = held;
@@ -241,7 +243,7 @@ void Connection::cut_off(Clock::time_point now) {
   switch (phase_) {
     case Phase::reading:
       if (reader_.state() == State::idle) return linger();
-      refuse(failure("slow", "a head must come within 5 s, a body at 64 KiB/s"));
+      refuse(lateness());
       return proceed();
     case Phase::answering:
       fail_turn(failure("timeout",

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <asio/ip/tcp.hpp>
+#include <exception>
 #include <memory>
 #include <string>
 
@@ -53,6 +54,9 @@ class Connection : public std::enable_shared_from_this<Connection> {
   void queue_up();
   bool take_request();
   void set_timeout(RequestReader::State before);
+  void store();
+  void go_on_reading(const std::exception_ptr& failure);
+  std::exception_ptr lateness() const;
   void begin(Request request);
   void work();
   void pump();
@@ -79,10 +83,12 @@ class Connection : public std::enable_shared_from_this<Connection> {
   RequestReader reader_;
   Phase phase_ = Phase::reading;
   Clock::time_point since_, due_;
+  Clock::time_point stored_from_;      // when the writer was last given something
   Clock::time_point taken_;            // when the client last took bytes, or sent some
   std::shared_ptr<RequestTask> task_;  // the request in work
   Outbox outbox_;
-  std::size_t held_ = 0;  // what we have told the context that we hold
+  std::size_t storing_ = 0;  // bytes of a long body that are being put away
+  std::size_t held_ = 0;     // what we have told the context that we hold
   std::size_t requests_ = 0;
   bool keep_alive_ = true;
   bool read_armed_ = false, write_armed_ = false;

@@ -52,14 +52,14 @@ class HttpServer::Listener {
     Response first;  // at which the library makes tables: by no two threads at once
     static_cast<void>(answer_bytes(first, false, false));
   }
-  ~Listener() { context_.workers.join(); }
+  ~Listener() { context_.join(); }
 
   int port() const { return acceptors_.port(); }
   int connections() const { return context_.open; }
 
   void run() {
     while (!has_run()) std::this_thread::sleep_for(timeouts::memory);
-    context_.workers.join();
+    context_.join();
   }
 
   void stop(milliseconds delay, milliseconds limit) {

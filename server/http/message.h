@@ -27,17 +27,32 @@ std::string_view trimmed(std::string_view text);
 /// Whether two names of header fields, or two of HTTP's keywords, are the same: without case.
 bool same_word(std::string_view a, std::string_view b);
 
+/// LongBody: where a body goes, as it comes, that is too long to be held in memory.
+class LongBody {
+ public:
+  LongBody() = default;
+  LongBody(const LongBody&) = delete;
+  LongBody& operator=(const LongBody&) = delete;
+  virtual ~LongBody() = default;
+
+  /// Takes the next bytes; by one thread at a time, which may have to wait. Errors: HttpError;
+  /// whatever it throws refuses the request.
+  virtual void append(std::string_view bytes) = 0;
+  virtual std::size_t size() const = 0;  ///< of what has come
+};
+
 struct Request {
   std::string method;
   std::string target;  ///< path and query as they came, still percent-encoded
   Headers headers;
-  std::string body;
-  std::string id;  ///< X-Request-Id: the client's where it is fit for a log line, else our own
+  std::string body;  ///< unless it is in `long_body`
+  std::string id;    ///< X-Request-Id: the client's where it is fit for a log line, else our own
   std::string peer = {};  ///< the client's address, as its proxies tell it where they are trusted
   bool is_http_1_0 = false;
   std::optional<TraceContext> trace = {};  ///< where who asks has sent a traceparent
   std::stop_token stop = {};               ///< requested once nobody waits for the answer any more
   Clock::time_point arrived = Clock::now();  ///< when its last byte had come
+  std::shared_ptr<LongBody> long_body = {};  ///< has the body in the place of `body`; or null
 
   std::string_view path() const { return std::string_view(target).substr(0, target.find('?')); }
   std::string_view query() const {
@@ -47,6 +62,7 @@ struct Request {
   /// The first field of that name, or "".
   std::string_view header(std::string_view name) const;
   bool is_head() const { return method == "HEAD"; }
+  std::size_t body_bytes() const { return long_body ? long_body->size() : body.size(); }
 };
 
 /// Sends the next part of an answer; waits while the client is slow. Errors: Stopped once the

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "server/http/error.h"
+#include "server/http/timeouts.h"
 #include "server/http/trace_context.h"
 
 namespace tia::server {
@@ -32,14 +33,24 @@ RequestReader::State RequestReader::read() {
 }
 
 bool RequestReader::wants_continue() {
-  const bool wants = state_ == State::body && bytes_.empty() && request_.body.empty();
+  const bool wants = state_ == State::body && bytes_.empty() && body_bytes() == 0;
   return wants && std::exchange(head_.expects_continue, false);
+}
+
+bool RequestReader::has_portion() const {
+  if (!request_.long_body || request_.body.empty()) return false;
+  return state_ == State::whole || request_.body.size() >= timeouts::most_at_once;
+}
+std::string RequestReader::take_portion() {
+  taken_ += request_.body.size();
+  return std::exchange(request_.body, {});
 }
 
 Request RequestReader::take() {
   request_.arrived = Clock::now();
   state_ = State::idle;
-  skipped_ = false;
+  skipped_ = stays_in_memory_ = false;
+  taken_ = 0;
   if (bytes_.empty()) std::string().swap(bytes_);  // an idle connection holds nothing
   return std::exchange(request_, Request{});
 }
@@ -90,19 +101,31 @@ BodyLimit RequestReader::limit_of(const Request& request) const {
 }
 
 bool RequestReader::read_body() {
-  std::string& body = request_.body;
-  if (head_.body == Head::Body::chunked) {
-    std::string_view rest = bytes_;
-    const bool ended = chunks_.decode(rest, body);
-    bytes_.erase(0, bytes_.size() - rest.size());
-    return ended;
+  const bool sized = head_.body != Head::Body::chunked;
+  const bool ended = sized ? read_sized_body() : read_chunks();
+  const auto known = sized ? static_cast<std::size_t>(head_.length) : body_bytes();
+  if (known > longest_held_body && !request_.long_body && !stays_in_memory_) {
+    request_.long_body = make_long_body_(request_);
+    stays_in_memory_ = !request_.long_body;
   }
+  return ended;
+}
+
+bool RequestReader::read_chunks() {
+  std::string_view rest = bytes_;
+  const bool ended = chunks_.decode(rest, request_.body);
+  bytes_.erase(0, bytes_.size() - rest.size());
+  return ended;
+}
+
+bool RequestReader::read_sized_body() {
+  std::string& body = request_.body;
   const auto length = static_cast<std::size_t>(head_.length);
-  const std::size_t size = std::min(length - body.size(), bytes_.size());
+  const std::size_t size = std::min(length - body_bytes(), bytes_.size());
   reserve(body, body.size() + size, length);
   body.append(bytes_, 0, size);
   bytes_.erase(0, size);
-  return body.size() == length;
+  return body_bytes() == length;
 }
 
 std::string request_id(std::string_view asked) {

@@ -30,6 +30,7 @@ struct ServerContext {
   Application application;
   asio::io_context io{1};
   WorkerThreads workers{options.workers};
+  WorkerThreads writer{1};  ///< puts long bodies away
   int free_workers = options.workers;
   std::unordered_map<std::string, int> at_work;  ///< workers, by client; none of 0
   std::optional<Clock::time_point> last_work;    ///< none since the application was told of its end
@@ -48,6 +49,10 @@ struct ServerContext {
       } catch (const std::bad_alloc&) {
         std::this_thread::sleep_for(timeouts::memory);
       }
+  }
+  void join() {
+    workers.join();
+    writer.join();
   }
   /// That connections hold so many bytes more, or fewer.
   void hold(std::ptrdiff_t more) {

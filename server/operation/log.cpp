@@ -148,7 +148,7 @@ void log_exchange(const Exchange& exchange) {
       .add("method", request.method)
       .add("target", request.target.substr(0, most_target))
       .add("status", static_cast<std::size_t>(exchange.response.status))
-      .add("request_bytes", request.body.size())
+      .add("request_bytes", request.body_bytes())
       .add("answer_bytes", exchange.body_bytes)
       .add("us", static_cast<std::size_t>(1000 * exchange.ms));
   if (request.trace)

@@ -156,7 +156,7 @@ void Metrics::count(const Exchange& exchange, std::string_view route) {
   families_->requests
       .Add({{"route", std::string(route)}, {"status", std::to_string(exchange.response.status)}})
       .Increment();
-  families_->received.Increment(static_cast<double>(exchange.request.body.size()));
+  families_->received.Increment(static_cast<double>(exchange.request.body_bytes()));
   families_->sent.Increment(static_cast<double>(exchange.body_bytes));
 }
 

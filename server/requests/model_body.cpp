@@ -8,6 +8,7 @@
 #include "core/models/formats.h"
 #include "core/models/multipart.h"
 #include "server/http/error.h"
+#include "server/stores/model_folder.h"
 
 namespace tia::server {
 namespace {
@@ -41,16 +42,16 @@ const ForeignFormat* foreign_format_of(const ModelFile& file) {
   throw HttpError("media-type", "this is no model that is read here; send " + taken);
 }
 
-ModelBytes bytes_of_body(const Request& request) {
-  return {reinterpret_cast<const std::uint8_t*>(request.body.data()), request.body.size()};
+ModelBytes body_of(const std::string& text) {
+  return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
 }
 
 // The files of a form, or of the archive that is its only one.
-std::vector<ModelFile> files_in(const Request& request, const ZipLimits& limits, Faults& faults,
-                                std::vector<UnpackedFile>& unpacked) {
-  std::vector<ModelFile> files{{"model", bytes_of_body(request)}};
-  if (const auto boundary = boundary_of(request.header("Content-Type")))
-    files = files_of(parse_multipart(bytes_of_body(request), *boundary, faults), faults);
+std::vector<ModelFile> files_in(ModelBytes body, std::string_view type, const ZipLimits& limits,
+                                Faults& faults, std::vector<UnpackedFile>& unpacked) {
+  std::vector<ModelFile> files{{"model", body}};
+  if (const auto boundary = boundary_of(type))
+    files = files_of(parse_multipart(body, *boundary, faults), faults);
   if (files.size() != 1 || !is_zip(files.front().bytes)) return files;
   unpacked = unpack_zip(files.front().bytes, limits, faults);
   return files_of(unpacked);
@@ -61,9 +62,12 @@ std::vector<ModelFile> files_in(const Request& request, const ZipLimits& limits,
 SentModel model_in(const Request& request, const std::string& main, std::int64_t most_unpacked) {
   Faults faults(request.stop);
   SentModel sent;
+  auto* const sent_file = dynamic_cast<SentFile*>(request.long_body.get());
+  if (sent_file != nullptr) sent.body = std::make_unique<const std::string>(sent_file->contents());
+  const ModelBytes body = body_of(sent.body ? *sent.body : request.body);
   ModelFiles files;
   const ZipLimits limits{.bytes = static_cast<std::uint64_t>(most_unpacked)};
-  files.all = files_in(request, limits, faults, sent.unpacked);
+  files.all = files_in(body, request.header("Content-Type"), limits, faults, sent.unpacked);
   faults.raise();
   const bool is_foreign =
       std::ranges::any_of(files.all, [](const ModelFile& file) { return foreign_format_of(file); });
@@ -72,7 +76,9 @@ SentModel model_in(const Request& request, const std::string& main, std::int64_t
   faults.raise();
   if (format_of(files.main_file().bytes) == nullptr) refuse_format(files.all);
   strip_lone_folder(files.all);
-  sent.upload = upload_of(std::move(files));
+  const bool in_file = sent_file != nullptr && files.main_file().bytes.data() == body.data();
+  sent.upload = upload_of(std::move(files), in_file ? sent_file->sha256() : "");
+  if (in_file) sent.upload.in_file = &sent_file->file();
   return sent;
 }
 

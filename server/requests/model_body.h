@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -26,8 +27,10 @@ struct ModelQuery {
   }
 };
 
-/// SentModel: the files that a body holds, and what was unpacked for them. The body outlives it.
+/// SentModel: the files that a body holds, what was unpacked for them, and the body itself where it
+/// has gone to the disk. The request outlives it.
 struct SentModel {
+  std::unique_ptr<const std::string> body;
   std::vector<UnpackedFile> unpacked;
   ModelUpload upload;
 };
@@ -35,7 +38,7 @@ struct SentModel {
 /// What is sent, of at most so many bytes unpacked; bytes decide what it is, and no type that is
 /// declared but multipart/form-data's.
 /// Errors: HttpError (media-type) where the main file is of no format; InputError as unpack_zip(),
-/// parse_multipart(), files_of() and main_of(). Cost: reads all bytes.
+/// parse_multipart(), files_of() and main_of(); StorageError. Cost: reads all bytes.
 SentModel model_in(const Request& request, const std::string& main, std::int64_t most_unpacked);
 
 }  // namespace tia::server

@@ -20,23 +20,44 @@ std::string hex(const Digest& digest) {
   return text;
 }
 
-std::string sha256_hex(std::string_view bytes) {
-  constexpr std::size_t portion = 1 << 20;
+struct Sha256::Context {
   struct Free {
     void operator()(EVP_MD_CTX* context) const { EVP_MD_CTX_free(context); }
   };
-  const std::unique_ptr<EVP_MD_CTX, Free> context(EVP_MD_CTX_new());
+  std::unique_ptr<EVP_MD_CTX, Free> evp{EVP_MD_CTX_new()};
+};
+
+namespace {
+// OpenSSL fails for want of memory only.
+void require_done(bool done) {
+  if (!done) throw std::bad_alloc();
+}
+}  // namespace
+
+Sha256::Sha256() : context_(std::make_unique<Context>()) {
+  const auto& evp = context_->evp;
+  require_done(evp && EVP_DigestInit_ex(evp.get(), EVP_sha256(), nullptr) == 1);
+}
+Sha256::~Sha256() = default;
+
+void Sha256::add(std::string_view bytes) {
+  require_done(EVP_DigestUpdate(context_->evp.get(), bytes.data(), bytes.size()) == 1);
+}
+
+std::string Sha256::digits() {
   Digest digest{};
-  bool done = context && EVP_DigestInit_ex(context.get(), EVP_sha256(), nullptr) == 1;
-  for (; done && !bytes.empty(); bytes.remove_prefix(std::min(portion, bytes.size()))) {
-    give_way();
-    const std::string_view next = bytes.substr(0, portion);
-    done = EVP_DigestUpdate(context.get(), next.data(), next.size()) == 1;
-  }
-  // It fails for want of memory only.
-  if (!done || EVP_DigestFinal_ex(context.get(), digest.data(), nullptr) != 1)
-    throw std::bad_alloc();
+  require_done(EVP_DigestFinal_ex(context_->evp.get(), digest.data(), nullptr) == 1);
   return hex(digest);
+}
+
+std::string sha256_hex(std::string_view bytes) {
+  constexpr std::size_t portion = 1 << 20;
+  Sha256 hash;
+  for (; !bytes.empty(); bytes.remove_prefix(std::min(portion, bytes.size()))) {
+    give_way();
+    hash.add(bytes.substr(0, portion));
+  }
+  return hash.digits();
 }
 
 }  // namespace tia::server

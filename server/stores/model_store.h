@@ -48,6 +48,8 @@ class ModelStore {
     KnownModel known;
     bool is_new = false;
   };
+  /// Where one that is long may go while it comes; null: to memory.
+  std::shared_ptr<LongBody> begin() { return uploads_.begin(); }
   /// Keeps one that can be read; the gallery's are kept for good. Errors: as find(), InputError of
   /// its faults, UploadStore::keep.
   Kept keep(const ModelUpload& upload, const Requester& requester);

@@ -104,9 +104,10 @@ std::vector<std::string_view> ModelUpload::packed() const {
   return pieces;
 }
 
-ModelUpload upload_of(ModelFiles files) {
+ModelUpload upload_of(ModelFiles files, std::string known_sha256) {
   if (files.all.size() == 1) {
-    std::string id = sha256_hex(text_of_file(files.main_file().bytes));
+    std::string id = known_sha256.empty() ? sha256_hex(text_of_file(files.main_file().bytes))
+                                          : std::move(known_sha256);
     return {std::move(files), std::move(id), ""};
   }
   std::vector<BundledFile> named;

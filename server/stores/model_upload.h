@@ -11,6 +11,8 @@
 
 namespace tia::server {
 
+class UnnamedFile;
+
 /// Whether a text could be an id: 64 hexadecimal digits, small ones.
 bool is_model_id(std::string_view text);
 
@@ -22,6 +24,8 @@ struct ModelUpload {
   /// What stands before the files' bytes where they are kept: of several their bundle_text() and
   /// how long each is, a line of JSON each; of one nothing.
   std::string head;
+  /// Holds packed() already; or null.
+  UnnamedFile* in_file = nullptr;
 
   std::size_t bytes() const;
   /// What is kept, piece by piece.
@@ -29,8 +33,9 @@ struct ModelUpload {
 };
 
 /// The files in the order of their bundle_text(), named. Cost: reads all bytes.
-/// Domain: each path once, without the lone folder.
-ModelUpload upload_of(ModelFiles files);
+/// Domain: each path once, without the lone folder. `known_sha256`: of the only file, where
+/// somebody has read it already.
+ModelUpload upload_of(ModelFiles files, std::string known_sha256 = "");
 
 /// The files in what was kept by that id, as views into it. Returns: nothing where it is damaged:
 /// the hash of each file is looked at. Cost: reads all bytes.

@@ -18,7 +18,8 @@ void UploadStore::keep(const ModelUpload& upload) {
 void UploadStore::keep_in_folder(const ModelUpload& upload) {
   const auto there = folder_->find(upload.id);
   if (there && !unpacked_upload(upload.id, *there)) folder_->remove(upload.id);
-  folder_->keep(upload.id, upload.packed());
+  if (upload.in_file != nullptr) folder_->keep(upload.id, *upload.in_file);
+  else folder_->keep(upload.id, upload.packed());
 }
 
 void UploadStore::keep_in_memory(const ModelUpload& upload) {

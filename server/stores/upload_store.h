@@ -22,6 +22,8 @@ class UploadStore {
         share_(max_bytes, &account, MemoryAccount::models),
         folder_(std::move(folder)) {}
 
+  /// Where one that is long may go while it comes; null where there is no folder.
+  std::shared_ptr<LongBody> begin() { return folder_ ? folder_->begin() : nullptr; }
   /// Keeps one, in memory in place of those that nobody has asked for longest. What is damaged in
   /// the folder is written anew.
   /// Errors: InputError (limit) for one that does not fit into memory alone; as ModelFolder::keep.

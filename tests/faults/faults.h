@@ -7,10 +7,10 @@
 // The calls that can be broken, by the C library's names for them.
 #define FAULTS_CALLS(X)                                                                      \
   X(accept) X(bind) X(close) X(epoll_create1) X(epoll_ctl) X(epoll_wait) X(eventfd) X(fcntl) \
-  X(fdatasync) X(fopen) X(fstat) X(fsync) X(ftruncate) X(getpeername) X(ioctl) X(listen)     \
-  X(madvise) X(malloc) X(mmap) X(open) X(pipe) X(poll) X(pread) X(pthread_create) X(pwrite)  \
-  X(read) X(recv) X(send) X(setsockopt) X(shutdown) X(socket) X(timerfd_create)              \
-  X(timerfd_settime) X(unlink) X(write) X(writev)
+  X(fdatasync) X(fopen) X(fstat) X(fsync) X(ftruncate) X(getpeername) X(ioctl) X(linkat)     \
+  X(listen) X(madvise) X(malloc) X(mmap) X(open) X(openat) X(pipe) X(poll) X(pread)          \
+  X(pthread_create) X(pwrite) X(read) X(recv) X(send) X(setsockopt) X(shutdown) X(socket)    \
+  X(timerfd_create) X(timerfd_settime) X(unlink) X(write) X(writev)
 // clang-format on
 
 enum faults_call {

@@ -97,6 +97,8 @@ CALL(int, fdatasync, breaks_on(faults_fdatasync, f), -1, (int f), (f))
 CALL(int, fsync, breaks_on(faults_fsync, f), -1, (int f), (f))
 CALL(int, getpeername, breaks(faults_getpeername), -1, (int s, struct sockaddr* a, socklen_t* n),
      (s, a, n))
+CALL(int, linkat, breaks_on(faults_linkat, t), -1,
+     (int f, const char* from, int t, const char* to, int flags), (f, from, t, to, flags))
 CALL(int, listen, breaks(faults_listen), -1, (int s, int n), (s, n))
 CALL(int, madvise, breaks(faults_madvise), -1, (void* p, size_t n, int how), (p, n, how))
 CALL(int, pipe, breaks(faults_pipe), -1, (int ends[2]), (ends))
@@ -158,6 +160,12 @@ int open64(const char* path, int flags, ...) {
   NEXT(open64);
   LAST(long, flags);
   return breaks_at(faults_open, path) ? -1 : next(path, flags, last);
+}
+// Of a folder that is open.
+int openat(int f, const char* path, int flags, ...) {
+  NEXT(openat);
+  LAST(long, flags);
+  return breaks_on(faults_openat, f) ? -1 : next(f, path, flags, last);
 }
 
 // ---- calls that move bytes ------------------------------------------------------------------

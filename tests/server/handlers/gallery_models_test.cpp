@@ -1,5 +1,6 @@
 // The gallery's models: the list, their names as ids, and a model's file as a scene.
 #include <filesystem>
+#include <set>
 
 #include "server/stores/digest.h"
 #include "server/stores/gallery_models.h"
@@ -96,6 +97,45 @@ TEST(GalleryModels, ANameOfNoneIs404WithThoseThatThereAre) {
   }
   EXPECT_EQ(host().get("/models//scene").status, 404);
   EXPECT_EQ(host().get("/models/chess/a/scene").status, 404);
+}
+
+// ---- tags ---------------------------------------------------------------------------------------
+
+TEST(TagsOfModels, TellThatTheClientHasThemAndDifferFromEachOther) {
+  std::set<std::string> tags;
+  const std::vector<std::string> paths{"/models", "/models/part", "/models/part/scene",
+                                       "/models/" + gallery_model("part")->id, "/models/chess"};
+  for (const std::string& path : paths) {
+    SCOPED_TRACE(path);
+    const Response whole = host().get(path);
+    const std::string tag = header(whole, "ETag").value_or("none");
+    tags.insert(tag);
+    EXPECT_EQ(header(whole, "Cache-Control"), "no-cache");
+    EXPECT_EQ(header(host().head(path), "ETag"), tag);
+    const Response known = host().get(path, {{"If-None-Match", "\"a\", " + tag}});
+    EXPECT_EQ(known.status, 304);
+    EXPECT_EQ(known.body, "");
+    EXPECT_EQ(header(known, "ETag"), tag);
+    EXPECT_EQ(header(known, "Cache-Control"), "no-cache");
+    const Response changed = host().get(path, {{"If-None-Match", "\"a\""}});
+    EXPECT_EQ(changed.status, 200);
+    EXPECT_EQ(changed.body, whole.body);
+  }
+  EXPECT_EQ(tags.size(), paths.size());
+}
+
+TEST(TagsOfModels, AreKnownBeforeAnythingIsRead) {
+  Host own;
+  for (const char* path : {"/models/part", "/models/part/scene"}) {
+    const std::string tag = header(own.head(path), "ETag").value();
+    EXPECT_EQ(own.get(path, {{"If-None-Match", tag}}).status, 304);
+  }
+  EXPECT_EQ(series_of(own.get("/metrics").body)["tia_model_read_seconds_count"], 0);
+}
+
+TEST(TagsOfModels, AreOfModelsThatAreThere) {
+  for (const char* path : {"/models/parts", "/models/parts/scene"})
+    EXPECT_EQ(host().get(path, {{"If-None-Match", "*"}}).status, 404);
 }
 
 // ---- as scenes ----------------------------------------------------------------------------------

@@ -73,6 +73,72 @@ TEST(ModelFolder, ThatCannotBeUsedEndsTheStartWithItsName) {
   }
 }
 
+// ---- files that are on their way ----------------------------------------------------------------
+
+TEST(SentFile, IsHashedAsItComesAndHasNoNameBeforeItIsKept) {
+  const Folder folder;
+  ModelFolder models(folder.file(""), plenty_of_disk);
+  const std::string id = sha256_hex("abcdef");
+  {
+    const auto file = models.begin();
+    file->append("abc");
+    file->append("def");
+    EXPECT_EQ(file->size(), 6U);
+    EXPECT_EQ(models.bytes(), 6);
+    EXPECT_EQ(file->contents(), "abcdef");
+    EXPECT_EQ(file->sha256(), id);
+    EXPECT_TRUE(std::filesystem::is_empty(folder.file("models")));
+    models.keep(id, file->file());
+    EXPECT_EQ(models.find(id), "abcdef");
+  }
+  EXPECT_EQ(models.count(), 1U);
+  EXPECT_EQ(models.bytes(), 6);
+}
+
+TEST(SentFile, ThatIsNotKeptOrIsThereAlreadyLeavesNothing) {
+  const Folder folder;
+  ModelFolder models(folder.file(""), plenty_of_disk);
+  models.begin()->append("abc");
+  EXPECT_EQ(models.bytes(), 0);
+  models.keep(sha256_hex("abc"), {"abc"});
+  {
+    const auto file = models.begin();
+    file->append("abc");
+    models.keep(sha256_hex("abc"), file->file());
+    EXPECT_FALSE(file->file().publish(sha256_hex("abc")));
+  }
+  EXPECT_EQ(models.count(), 1U);
+  EXPECT_EQ(models.bytes(), 3);
+}
+
+TEST(SentFile, CountsAmongWhatTheFolderMayHaveWhileItComes) {
+  const Folder folder;
+  ModelFolder models(folder.file(""), 5);
+  const auto first = models.begin(), second = models.begin();
+  first->append("123");
+  second->append("45");
+  EXPECT_THROW(second->append("6"), HttpError);
+  EXPECT_EQ(models.bytes(), 5);
+}
+
+// It is changed under the name that it has by then.
+TEST(SentFile, IsHeldAgainstWhatHasComeWhenItIsRead) {
+  const Folder folder;
+  ModelFolder models(folder.file(""), plenty_of_disk);
+  const auto file = models.begin();
+  file->append("abc");
+  models.keep(sha256_hex("abc"), file->file());
+  std::ofstream(folder.file("models/" + sha256_hex("abc"))) << "abd";
+  EXPECT_THROW(file->contents(), StorageError);
+}
+
+TEST(SentFile, OfNothingIsAnEmptyFile) {
+  const Folder folder;
+  ModelFolder models(folder.file(""), plenty_of_disk);
+  models.keep(sha256_hex(""), models.begin()->file());
+  EXPECT_EQ(models.find(sha256_hex("")), "");
+}
+
 // A folder where a file should be can be opened and not read.
 TEST(ModelFolder, ThatCannotReadAFileSaysSo) {
   const Folder folder;
