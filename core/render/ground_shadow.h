@@ -2,11 +2,9 @@
 #pragma once
 
 #include <array>
-#include <optional>
 #include <utility>
 
 #include "core/integrators/integrator.h"
-#include "core/render/trace_tile.h"
 
 namespace tia {
 
@@ -38,13 +36,13 @@ struct GroundLight {
 template <class Real>
 class GroundShadow {
  public:
-  /// Domain: a world with a ground.
-  GroundShadow(const Shot& shot, const WorkCounter::Report& report)
-      : integrator_(shot.integrator),
-        plane_(shot.world.ground->plane),
-        with_{shot.world.ground->with, WorkCounter(report), shot.rules, {}, 0, cone_of(shot.view)},
-        without_{shot.world.ground->without, WorkCounter(report), shot.rules, {}, 0,
-                 cone_of(shot.view)} {}
+  /// Domain: a world with a ground. The cone is that of the camera's rays.
+  GroundShadow(const World& world, IntegratorName integrator, const Rules& rules,
+               const PixelCone& cone, const WorkCounter::Report& report)
+      : integrator_(integrator),
+        plane_(world.ground->plane),
+        with_{world.ground->with, WorkCounter(report), rules, {}, 0, cone},
+        without_{world.ground->without, WorkCounter(report), rules, {}, 0, cone} {}
 
   /// Rays are counted with those given. Errors: the report's.
   [[gnu::noinline]] GroundLight<Real> light(const Ray<Real>& ray, Mask<Real> missed,

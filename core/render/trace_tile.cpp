@@ -20,7 +20,8 @@ class Tracer {
       : eye(shot.view), shot_(shot), world_view_{world_view_of(x0, y0, width, height)} {
     if constexpr (may_have_backdrop)
       if (hides_beyond_ && shot.world.ground)
-        ground_.emplace(shot, [this](std::int64_t work) { spent(work); });
+        ground_.emplace(shot.world, shot.integrator, shot.rules, cone_of(shot.view),
+                        [this](std::int64_t work) { spent(work); });
   }
 
   static constexpr bool may_have_backdrop = std::is_same_v<AnyWorldView, WorldView>;
