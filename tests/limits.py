@@ -55,6 +55,7 @@ CONSTANTS = [
     ("core/lights/sphere_light.h", "most_light_samples = «4096»", CORE, "LimitNumbers.OfLargeScenes"),
     ("core/scene/scene.cpp", "most_lights = «4096»", CORE, "LimitNumbers.ASceneHas4096*"),
     ("core/scene/scene.cpp", "most_suns = «4»", CORE, "LightFaults.FiveSuns*"),
+    ("core/scene/sheet.h", "most_views = «64»", CORE, "SheetText.*"),
     ("core/scene/scene.cpp", "most_numbered = «1 << 16»", CORE, "LimitNumbers.ASceneHas65536*"),
     ("core/scene/keys.cpp", "most_patches = «100»", CORE, "LimitNumbers.AScenesKeysHave*"),
     ("core/scene/keys.cpp", "most_bulk = «1 << 27»", CORE, "KeyCheck.CountsThePixels*"),

@@ -34,6 +34,7 @@ class PathTracer {
       state_.beta = state_.beta * transmittance_of(state_.medium.absorption, hit.t);
       const FogSpan<Real> span = span_of(ray, hit.t, active);
       lights_.add_emitted(ray, hit, isect, span, active);
+      if (depth > 0 && world_view_.world.floor >= 0) isect.here = isect.here && !on_floor(hit);
       if (!any(isect.here || span.here)) break;
       if (depth < max_depth && any(span.here))
         lights_.add_scattered(ray, span, numbers_.in_fog(depth));
@@ -66,6 +67,10 @@ class PathTracer {
     const Hit<Real> hit = world_view_.stop_of(ray, active, sight, depth == 0);
     if (depth == 0) world_view_.met = bits(active && hit.t < Real(infinity));
     return hit;
+  }
+  // Where all light ends that does not come from there to the camera.
+  Mask<Real> on_floor(const Hit<Real>& hit) const {
+    return hit.primitive == Real(static_cast<float>(world_view_.world.floor));
   }
   // What a matt surface sends on counts as reflected.
   void count_rays(int depth, Mask<Real> active) {

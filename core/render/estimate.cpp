@@ -12,6 +12,13 @@ double variance_of_mean(double sum, double squares, int n) {
   return std::max(squares - sum * sum / n, 0.0) / (n - 1) / n;
 }
 
+// On a ground the backdrop is seen, too, which the light alone does not have.
+Vec3d watched_mean(const Estimate& e) {
+  const double share = 1.0 / e.count;
+  const bool on_ground = e.ground.z > 0;
+  return on_ground ? static_cast<Vec3d>(e.first) + e.deviations * share : e.light * share;
+}
+
 Vec3d change(const Vec3d& a, const Vec3d& b) {
   return {std::fabs(a.x - b.x), std::fabs(a.y - b.y), std::fabs(a.z - b.z)};
 }
@@ -37,7 +44,7 @@ bool Convergence::settle(Estimate& e) const {
 
 double Convergence::shown_error(const Estimate& e) const {
   if (e.count < 2) return 1;
-  const Vec3d mean = e.light * (1.0 / e.count), shown = tone_.signal(mean);
+  const Vec3d mean = watched_mean(e), shown = tone_.signal(mean);
   const auto moved = [&](const Vec3d& by) {
     return larger(change(tone_.signal(mean + by), shown), change(tone_.signal(mean - by), shown));
   };

@@ -14,13 +14,19 @@ struct Estimate {
   Vec3f first{};
   int count = 0;
   int met = 0;      ///< how many of the samples met an object; only before a backdrop
+  Vec3d ground{};   ///< of those on a shadow ground: light with objects, without, how many
   float error = 1;  ///< what Convergence makes of them
 
   Vec3f mean() const {
     return {static_cast<float>(light.x / count), static_cast<float>(light.y / count),
             static_cast<float>(light.z / count)};
   }
-  float alpha() const { return static_cast<float>(double(met) / count); }
+  /// With the shadow on the ground: 1 - E / E0 of the samples there, at least 0.
+  float alpha() const {
+    const auto& [with, without, on_ground] = ground;
+    const double dark = with < without ? 1 - with / without : 0;
+    return static_cast<float>((met + dark * on_ground) / count);
+  }
 };
 
 /// Convergence: how far a pixel may yet be from what it will be, and when that is near enough.

@@ -30,6 +30,13 @@ std::vector<Note> notes_of(const Scene& scene, const World& world, IntegratorNam
   std::vector<Note> notes;
   for (const LeftOut& each : left_out_by(integrator, scene))
     notes.push_back({each.pointer, each.about});
+  if (scene.backdrop)
+    notes.push_back({"/backdrop",
+                     "is what the picture shows where the first ray meets no object; the ray tells "
+                     "what is behind it"});
+  if (scene.shadow_ground)
+    notes.push_back({"/shadow_ground", "the shadow that the picture shows there is not told of"});
+  if (scene.sheet) notes.push_back({"/sheet", "the ray is of the scene's own camera"});
   const std::vector<int>& unasked = world.of_objects->unasked.first;
   for (const auto& [number, pointer] : object_pointers(scene, {unasked.begin(), unasked.end()}))
     notes.push_back({pointer, "path meets its light by chance alone, and asks it for none"});

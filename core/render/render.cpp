@@ -66,6 +66,7 @@ class Render {
         FilmTile tile;
         place(i, tile);
         trace(tile);
+        lay_under(tile);
         develop(tile);
       });
     } catch (const OutOfBudget& end) {
@@ -92,6 +93,7 @@ class Render {
       const std::vector<Shown>& pixels = all[static_cast<std::size_t>(i)].after(rounds);
       fill(tile, pixels);
       tally_.add(pixels);
+      lay_under(tile);
       develop(tile);
     });
     const bool ended = std::ranges::all_of(all, &RoundsOfTile::settled);
@@ -128,6 +130,20 @@ class Render {
     std::ranges::transform(pixels.estimates, shown.begin(), shown_of);
     fill(tile, shown);
     if (convergence_.shows()) tally_.add(shown);
+  }
+
+  // The colour of a backdrop that shadows fall on.
+  void lay_under(FilmTile& tile) const {
+    const World& world = shot_.world;
+    if (!world.ground || world.backdrop->is_transparent() || !gathers_light(shot_.integrator))
+      return;
+    const Vec3f color = lift<float>(rgb_of(*world.backdrop->color));
+    for (int y = 0; y < tile.height; ++y)
+      for (int x = 0; x < tile.width; ++x) {
+        const std::size_t i = FilmTile::index(x, y);
+        const float free = 1 - tile.alpha[i];
+        tile.r[i] += color.x * free, tile.g[i] += color.y * free, tile.b[i] += color.z * free;
+      }
   }
 
   // Returns: whether there was a round to be traced, and it came to its end.

@@ -4,8 +4,8 @@
 #include <numeric>
 #include <tuple>
 
-#include "core/integrators/integrator.h"
 #include "core/integrators/whitted.h"
+#include "core/render/ground_shadow.h"
 #include "core/render/packet_pixels.h"
 #include "core/render/pixel_lanes.h"
 
@@ -17,7 +17,12 @@ template <class Real, class AnyWorldView>
 class Tracer {
  public:
   Tracer(const Shot& shot, int x0, int y0, int width, int height)
-      : eye(shot.view), shot_(shot), world_view_{world_view_of(x0, y0, width, height)} {}
+      : eye(shot.view), shot_(shot), world_view_{world_view_of(x0, y0, width, height)} {
+    if constexpr (may_have_backdrop)
+      if (hides_beyond_ && shot.world.ground)
+        ground_.emplace(shot.world, shot.integrator, shot.rules, cone_of(shot.view),
+                        [this](std::int64_t work) { spent(work); });
+  }
 
   static constexpr bool may_have_backdrop = std::is_same_v<AnyWorldView, WorldView>;
 
@@ -28,24 +33,31 @@ class Tracer {
     } else {
       const Vec3<Real> light = radiance(shot_.integrator, world_view_, ray, active, sampler_state);
       if (!hides_beyond_) return light;
-      return select(alpha() > Real(0), light, backdrop_);
+      const Mask<Real> seen = met_lanes() > Real(0);
+      if (ground_) on_ground_ = ground_->light(ray, active && !seen, sampler_state, rays());
+      return select(seen, light, backdrop_);
     }
   }
   /// Whether the world has a backdrop, and which lanes of the last rays met an object, as bits.
   bool has_backdrop() const { return shot_.world.backdrop.has_value(); }
   unsigned met() const { return world_view_.met; }
-  /// 1 in those lanes, else 0.
-  Real alpha() const {
-    std::array<LaneOf<Real>, static_cast<std::size_t>(lanes<Real>)> each;
-    for (std::size_t i = 0; i < each.size(); ++i)
-      each[i] = static_cast<LaneOf<Real>>(met() >> i & 1U);
-    return load<Real>(each.data());
+  /// 1 in those lanes, else 0, or what a shadow there covers.
+  Real alpha() const { return ground_ ? met_lanes() + on_ground_.alpha() : met_lanes(); }
+  /// Whether there is a ground, and what the last rays found there.
+  bool has_ground() const { return ground_.has_value(); }
+  const GroundLight<Real>& on_ground() const { return on_ground_; }
+  /// What the last rays show, whose light that is: before white, if it is before nothing.
+  Vec3<Real> shown(const Vec3<Real>& light) const {
+    const Color wall = shot_.world.backdrop->color.value_or(Color{1, 1, 1});
+    if constexpr (may_have_backdrop) return light + lift<Real>(rgb_of(wall)) * (Real(1) - alpha());
+    else return light;
   }
   RayCounts& rays() { return world_view_.rays; }
 
   Eye<Real> eye;
 
  private:
+  Real met_lanes() const { return ones_in<Real>(met()); }
   // A tree of rays may become very large, so its rays are counted while they are traced.
   void spent(std::int64_t work) {
     shot_.meter.add_work(work);
@@ -62,16 +74,19 @@ class Tracer {
     }
   }
 
-  // A transparent one is black, so that light is multiplied by alpha.
+  // A transparent one is black: light is multiplied by alpha. So is one with a ground, till later.
   Vec3<Real> backdrop() const {
-    return has_backdrop() ? lift<Real>(rgb_of(shot_.world.backdrop->color.value_or(Color{})))
-                          : Vec3<Real>{};
+    return has_backdrop() && !shot_.world.ground
+               ? lift<Real>(rgb_of(shot_.world.backdrop->color.value_or(Color{})))
+               : Vec3<Real>{};
   }
 
   const Shot& shot_;
   AnyWorldView world_view_;
   const bool hides_beyond_ = has_backdrop() && gathers_light(shot_.integrator);
   const Vec3<Real> backdrop_ = backdrop();
+  std::optional<GroundShadow<Real>> ground_;
+  GroundLight<Real> on_ground_;
 };
 
 // ---- one ray a pixel of a perspective view, as for most pictures --------------------------------
@@ -127,18 +142,21 @@ template <class Real, class AnyWorldView>
   const Mask<Real> active = pixels.active();
   const int count = shot.sampler.count(round), before = shot.sampler.before(round);
   const bool watches = shot.convergence.watches(), clamps = shot.convergence.clamps();
-  const bool has_backdrop = tracer.has_backdrop();
+  const bool has_backdrop = tracer.has_backdrop(), has_ground = tracer.has_ground();
   Vec3<Real> first = pixels.first_light();
   SamplerState<Real> sampler_state{pixels.x, pixels.y, 0, shot.sampler.key()};
   Sums<Real> sums(pixels);
+  if (has_ground) sums.begin_ground(pixels);
   for (int i = 0; i < count; ++i) {
     sampler_state.sample = static_cast<std::uint32_t>(before + i);
     const Vec3<Real> light = tracer.light(tracer.eye.ray(center, aims(i)), active, sampler_state);
     sums.add(light);
     if constexpr (Tracer<Real, AnyWorldView>::may_have_backdrop)
       if (has_backdrop) sums.add_met(tracer.met());
+    if (has_ground) sums.add_ground(tracer.on_ground());
     if (watches) {
-      const Vec3<Real> watched = clamps ? clamped(light) : light;
+      const Vec3<Real> shown = has_ground ? tracer.shown(light) : light;
+      const Vec3<Real> watched = clamps ? clamped(shown) : shown;
       if (before + i == 0) first = watched;
       sums.add_deviation(watched, first);
     }

@@ -48,6 +48,7 @@ Scene model_scene(const SharedModel& model, const std::string& id, double aspect
   body.camera = first_shown_camera(file, body.objects[0]);
   StillRequest request;
   request.studio = Studio::neutral;
+  request.ground = Ground::none;
   Scene scene = still_scene(request, std::move(body), aspect);
   scene.backdrop.reset();
   const Affine to_scene = upright(file.z_up ? UpAxis::z : UpAxis::y);

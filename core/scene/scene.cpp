@@ -203,6 +203,9 @@ void Scene::check_links(const Place& at, Faults& faults) const {
                 "where the light is, or which way it travels"});
   }
   check_suns(lights, all_lights, faults);
+  if (shadow_ground && !backdrop)
+    faults.add({FaultKind::conflict, at.at("shadow_ground").pointer(), std::nullopt,
+                "a scene that has a backdrop"});
 }
 
 void Scene::check_material_names(const std::vector<Object>& list, const Place& at,

@@ -20,6 +20,8 @@
 #include "core/scene/fog.h"
 #include "core/scene/integrators.h"
 #include "core/scene/object.h"
+#include "core/scene/shadow_ground.h"
+#include "core/scene/sheet.h"
 
 namespace tia {
 
@@ -121,7 +123,9 @@ struct Scene {
   std::string title, description;
   Camera camera;
   Color background{};
-  std::optional<Backdrop> backdrop;  ///< none: lights and background are seen
+  std::optional<Backdrop> backdrop;           ///< none: lights and background are seen
+  std::optional<ShadowGround> shadow_ground;  ///< before the backdrop
+  std::optional<Sheet> sheet;                 ///< none: one view, the camera's
   Color ambient_light{1, 1, 1};
   std::optional<Fog> fog;
   std::map<std::string, Material> materials;
@@ -145,6 +149,11 @@ struct Scene {
                       "transparent, for which a PNG has alpha: the share of the samples that "
                       "meet an object",
              .max = 1e6});
+    visit(
+        "shadow_ground", &Scene::shadow_ground,
+        Spec{.about = "a plane of which the picture shows nothing but the shadows on it, before a "
+                      "backdrop"});
+    visit("sheet", &Scene::sheet, Spec{.about = "several views instead of the camera's"});
     visit("ambient_light", &Scene::ambient_light,
           Spec{.about = "linear RGB of the light from everywhere", .max = 1e6});
     visit("fog", &Scene::fog, Spec{.about = "what fills the air and scatters light, by path"});

@@ -27,18 +27,42 @@ Object floor_below(const StillPoints& points) {
   return floor;
 }
 
-Camera camera_for(const StillRequest& request, const StillBody& body, double aspect) {
-  if (body.camera) return *body.camera;
-  const Basis axes = orbit_basis(request.orbit[0], request.orbit[1]);
-  return framed(body.points, {axes, request.fov, request.zoom, aspect});
+/// Eye: a camera and the azimuth that its studio stands at.
+struct Eye {
+  Camera camera;
+  double azimuth_degrees;
+};
+
+std::vector<Eye> turning(const StillRequest& request, const StillPoints& points, double aspect) {
+  std::vector<double> azimuths;
+  std::vector<Basis> axes;
+  for (int i = 0; i < *request.turntable; ++i) {
+    azimuths.push_back(request.orbit[0] + 360.0 * i / *request.turntable);
+    axes.push_back(orbit_basis(azimuths.back(), request.orbit[1]));
+  }
+  const std::vector<Camera> cameras =
+      framed_alike(points, axes, {{}, request.fov, request.zoom, aspect});
+  std::vector<Eye> eyes;
+  for (std::size_t i = 0; i < cameras.size(); ++i) eyes.push_back({cameras[i], azimuths[i]});
+  return eyes;
 }
 
-StudioStand stand_for(const StillRequest& request, const StillBody& body, const Camera& camera,
-                      IntegratorName integrator) {
-  const Vec3d view = unit(axis_of(camera));
-  // Of a camera of the file, where it looks from; straight down that is its back's side.
-  const double azimuth = body.camera ? atan2_of(-view.x, -view.z) * (180 / pi) : request.orbit[0];
-  return {ball_around(body.points), azimuth, view, integrator};
+std::vector<Eye> eyes_of(const StillRequest& request, const StillBody& body, double aspect) {
+  if (body.camera) {
+    // Where it looks from; straight down that is its back's side.
+    const Vec3d view = unit(axis_of(*body.camera));
+    return {{*body.camera, atan2_of(-view.x, -view.z) * (180 / pi)}};
+  }
+  if (request.turntable) return turning(request, body.points, aspect);
+  const Basis axes = orbit_basis(request.orbit[0], request.orbit[1]);
+  return {{framed(body.points, {axes, request.fov, request.zoom, aspect}), request.orbit[0]}};
+}
+
+// As many columns as rows, or one more.
+int columns_of(const StillRequest& request, int views) {
+  int columns = 1;
+  while (columns * columns < views) ++columns;
+  return request.columns.value_or(columns);
 }
 
 bool is_chosen(const Model& model, ModelIndex camera, const CameraChoice& choice) {
@@ -68,7 +92,7 @@ Camera camera_at(const ModelCamera& own, const Affine& place) {
   camera.up = unit(place.y);
   if (own.orthographic) {
     camera.projection = Projection::orthographic;
-    camera.height = 2 * own.ymag * length(place.y);
+    camera.height = 2 * std::fabs(own.ymag) * length(place.y);
   } else {
     camera.fov_degrees = std::min(own.yfov * (180 / pi), widest_degrees);
   }
@@ -102,9 +126,15 @@ void StillRequest::check(const Place& at, Faults& faults) const {
   if (fov > 0 && fov < least_fov)
     faults.add({FaultKind::out_of_range, at.at("fov").pointer(), fov,
                 "0, which is parallel, or 1 to 170 degrees"});
+  const auto refuse = [&](const char* field, const Value& got, const std::string& allowed) {
+    faults.add({FaultKind::conflict, at.at(field).pointer(), got, allowed});
+  };
+  if (camera && turntable) refuse("turntable", *turntable, "turntable goes without camera");
+  if (columns && !turntable) refuse("columns", *columns, "columns goes with turntable");
+  if (columns && turntable && *columns > *turntable)
+    refuse("columns", *columns, "at most as many columns as views, " + std::to_string(*turntable));
   if (camera && (orbit != usual.orbit || zoom != usual.zoom || fov != usual.fov))
-    faults.add({FaultKind::conflict, at.at("camera").pointer(), write_value(*camera),
-                "camera goes without orbit, zoom and fov"});
+    refuse("camera", write_value(*camera), "camera goes without orbit, zoom and fov");
 }
 
 std::optional<Camera> still_camera(const Model& model, const Object& object,
@@ -129,12 +159,23 @@ std::optional<Camera> still_camera(const Model& model, const Object& object,
 
 Scene still_scene(const StillRequest& request, StillBody body, double aspect,
                   IntegratorName integrator) {
+  const StillBall ball = ball_around(body.points);
   Scene scene;
-  scene.camera = camera_for(request, body, aspect);
-  StudioLight light =
-      studio_light(request.studio, stand_for(request, body, scene.camera, integrator));
-  scene.lights = std::move(light.lights);
-  scene.ambient_light = light.ambient_light;
+  Sheet sheet;
+  for (const Eye& eye : eyes_of(request, body, aspect)) {
+    StudioLight light = studio_light(
+        request.studio, {ball, eye.azimuth_degrees, unit(axis_of(eye.camera)), integrator});
+    scene.ambient_light = light.ambient_light;
+    sheet.views.push_back({eye.camera, std::move(light.lights)});
+  }
+  scene.camera = sheet.views[0].camera;
+  scene.lights = sheet.views[0].lights;
+  if (request.turntable) {
+    sheet.columns = columns_of(request, *request.turntable);
+    scene.sheet = std::move(sheet);
+  }
+  if (request.ground == Ground::shadow)
+    scene.shadow_ground = ShadowGround{{0, lowest_of(body.points), 0}, {0, 1, 0}};
   scene.backdrop = request.background;
   scene.objects = std::move(body.objects);
   if (request.ground == Ground::floor) scene.objects.push_back(floor_below(body.points));

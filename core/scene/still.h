@@ -18,10 +18,10 @@
 namespace tia {
 
 /// What a model stands on.
-enum class Ground { floor, none };
+enum class Ground { shadow, floor, none };
 template <>
 struct Names<Ground> {
-  static constexpr std::array<std::string_view, 2> names{"floor", "none"};
+  static constexpr std::array<std::string_view, 3> names{"shadow", "floor", "none"};
 };
 
 /// One of a file's cameras: its number in the file, from 0, or its name.
@@ -42,9 +42,10 @@ struct StillRequest {
   std::array<double, 2> orbit{30, 20};
   double zoom = 1, fov = 30;
   Studio studio = Studio::soft;
-  Ground ground = Ground::none;
+  Ground ground = Ground::shadow;
   Backdrop background;
-  std::optional<CameraChoice> camera;  ///< none: orbit, zoom and fov
+  std::optional<CameraChoice> camera;     ///< none: orbit, zoom and fov
+  std::optional<int> turntable, columns;  ///< none: one view; as near to a square as can be
 
   template <class Visitor>
   static void fields(Visitor&& visit) {
@@ -65,7 +66,9 @@ struct StillRequest {
                .max = most_fov});
     visit("studio", &StillRequest::studio, Spec{.about = "the light, which turns with the eye"});
     visit("ground", &StillRequest::ground,
-          Spec{.about = "what the model stands on: floor is a plane under its lowest point"});
+          Spec{.about = "what is under its lowest point: shadow is black where light is missing, "
+                        "with alpha 1 - E / E0, the irradiance of a black plane there with and "
+                        "without the model; floor is a grey plane"});
     visit(
         "background", &StillRequest::background,
         Spec{.about = "linear RGB where the picture shows no object, or transparent", .max = 1e6});
@@ -74,8 +77,20 @@ struct StillRequest {
                         "orbit, zoom and fov",
                .min = 0,
                .max_bytes = longest_name});
+    visit("turntable", &StillRequest::turntable,
+          Spec{.about = "so many views at equal azimuths, the first that of orbit, on one sheet, "
+                        "row by row, each of width and height: all look at the middle of the box "
+                        "around the model, from the distance that the widest needs",
+               .min = 1,
+               .max = Sheet::most_views});
+    visit("columns", &StillRequest::columns,
+          Spec{.about = "how many of these are side by side; else as many as make the sheet nearly "
+                        "square",
+               .min = 1,
+               .max = Sheet::most_views});
   }
-  /// An elevation beyond the poles, a fov between 0 and 1, a camera with orbit, zoom or fov.
+  /// An elevation beyond the poles, a fov between 0 and 1, a camera with orbit, zoom, fov or
+  /// turntable, columns without that or more than its views.
   void check(const Place& at, Faults& faults) const;
   bool operator==(const StillRequest&) const = default;
 };
@@ -94,9 +109,10 @@ struct StillBody {
   std::optional<Camera> camera;  ///< the one that the request chooses; none: it chooses none
 };
 
-/// The scene of a still: camera, lights, ground and backdrop, with the objects first. Options but
-/// the integrator are at their defaults. Domain: at least one point, a request that its check has
-/// passed; aspect: the picture's width over its height.
+/// The scene of a still: camera, lights, ground and backdrop, with the objects first; of a
+/// turntable the first view's, and a sheet of all. Options but the integrator are at their
+/// defaults. Domain: at least one point, a request that its check has passed; aspect: the picture's
+/// width over its height.
 Scene still_scene(const StillRequest& request, StillBody body, double aspect,
                   IntegratorName integrator = IntegratorName::path);
 

@@ -50,6 +50,8 @@ struct Reach {
       nearest = std::min(nearest, z - r);
     });
   }
+  double across() const { return std::max(right, left); }
+  double along() const { return std::max(up, down); }
   // The eye at that place along the view, from the centre.
   Vec3d eye(const Basis& axes, double z) const {
     return axes.u * ((right - left) / 2) + axes.v * ((up - down) / 2) - axes.w * z;
@@ -64,6 +66,11 @@ Camera looking(const Basis& axes, const Vec3d& eye) {
   return camera;
 }
 
+double zoomed_fov(const StillFrame& frame) {
+  if (frame.zoom == 1) return frame.fov_degrees;
+  return atan_of(tan_of(frame.fov_degrees * (pi / 360)) / frame.zoom) * (360 / pi);
+}
+
 Camera framed_by_angle(const StillPoints& points, const StillFrame& frame, const StillBall& ball) {
   const double side = tan_of(frame.fov_degrees * (pi / 360));
   const double along = filled * side, across = along * frame.aspect;
@@ -72,9 +79,17 @@ Camera framed_by_angle(const StillPoints& points, const StillFrame& frame, const
       std::min({-(reach.right + reach.left) / (2 * across), -(reach.up + reach.down) / (2 * along),
                 reach.nearest - least_distance * ball.radius});
   Camera camera = looking(frame.axes, ball.center + reach.eye(frame.axes, z));
-  camera.fov_degrees =
-      frame.zoom == 1 ? frame.fov_degrees : atan_of(side / frame.zoom) * (360 / pi);
+  camera.fov_degrees = zoomed_fov(frame);
   return camera;
+}
+
+// How far before the centre an eye has to be that looks at it.
+double distance_for(const StillPoints& points, const StillFrame& frame, const StillBall& ball) {
+  const double along = filled * tan_of(frame.fov_degrees * (pi / 360));
+  const double across = along * frame.aspect;
+  const Reach reach(points, ball, frame.axes, across, along);
+  return std::max({reach.across() / across, reach.along() / along,
+                   least_distance * ball.radius - reach.nearest});
 }
 
 // Parallel rays: the eye's plane lies a radius before all.
@@ -120,6 +135,34 @@ Camera framed(const StillPoints& points, const StillFrame& frame) {
   const StillBall ball = ball_around(points);
   return frame.fov_degrees == 0 ? framed_parallel(points, frame, ball)
                                 : framed_by_angle(points, frame, ball);
+}
+
+std::vector<Camera> framed_alike(const StillPoints& points, const std::vector<Basis>& axes,
+                                 const StillFrame& frame) {
+  const StillBall ball = ball_around(points);
+  const bool parallel = frame.fov_degrees == 0;
+  double distance = 0, height = least_distance * ball.radius;
+  for (const Basis& each : axes) {
+    const StillFrame own{each, frame.fov_degrees, frame.zoom, frame.aspect};
+    if (!parallel) {
+      distance = std::max(distance, distance_for(points, own, ball));
+      continue;
+    }
+    const Reach reach(points, ball, each, 0, 0);
+    height = std::max({height, 2 * reach.across() / frame.aspect, 2 * reach.along()});
+    distance = std::max(distance, ball.radius - reach.nearest);
+  }
+  std::vector<Camera> cameras;
+  for (const Basis& each : axes) {
+    Camera& camera = cameras.emplace_back(looking(each, ball.center + each.w * distance));
+    if (parallel) {
+      camera.projection = Projection::orthographic;
+      camera.height = height / (filled * frame.zoom);
+    } else {
+      camera.fov_degrees = zoomed_fov(frame);
+    }
+  }
+  return cameras;
 }
 
 }  // namespace tia

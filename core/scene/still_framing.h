@@ -55,4 +55,11 @@ struct StillFrame {
 /// Domain: at least one point; fov_degrees 0 or 1 to 170, zoom 0.1 to 1000.
 Camera framed(const StillPoints& points, const StillFrame& frame);
 
+/// Cameras of these axes, which look at the middle of the box around the points and see it alike:
+/// all from the least distance from which the points keep within that frame in every picture; of
+/// parallel rays, all of the same height. The frame's own axes are of no account.
+/// Domain: as framed's; at least one axes.
+std::vector<Camera> framed_alike(const StillPoints& points, const std::vector<Basis>& axes,
+                                 const StillFrame& frame);
+
 }  // namespace tia

@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <tuple>
 #include <utility>
+#include <vector>
 
 #include "core/film/film.h"
 #include "core/film/hdr.h"
@@ -15,6 +16,7 @@
 #include "server/http/error.h"
 #include "server/operation/memory_costs.h"
 #include "server/operation/timing.h"
+#include "server/requests/parts.h"
 #include "server/requests/recipe.h"
 #include "server/stores/digest.h"
 
@@ -65,6 +67,18 @@ void check_format(const PictureRequest& asked, const Scene& scene, IntegratorNam
                       "png, which alone has alpha, or a backdrop that is a colour"});
 }
 
+// Errors: InputError (conflict) where a sheet is asked for what only a single view has.
+void check_sheet(const PictureRequest& asked, const Scene& scene) {
+  const auto check = [&](const char* name, const auto& given) {
+    if (!scene.sheet || !given) return;
+    throw InputError({FaultKind::conflict, std::string("/") + name, write_value(*given),
+                      "a picture of one view; this one's scene is a sheet of several"});
+  };
+  check("crop", asked.crop);
+  check("budget_ms", asked.budget_ms);
+  check("max_rays", asked.max_rays);
+}
+
 // Those that a pixel has in any case.
 int fewest_samples(const PictureRequest& asked, const RenderOptions& options) {
   if (asked.has_budget()) return std::min(options.samples, Sampler::first_round);
@@ -81,11 +95,13 @@ Plan plan_of(const PictureRequest& asked, const RenderContext& context,
   SceneOptions in_effect = options_in_effect(scene->options, asked);
   check_rounds(asked, in_effect);
   check_format(asked, *scene, in_effect.integrator);
+  check_sheet(asked, *scene);
   if (asked.format != Format::png && !in_effect.noise) in_effect.show_by({});
   RenderOptions options = options_of(in_effect, context.limits);
   options.threads =
       std::min(asked.threads.value_or(context.pool.threads()), context.pool.threads());
-  const Window window = asked.window();
+  const Window window = whole_window(asked, *scene);
+  check_size(window.x1, window.y1, context.limits);
   check_rays(static_cast<std::int64_t>(window.width()) * window.height(),
              fewest_samples(asked, options), context.limits);
   Plan plan{.scene = scene,
@@ -191,15 +207,14 @@ Picture draw(const Plan& plan, const RenderContext& context, const std::stop_tok
   std::string recipe = plan.recipe;
   const auto trace_onto = [&](auto& film) {
     const BudgetOfRequest budget(*plan.asked);
+    Rendered all;
     try {
-      const Rendered drawn =
-          render(world, plan.view, plan.window, budget.options_of(plan), context.pool, stop,
-                 [&](const FilmTile& tile) { film.put(tile); });
-      picture.rays = drawn.rays;
-      picture.reached = drawn.reached;
+      all = trace_parts({plan, budget.options_of(plan), context.pool, workers, stop}, world, film);
     } catch (const BudgetSpent& spent) {
       budget.refuse(spent);
     }
+    picture.rays = all.rays;
+    picture.reached = all.reached;
     if (plan.asked->has_budget())
       workers.alone([&] {
         recipe = recipe_of_reached(plan, picture.reached->samples);

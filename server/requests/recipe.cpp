@@ -99,7 +99,7 @@ std::string recipe_of(const PictureRequest& asked, const Plan& plan) {
   Value::Object request{{"scene", told_scene(plan)}};
   if (asked.width != usual.width) request.emplace_back("width", asked.width);
   if (asked.height != usual.height) request.emplace_back("height", asked.height);
-  if (!(plan.window == Window{0, 0, asked.width, asked.height}))
+  if (!plan.scene->sheet && !(plan.window == Window{0, 0, asked.width, asked.height}))
     request.emplace_back("crop", write_value(asked.crop));
   if (asked.format != usual.format) request.emplace_back("format", name_of(asked.format));
   return to_json(Value::Object{{"request", std::move(request)}, {"version", full_version()}});

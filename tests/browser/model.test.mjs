@@ -145,19 +145,24 @@ test('a point of a model is asked why by the method whose rays can be told; the 
     assert.ok(await shows(page, await on.tia.get(`/still?${query}`)), 'the picture of before');
   }));
 
-test('studio, ground, variant, camera, animation and time are chosen, and Start again forgets them', () =>
+test('studio, ground, background, variant, camera, animation, time and what is hidden are chosen, and Start again forgets them', () =>
   shared(async (page) => {
     const id = (await dropped(page, { 'chosen.glb': glbOf({ asset: { version: '2.0', generator: 'Chosen' } }) })).get('model');
     const choose = (name, value) => page.locator(`.model-shown select[name=${name}]`).selectOption(value);
     await choose('studio', 'sun');
+    assert.equal(await page.locator('.model-shown select[name=ground]').inputValue(), 'shadow');
     await choose('ground', 'floor');
+    assert.ok(await page.locator('.model-shown input[name=color]').isHidden());
+    await choose('background', 'color');
+    await page.getByLabel('Its colour').fill('#ff8000');
     await choose('variant', { label: 'blue one' });
+    await page.getByRole('group', { name: 'Hide' }).getByLabel('red').press('Space');
     await choose('camera', { label: 'Front' });
     await choose('animation', { label: 'Glide' });
     await page.locator('.model-shown input[name=time]').focus();
     await page.keyboard.press('End');
     const query = await still(page, (now) => now.get('time') === '2');
-    const said = { studio: 'sun', ground: 'floor', camera: '0', variant: 'blue one', animation: '0' };
+    const said = { studio: 'sun', ground: 'floor', background: '1,0.21586,0', hide: 'red', camera: '0', variant: 'blue one', animation: '0' };
     for (const [name, value] of Object.entries(said)) assert.equal(query.get(name), value, name);
     assert.ok(await shows(page, await on.tia.get(`/still?${query}`)), 'the still of all that was chosen');
     await page.locator('#start-again').click();

@@ -35,7 +35,7 @@ export async function fetchPicture(request, signal) {
 /** A feature image or picture in linear light: the bytes of its PFM file. */
 export async function fetchPfm(request, signal) {
   const opaque = request.model ? { background: [0, 0, 0] } : request.scene?.backdrop // such a file has no alpha
-    && { scene: { ...request.scene, backdrop: undefined } };
+    && { scene: { ...request.scene, backdrop: undefined, shadow_ground: undefined } };
   const { path, init } = fetchable(routeOf(request), { ...request, ...opaque, format: 'pfm' });
   const response = await get(path, init, signal);
   return body(() => response.arrayBuffer());

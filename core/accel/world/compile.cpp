@@ -64,8 +64,10 @@ class Lighting {
     world_.of_objects = std::move(objects);
   }
 
-  World lit() {
+  // On a floor, where there is one.
+  World lit(const Plane* floor = nullptr) {
     add_lights();
+    if (floor != nullptr) world_.floor = add_floor(*floor);
     if (scene_.fog) world_.fog = fog_of(*scene_.fog);
     builder_.finish();
     world_.objects = lights_.objects;
@@ -131,6 +133,13 @@ class Lighting {
     else return builder_.add(indexed(shape, workers_), own);
   }
 
+  int add_floor(const Plane& floor) {
+    Finish white;
+    white.ambient = 1;
+    const ShadingParameters shading = shading_of(white, rgb_of(scene_.ambient_light));
+    return builder_.add(prepare(floor), {Affine{}, pushed(lights_.shadings, shading), 0, false});
+  }
+
   const Scene& scene_;
   const Workers& workers_;
   World world_;
@@ -140,10 +149,32 @@ class Lighting {
                                 // is seen
 };
 
+// The camera's rays end at the floor: they come from just before it, and no backdrop is theirs.
+World on_floor(const Scene& scene, SharedGeometry objects, const Plane& floor,
+               const Workers& workers) {
+  World world = Lighting(scene, std::move(objects), workers).lit(&floor);
+  world.backdrop.reset();
+  return world;
+}
+
+// What is computed without the objects must be, to the bit, what is computed where they are far.
+WorldGround ground_of(const Scene& scene, const SharedGeometry& objects, const Workers& workers) {
+  Geometry none = geometry_of({}, workers);
+  none.origin = objects->origin;
+  none.passable = objects->passable;
+  Plane plane = scene.shadow_ground->plane();
+  plane.point = plane.point - objects->origin;
+  return {prepare(plane), on_floor(scene, objects, plane, workers),
+          on_floor(scene, std::make_shared<const Geometry>(std::move(none)), plane, workers)};
+}
+
 }  // namespace
 
 World compile(const Scene& scene, SharedGeometry objects, const Workers& workers) {
-  return Lighting(scene, std::move(objects), workers).lit();
+  World world = Lighting(scene, objects, workers).lit();
+  if (scene.shadow_ground)
+    world.ground = std::make_shared<const WorldGround>(ground_of(scene, objects, workers));
+  return world;
 }
 
 World compile(const Scene& scene, const Workers& workers) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -26,6 +27,8 @@ struct WorldFog {
   std::optional<Region> region;
 };
 
+struct WorldGround;
+
 /// World. The geometry of the objects does not depend on lights and camera, so worlds that differ
 /// in these share it. The surfaces of lights are a small geometry beside it, with an index of its
 /// own. Space/units: world space is the scene's less `origin`, which is subtracted in double before
@@ -39,14 +42,16 @@ struct World {
   /// If few_balls: all balls, one for each primitive, in order. Else none.
   std::vector<Ball> balls;
   Constant background;
-  std::optional<Backdrop> backdrop;  ///< what camera rays find that meet no object
-  std::vector<WorldSky> skies;       ///< are seen where rays leave, beside the background
+  std::optional<Backdrop> backdrop;           ///< what camera rays find that meet no object
+  std::shared_ptr<const WorldGround> ground;  ///< before the backdrop; null: none
+  std::vector<WorldSky> skies;                ///< are seen where rays leave, beside the background
   WorldFog fog;
   int objects = 0;  ///< how many; the luminous lights are the last
   bool transparent_shadows =
-      false;                   ///< whether shadow rays pass through transmitting objects, unbent
-  bool passable = false;       ///< whether rays may go straight through some surfaces (Sight)
-  bool few_balls = false;      ///< whether FewBallsView can draw it
+      false;               ///< whether shadow rays pass through transmitting objects, unbent
+  bool passable = false;   ///< whether rays may go straight through some surfaces (Sight)
+  bool few_balls = false;  ///< whether FewBallsView can draw it
+  int floor = -1;          ///< the primitive that scatters light to the camera alone; -1: none does
   std::size_t degenerate = 0;  ///< triangles without area, which no ray hits
 
   /// All that rays can hit, in the order of the primitives' numbers.
@@ -57,6 +62,14 @@ struct World {
   }
   const Primitive& primitive(int i) const { return geometry_of(i).primitive(i); }
   const ShadingParameters& shading_of(int i) const { return geometry_of(i).shading_of(i); }
+};
+
+/// WorldGround: a plane on which shadows are seen: what it sends back if it is a floor, white to
+/// the camera and black to all else, with the objects of its world on it and without any. Both
+/// worlds have the same lights. Space/units: the world's.
+struct WorldGround {
+  PlaneForm plane;
+  World with, without;
 };
 
 /// Domain: a scene that read_scene has passed. Errors: Stopped once that is asked for.

@@ -22,18 +22,21 @@ StillBody cube(const Finish& finish = matt(1)) {
 
 TEST(StillScene, IsPlainJson) {
   for (std::size_t studio = 0; studio < Names<Studio>::names.size(); ++studio)
-    for (const Ground ground : {Ground::floor, Ground::none})
+    for (const Ground ground : {Ground::shadow, Ground::floor, Ground::none})
       for (const IntegratorName integrator : {IntegratorName::path, IntegratorName::whitted}) {
         StillRequest request;
         request.studio = static_cast<Studio>(studio);
         request.ground = ground;
         request.fov = ground == Ground::none ? 0 : 45;
+        if (ground == Ground::shadow) request.turntable = 3;
         const Scene scene = still_scene(request, cube(), 1.5, integrator);
         EXPECT_EQ(read_scene(canonical_text(scene)), scene);
         EXPECT_EQ(scene.options.integrator, integrator);
         EXPECT_EQ(scene.backdrop, Backdrop{});
         EXPECT_EQ(scene.objects.front(), cube().objects.front());
         EXPECT_EQ(scene.objects.size(), ground == Ground::floor ? 2U : 1U);
+        EXPECT_EQ(scene.shadow_ground.has_value(), ground == Ground::shadow);
+        EXPECT_EQ(scene.sheet.has_value(), ground == Ground::shadow);
       }
 }
 
@@ -54,6 +57,12 @@ TEST(StillScene, TheFloorLiesUnderTheLowestPoint) {
   const Scene scene = still_scene(request, cube(), 1);
   const auto& plane = std::get<Plane>(scene.objects[1].shape);
   EXPECT_EQ(plane, (Plane{{0, -1, 0}, {0, 1, 0}}));
+}
+
+TEST(StillScene, ShadowsFallOnAPlaneThereUnlessOthersAreAskedFor) {
+  const Scene scene = still_scene({}, cube(), 1);
+  EXPECT_EQ(scene.objects.size(), 1U);
+  EXPECT_EQ(scene.shadow_ground, (ShadowGround{{0, -1, 0}, {0, 1, 0}}));
 }
 
 // What the picture shows of a white cube in neutral light is 1, and nothing else is there.
@@ -127,6 +136,16 @@ TEST(StillCamera, IsTheFilesOwn) {
   EXPECT_NEAR(*right->height, 12, 1e-12);
 }
 
+// Some files tell a parallel camera's height below 0, which glTF asks them not to.
+TEST(StillCamera, OfANegativeHeightSeesAsMuch) {
+  Model model = two_cameras();
+  model.cameras[1].ymag = -3;
+  Faults faults;
+  const auto camera = still_camera(model, placed_model(), 1, {}, faults);
+  ASSERT_TRUE(camera);
+  EXPECT_EQ(*camera, *camera_of(1));
+}
+
 // The sheet, 4 by 2, is in a box of twice its size at (1, 0, 0): so is the camera before it.
 TEST(StillCamera, IsPlacedAsTheModelIs) {
   const auto fitted = camera_of(0, R"("fit":{"min":[1,0,0],"max":[9,9,9],"align":[0,0,0]})");
@@ -198,6 +217,11 @@ TEST(StillRequestText, IsReadAndChecked) {
   EXPECT_EQ(fault_in(R"({"camera":0,"zoom":2})"), "/camera");
   EXPECT_EQ(fault_in(R"({"camera":-1})"), "/camera");
   EXPECT_EQ(fault_in(R"({"camera":[]})"), "/camera");
+  EXPECT_EQ(fault_in(R"({"turntable":64,"columns":64})"), "none");
+  EXPECT_EQ(fault_in(R"({"turntable":65})"), "/turntable");
+  EXPECT_EQ(fault_in(R"({"turntable":4,"camera":0})"), "/turntable");
+  EXPECT_EQ(fault_in(R"({"columns":4})"), "/columns");
+  EXPECT_EQ(fault_in(R"({"turntable":3,"columns":4})"), "/columns");
 }
 
 TEST(StillRequestText, IsWrittenAsItIsRead) {
@@ -206,6 +230,7 @@ TEST(StillRequestText, IsWrittenAsItIsRead) {
     const auto request = read_described<StillRequest>(parse_json(json));
     EXPECT_EQ(parse_json(to_json(write_value(request))), parse_json(json));
   }
+  EXPECT_EQ(to_json(write_value(StillRequest{})), "{}");
   const Value schema(whole_schema<StillRequest>());
   EXPECT_NE(to_json(schema).find("\"headlight\""), std::string::npos);
 }

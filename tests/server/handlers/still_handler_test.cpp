@@ -1,55 +1,13 @@
 // GET and POST /still: a model in, its picture out.
 #include "server/stores/digest.h"
 #include "tests/core/models/zip_files.h"
-#include "tests/core/png/png_reader.h"
-#include "tests/server/model_support.h"
-#include "tests/server/picture_support.h"
-#include "tests/server/support.h"
+#include "tests/server/still_support.h"
 
 namespace tia::test {
 namespace {
 
 using testing::HasSubstr;
 using testing::StartsWith;
-
-// A box of sides 2, 4 and 6 about the origin, white and matt, as OBJ.
-const std::string box_text = [] {
-  std::string text = "mtllib m.mtl\nusemtl white\n";
-  for (const char* x : {"-1", "1"})
-    for (const char* y : {" -2", " 2"})
-      for (const char* z : {" -3", " 3"}) text += std::string("v ") + x + y + z + "\n";
-  return text + "f 1 2 4 3\nf 5 7 8 6\nf 1 5 6 2\nf 3 4 8 7\nf 1 3 7 5\nf 2 6 8 4\n";
-}();
-const NamedTexts box_files{{"box.obj", box_text},
-                           {"m.mtl", "newmtl white\nKd 1 1 1\nKs 0 0 0\nillum 1\n"}};
-
-// Few pixels and samples, so that it is quick.
-const std::string quick = "&width=40&height=30&samples=4";
-
-class Stills : public testing::Test {
- protected:
-  Stills() : id_(text_at(parse_json(kept().body), "id")) {}
-
-  Response kept() { return own_.post("/models", form_of_files(box_files), form_type); }
-  Response still(const std::string& query) { return own_.get("/still?model=" + id_ + query); }
-  Response sent(const std::string& query) {
-    return own_.post("/still?" + query, form_of_files(box_files), form_type);
-  }
-  std::string scene(const std::string& query) {
-    const Response told = still("&as=scene" + query);
-    EXPECT_EQ(told.status, 200) << told.body;
-    EXPECT_EQ(told.content_type, "application/json");
-    return told.body;
-  }
-  Png png(const std::string& query) {
-    const Response picture = still(query);
-    EXPECT_EQ(picture.status, 200) << picture.body;
-    return read_png(picture.body);
-  }
-
-  Host own_;
-  const std::string id_;
-};
 
 TEST_F(Stills, AreTransparentPngsOf512Pixels) {
   const Response picture = still("&samples=1");
@@ -69,6 +27,7 @@ std::string body_of(const std::string& scene) {
 TEST_F(Stills, AreWhatRenderDrawsOfTheirScene) {
   for (const std::string query :
        {"", "&integrator=whitted", "&studio=sun&ground=floor&background=0.2,0.3,0.4",
+        "&turntable=3&ground=none", "&turntable=2&columns=1&integrator=whitted&background=1",
         "&orbit=-70,10&fov=0&zoom=2", "&integrator=normal", "&noise=0.2&exposure=1",
         "&fit.min=0,0,0&fit.max=1,1,1&up=z", "&integrator=whitted&threshold=0.1&transfer=linear"}) {
     SCOPED_TRACE(query);
@@ -220,6 +179,12 @@ TEST_F(Stills, FaultsNameTheirParameter) {
       {"&colour=red", "/colour"},
       {"&integrator=whitted&noise=0.1", "/noise"},
       {"&main=box.obj", "/main"},
+      {"&turntable=65", "/turntable"},
+      {"&turntable=2&camera=0", "/turntable"},
+      {"&columns=2", "/columns"},
+      {"&turntable=2&columns=3", "/columns"},
+      {"&turntable=2&crop=0,0,9,9", "/crop"},
+      {"&turntable=2&budget_ms=1000", "/budget_ms"},
       {"&fit.min=9e8,0,0&fit.max=1e9,1e9,1e9", "/fit"}};
   for (const auto& [query, pointer] : rows) {
     SCOPED_TRACE(query);

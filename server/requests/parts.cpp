@@ -1,0 +1,54 @@
+#include "server/requests/parts.h"
+
+#include <algorithm>
+
+namespace tia::server {
+
+Window whole_window(const PictureRequest& asked, const Scene& scene) {
+  Window window = asked.window();
+  if (!scene.sheet) return window;
+  window.x1 = asked.width * scene.sheet->columns;
+  window.y1 = asked.height * scene.sheet->rows();
+  return window;
+}
+
+std::vector<Part> parts_of(const Plan& plan) {
+  if (!plan.scene->sheet) return {{plan.scene.scene, plan.view, plan.window, 0, 0}};
+  const int width = plan.asked->width, height = plan.asked->height;
+  const Sheet& sheet = *plan.scene->sheet;
+  std::vector<Part> parts;
+  for (const SheetView& view : sheet.views) {
+    auto scene = std::make_shared<Scene>(*plan.scene);
+    scene->camera = view.camera;
+    scene->lights = view.lights;
+    scene->sheet.reset();
+    const int number = static_cast<int>(parts.size());
+    parts.push_back({scene,
+                     view_of(view.camera, width, height),
+                     {0, 0, width, height},
+                     number % sheet.columns * width,
+                     number / sheet.columns * height});
+  }
+  return parts;
+}
+
+Vec3f nothing_in(const Plan& plan) {
+  if (!gathers_light(plan.options.integrator)) return {};
+  const auto& backdrop = plan.scene->backdrop;
+  return lift<float>(rgb_of(backdrop ? backdrop->color.value_or(Color{}) : plan.scene->background));
+}
+
+void add(Rendered& all, const Rendered& more, int before) {
+  RayCounts& rays = all.rays;
+  rays.primary += more.rays.primary, rays.shadow += more.rays.shadow;
+  rays.reflection += more.rays.reflection, rays.refraction += more.rays.refraction;
+  rays.cut += more.rays.cut;
+  if (!all.reached || !more.reached) return void(all.reached = more.reached);
+  Reached& reached = *all.reached;
+  reached.least = std::min(reached.least, more.reached->least);
+  reached.most = std::max(reached.most, more.reached->most);
+  reached.mean = (reached.mean * before + more.reached->mean) / (before + 1);
+  reached.noise = std::max(reached.noise, more.reached->noise);
+}
+
+}  // namespace tia::server
