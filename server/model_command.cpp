@@ -12,7 +12,7 @@ namespace tia::server {
 void describe_model(const std::vector<std::string>& names) {
   const ModelReader reader(Confinement{});
   read_model_files(names, [&](const ModelFiles& files) {
-    std::cout << to_json(description_of(reader.read(files, {}))) << std::endl;
+    std::cout << to_json(description_of(*reader.read(files, {}).model)) << std::endl;
   });
 }
 

@@ -1,11 +1,14 @@
 #include "server/stores/model_exchange.h"
 
 #include <algorithm>
+#include <array>
+#include <cstring>
 #include <string_view>
 
 #include "core/input/json.h"
 #include "core/models/archive.h"
 #include "core/models/check_model.h"
+#include "core/models/images.h"
 
 namespace tia::server {
 namespace {
@@ -88,14 +91,12 @@ Fault fault_of(const Value& value) {
   return fault;
 }
 
-std::vector<std::uint8_t> faults_answer(const InputError& error) {
+ReaderAnswer faults_answer(const InputError& error) {
   Value::Array all;
   for (const Fault& each : error.faults()) all.push_back(fault_value(each));
   const std::string text = to_json(all);
-  std::vector<std::uint8_t> answer;
-  answer.reserve(1 + text.size());
-  answer.push_back(faults_follow);
-  answer.insert(answer.end(), text.begin(), text.end());
+  ReaderAnswer answer{{faults_follow}, {}};
+  answer.bytes.insert(answer.bytes.end(), text.begin(), text.end());
   return answer;
 }
 
@@ -113,6 +114,82 @@ std::vector<std::uint8_t> faults_answer(const InputError& error) {
   throw NoAnswer("no faults");
 }
 
+// ---- models -------------------------------------------------------------------------------------
+
+using PictureExtent = std::array<std::uint32_t, 2>;  // width, height; of none 0, 0
+
+template <class Number>
+void put_number(Number number, std::vector<std::uint8_t>& bytes) {
+  const auto* from = reinterpret_cast<const std::uint8_t*>(&number);
+  bytes.insert(bytes.end(), from, from + sizeof number);
+}
+
+std::span<const std::uint8_t> take(std::span<const std::uint8_t>& rest, std::uint64_t size) {
+  if (size > rest.size()) throw NoAnswer("fewer bytes than it says");
+  const auto part = rest.first(size);
+  rest = rest.subspan(size);
+  return part;
+}
+template <class Number>
+Number take_number(std::span<const std::uint8_t>& rest) {
+  Number number;
+  std::memcpy(&number, take(rest, sizeof number).data(), sizeof number);
+  return number;
+}
+
+// After the letter: the archive's length, the archive, the sizes of all pictures, their pixels.
+ReaderAnswer model_answer(Model model, const ModelLimits& limits) {
+  ReaderAnswer answer{{model_follows}, {}};
+  Faults faults;
+  answer.images = decode_images(model, limits, faults);
+  faults.raise();
+  for (ModelImage& each : model.images) each.file = {};
+  constexpr std::size_t before = 1 + sizeof(std::uint64_t);
+  put_number(std::uint64_t{0}, answer.bytes);
+  append_archive(model, answer.bytes);
+  const std::uint64_t length = answer.bytes.size() - before;
+  std::memcpy(answer.bytes.data() + 1, &length, sizeof length);
+  for (const auto& image : answer.images)
+    for (const int side : {image ? image->width : 0, image ? image->height : 0})
+      put_number(static_cast<std::uint32_t>(side), answer.bytes);
+  return answer;
+}
+
+std::vector<PictureExtent> take_extents(std::span<const std::uint8_t>& rest, std::size_t count,
+                                        const ModelLimits& limits) {
+  std::vector<PictureExtent> all(count);
+  std::uint64_t left = limits.texture_pixels;
+  for (PictureExtent& each : all) {
+    for (std::uint32_t& side : each) side = take_number<std::uint32_t>(rest);
+    const std::uint64_t pixels = std::uint64_t{each[0]} * each[1];
+    if (std::max(each[0], each[1]) > limits.texture_side || pixels > left)
+      throw NoAnswer("pictures beyond the limits");
+    left -= pixels;
+  }
+  return all;
+}
+
+KeptModel take_model(std::span<const std::uint8_t> rest, const ModelLimits& limits) {
+  const auto length = take_number<std::uint64_t>(rest);
+  auto model = unarchived(take(rest, length));
+  if (!model) throw NoAnswer("an archive of another length");
+  Faults faults;
+  check_model(*model, limits, faults);
+  if (!faults.empty()) throw NoAnswer(describe(faults.list().front()));
+  KeptModel kept;
+  for (const auto [width, height] : take_extents(rest, model->images.size(), limits)) {
+    const auto pixels = take(rest, std::uint64_t{4} * width * height);
+    kept.images.push_back(pixels.empty() ? nullptr
+                                         : std::make_shared<const ImageRgba8>(
+                                               ImageRgba8{static_cast<int>(width),
+                                                          static_cast<int>(height),
+                                                          {pixels.begin(), pixels.end()}}));
+  }
+  if (!rest.empty()) throw NoAnswer("more bytes than it says");
+  kept.model = std::make_shared<const Model>(std::move(*model));
+  return kept;
+}
+
 }  // namespace
 
 std::string request_head(const ModelFiles& files, const ModelLimits& limits) {
@@ -127,28 +204,21 @@ std::string request_head(const ModelFiles& files, const ModelLimits& limits) {
   return to_json(head) + '\n';
 }
 
-std::vector<std::uint8_t> answer_to(std::span<const std::uint8_t> bytes) {
+ReaderAnswer answer_to(std::span<const std::uint8_t> bytes) {
   const ModelRequest request = request_of(bytes);
   try {
-    std::vector<std::uint8_t> answer{model_follows};
-    append_archive(read_model(request.files, request.limits), answer);
-    return answer;
+    return model_answer(read_model(request.files, request.limits), request.limits);
   } catch (const InputError& error) {
     return faults_answer(error);
   }
 }
 
-Model model_of(std::span<const std::uint8_t> answer, const ModelLimits& limits) {
+KeptModel model_of(std::span<const std::uint8_t> answer, const ModelLimits& limits) {
   if (answer.empty()) throw NoAnswer("nothing");
   const auto rest = answer.subspan(1);
   if (answer[0] == faults_follow) raise(rest);
   if (answer[0] != model_follows) throw NoAnswer("neither a model nor faults");
-  auto model = unarchived(rest);
-  if (!model) throw NoAnswer("an archive of another length");
-  Faults faults;
-  check_model(*model, limits, faults);
-  if (!faults.empty()) throw NoAnswer(describe(faults.list().front()));
-  return std::move(*model);
+  return take_model(rest, limits);
 }
 
 }  // namespace tia::server

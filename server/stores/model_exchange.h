@@ -1,5 +1,5 @@
 // What the server and the process that reads a model say to each other: a request of files and
-// limits, an answer of a model's flat form or of faults.
+// limits, an answer of a model's flat form and its pictures, or of faults.
 #pragma once
 
 #include <cstdint>
@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/models/formats.h"
+#include "core/models/kept_model.h"
 
 namespace tia::server {
 
@@ -16,17 +17,24 @@ namespace tia::server {
 /// sizes, which is the main one, and the limits.
 std::string request_head(const ModelFiles& files, const ModelLimits& limits);
 
-/// The answer to a whole request, which only the server writes: of a model its archive, else the
-/// faults. Errors: std::runtime_error of what is no request; std::bad_alloc.
-std::vector<std::uint8_t> answer_to(std::span<const std::uint8_t> request);
+/// ReaderAnswer: bytes, and behind them the pixels of the pictures, which are not copied.
+struct ReaderAnswer {
+  std::vector<std::uint8_t> bytes;
+  std::vector<std::shared_ptr<const ImageRgba8>> images;  ///< null: none
+};
+
+/// The answer to a whole request, which only the server writes: of a model its archive and what its
+/// pictures hold, else the faults. Errors: std::runtime_error of what is no request;
+/// std::bad_alloc. Cost: a model's pictures in memory, and its archive.
+ReaderAnswer answer_to(std::span<const std::uint8_t> request);
 
 /// NoAnswer: bytes that no reader would answer with, unless something is wrong with it.
 struct NoAnswer : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// The model of an answer, which is looked at as a stranger's. Errors: InputError of its faults;
-/// NoAnswer.
-Model model_of(std::span<const std::uint8_t> answer, const ModelLimits& limits);
+/// The model of an answer, which is looked at as a stranger's: without the files of its pictures,
+/// but with what they hold. Errors: InputError of its faults; NoAnswer.
+KeptModel model_of(std::span<const std::uint8_t> answer, const ModelLimits& limits);
 
 }  // namespace tia::server

@@ -64,7 +64,10 @@ void write_output(std::span<const std::uint8_t> bytes) {
 
 int answer() {
   try {
-    write_output(answer_to(read_input()));
+    const ReaderAnswer answer = answer_to(read_input());
+    write_output(answer.bytes);
+    for (const auto& image : answer.images)
+      if (image) write_output(image->rgba);
     return answered;
   } catch (const std::bad_alloc&) {
     return no_memory;
@@ -86,8 +89,8 @@ bool confined(const Confinement& confinement) {
 
 }  // namespace
 
-Model ModelReader::read(const ModelFiles& files, const ModelLimits& limits,
-                        const std::stop_token& stop) const {
+KeptModel ModelReader::read(const ModelFiles& files, const ModelLimits& limits,
+                            const std::stop_token& stop) const {
   const std::string head = request_head(files, limits);
   std::vector<std::span<const std::uint8_t>> input{
       {reinterpret_cast<const std::uint8_t*>(head.data()), head.size()}};

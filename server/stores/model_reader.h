@@ -6,6 +6,7 @@
 #include <string>
 
 #include "core/models/formats.h"
+#include "core/models/kept_model.h"
 #include "server/operation/confined.h"
 
 namespace tia::server {
@@ -23,11 +24,13 @@ class ModelReader {
   explicit ModelReader(const Confinement& confinement, std::string program = "/proc/self/exe")
       : confinement_(confinement), program_(std::move(program)) {}
 
-  /// Cost: a process, some 2 ms; its memory is its own.
-  /// Errors: InputError as read_model's, and of a `limit` where the file takes more time or memory
-  /// than the process may; ReaderDied; std::system_error where no process can be had; Stopped.
-  Model read(const ModelFiles& files, const ModelLimits& limits,
-             const std::stop_token& stop = {}) const;
+  /// The model with what its pictures hold, whose files it is without.
+  /// Cost: a process, some 2 ms; its memory is its own. Here the answer and what is made of it.
+  /// Errors: InputError as read_model's and decode_images', and of a `limit` where the file takes
+  /// more time or memory than the process may; ReaderDied; std::system_error where no process can
+  /// be had; Stopped.
+  KeptModel read(const ModelFiles& files, const ModelLimits& limits,
+                 const std::stop_token& stop = {}) const;
 
  private:
   Confinement confinement_;

@@ -5,7 +5,6 @@
 
 #include "core/input/json.h"
 #include "core/models/describe.h"
-#include "core/models/images.h"
 #include "server/contract/problem.h"
 #include "server/operation/memory_costs.h"
 #include "server/stores/gallery_models.h"
@@ -113,11 +112,7 @@ KnownModel ModelStore::read_now(const ModelUpload& upload, const std::stop_token
 }
 
 SharedModel ModelStore::model_of(const ModelUpload& upload, const std::stop_token& stop) const {
-  KeptModel kept{std::make_shared<const Model>(reader_.read(upload.files, limits_, stop)), {}};
-  Faults faults(stop);
-  kept.images = decode_images(*kept.model, limits_, faults);
-  faults.raise();
-  return std::make_shared<const KeptModel>(std::move(kept));
+  return std::make_shared<const KeptModel>(reader_.read(upload.files, limits_, stop));
 }
 
 void ModelStore::check_rest(const std::string& id) {

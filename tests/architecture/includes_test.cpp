@@ -40,6 +40,8 @@ const std::vector<Wrapped> libraries = {
     {"stb", {"core/film/"}},
     {"libdeflate", {"core/film/", "core/input/packed_text.cpp", "core/models/zip"}},
     {"webp/", {"core/models/webp.cpp"}},
+    {"draco/", {"core/models/draco.cpp"}},
+    {"meshoptimizer", {"core/models/meshopt.cpp"}},
     {"seccomp", {"server/operation/confine.cpp"}},
     {"sleef", {"core/math/"}},
     {"xsimd", {"core/math/registers.h"}},

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/models/gltf/gltf_bytes.h"
+
 namespace tia::gltf {
 namespace {
 
@@ -140,6 +142,8 @@ const Accessor* attribute_accessor(const Attributes& attributes, std::string_vie
   const Accessor* accessor =
       accessor_for(attributes.source, attributes.object, name, {rule.types, formats});
   if (accessor == nullptr) return nullptr;
+  if (attributes.unpacked != nullptr)
+    if (const Accessor* own = attributes.unpacked->find(name)) accessor = own;
   if (accessor->count != attributes.vertices)
     attributes.object.fault(FaultKind::conflict, name,
                             Value(std::to_string(accessor->count) + " elements"),

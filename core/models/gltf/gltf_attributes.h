@@ -2,6 +2,7 @@
 // vertices.
 #pragma once
 
+#include "core/models/gltf/gltf_draco.h"
 #include "core/models/gltf/gltf_elements.h"
 
 namespace tia::gltf {
@@ -28,8 +29,9 @@ struct Attributes {
   const GltfSource& source;
   const GltfObject& object;
   std::uint64_t vertices;
-  bool quantized;  ///< whether the document uses KHR_mesh_quantization
-  Model& model;    ///< for its warnings
+  bool quantized;                               ///< whether the document uses KHR_mesh_quantization
+  Model& model;                                 ///< for its warnings
+  const UnpackedPrimitive* unpacked = nullptr;  ///< those that were packed
 };
 
 /// The accessor of an attribute, or null: where there is none, or where it cannot be used, which is

@@ -1,5 +1,6 @@
 #include "core/models/gltf/gltf_bytes.h"
 
+#include "core/models/gltf/gltf_meshopt.h"
 #include "core/models/gltf/gltf_words.h"
 
 namespace tia::gltf {
@@ -43,6 +44,7 @@ GltfBytes::GltfBytes(const GltfObject& root, const GltfCame& came, Model& model)
                "at most " + std::to_string(most_buffers) + " buffers");
     return;
   }
+  for (const ModelFile& file : came.files.all) packed_left_ += file.bytes.size();
   root.for_each("buffers", [&](const GltfObject& object, std::size_t number) {
     read_buffer(object, number, came, model);
   });
@@ -76,7 +78,11 @@ void GltfBytes::read_buffer(const GltfObject& object, std::size_t number, const 
   Buffer buffer;
   object.needs("byteLength", "how many bytes the buffer has");
   buffer.length = object.integer("byteLength", 1, most_integer);
-  const std::optional<ModelBytes> bytes = buffer_bytes(object, number, came);
+  object.with_extension(meshopt_name, [&](const GltfObject& extension) {
+    buffer.fallback = extension.flag("fallback", false);
+  });
+  const std::optional<ModelBytes> bytes =
+      buffer.fallback ? std::nullopt : buffer_bytes(object, number, came);
   if (bytes && buffer.length) {
     const std::uint64_t length = *buffer.length;
     buffer.there = length <= bytes->size();
@@ -101,13 +107,43 @@ void GltfBytes::read_view(const GltfObject& object) {
   view.offset = offset.value_or(0);
   view.length = object.integer("byteLength", 1, most_integer);
   read_stride(object, view);
-  if (index && view.length && (placed || offset)) {
-    const Buffer& buffer = buffers_[*index];
-    const bool within = buffer.length && lies_within(object, view, *buffer.length);
-    view.there = within && buffer.there;
-    if (view.there) view.bytes = buffer.bytes.subspan(view.offset, *view.length);
-  }
+  if (index && (placed || offset)) place_view(object, *index, view);
+  const bool packed = object.with_extension(
+      meshopt_name, [&](const GltfObject& extension) { unpack_view(extension, view); });
+  if (index && !packed && buffers_[*index].fallback)
+    object.fault(FaultKind::conflict, "buffer", Value(static_cast<double>(*index)),
+                 "a buffer that is no fallback, without " + std::string(meshopt_name));
   views_.push_back(view);
+}
+
+void GltfBytes::place_view(const GltfObject& object, std::size_t number, GltfView& view) const {
+  const Buffer& buffer = buffers_[number];
+  view.there =
+      view.length && buffer.length && lies_within(object, view, *buffer.length) && buffer.there;
+  if (view.there) view.bytes = buffer.bytes.subspan(view.offset, *view.length);
+}
+
+// Views may overlap, so that what is unpacked is counted.
+void GltfBytes::unpack_view(const GltfObject& extension, GltfView& view) {
+  const auto buffer = extension.index("buffer", buffers_.size());
+  auto own = read_meshopt(extension, view);
+  view.there = false;
+  if (!buffer || !own) return;
+  if (buffers_[*buffer].fallback)
+    return extension.fault(FaultKind::conflict, "buffer", Value(static_cast<double>(*buffer)),
+                           "a buffer that is no fallback");
+  place_view(extension, *buffer, own->packed);
+  if (!own->packed.there) return;
+  const std::uint64_t size = own->packed.bytes.size();
+  if (size > packed_left_)
+    return extension.fault(FaultKind::limit, Value(bytes_text(size) + " more"),
+                           "packed views of at most as many bytes together as came");
+  packed_left_ -= size;
+  auto bytes = unpack(extension, *own);
+  if (!bytes) return;
+  decoded_.push_back(std::move(*bytes));  // moved, they stay where they are
+  view.bytes = decoded_.back();
+  view.there = true;
 }
 
 ModelBytes view_bytes(const GltfSource& source, ModelIndex view, const Place& at) {

@@ -1,5 +1,5 @@
 // Where a glTF document's numbers lie: its buffers, views and accessors. Nothing is copied but what
-// stands in data URIs.
+// stands in data URIs or is packed.
 #pragma once
 
 #include <optional>
@@ -29,14 +29,18 @@ class GltfBytes {
     std::optional<std::uint64_t> length;
     ModelBytes bytes;
     bool there = false;
+    bool fallback = false;  ///< of views that are packed elsewhere
   };
   void read_buffer(const GltfObject& object, std::size_t number, const GltfCame& came,
                    Model& model);
   std::optional<ModelBytes> buffer_bytes(const GltfObject& object, std::size_t number,
                                          const GltfCame& came);
   void read_view(const GltfObject& object);
+  void place_view(const GltfObject& object, std::size_t buffer, GltfView& view) const;
+  void unpack_view(const GltfObject& extension, GltfView& view);
 
-  std::vector<std::vector<std::uint8_t>> decoded_;  // from data URIs
+  std::vector<std::vector<std::uint8_t>> decoded_;  // from data URIs and packed views
+  std::uint64_t packed_left_ = 0;                   // bytes that may still be unpacked
   std::vector<Buffer> buffers_;
   std::vector<GltfView> views_;
   std::vector<Accessor> accessors_;

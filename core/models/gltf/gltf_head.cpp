@@ -15,7 +15,8 @@ const std::vector<std::string_view> taken_extensions{
     "KHR_materials_anisotropy",   "KHR_materials_dispersion",
     "KHR_materials_variants",     "KHR_texture_transform",
     "KHR_lights_punctual",        "KHR_mesh_quantization",
-    "EXT_mesh_gpu_instancing",    "EXT_texture_webp"};
+    "EXT_mesh_gpu_instancing",    "EXT_texture_webp",
+    "KHR_draco_mesh_compression", "EXT_meshopt_compression"};
 
 bool is_taken(std::string_view name) {
   return std::ranges::find(taken_extensions, name) != taken_extensions.end();

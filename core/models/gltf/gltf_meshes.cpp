@@ -94,7 +94,7 @@ class MeshReader {
     return part;
   }
 
-  // Lines have no area. What has been packed is taken where it stands there unpacked as well.
+  // Lines have no area.
   bool is_taken(const GltfObject& primitive, const GltfObject& attributes, PrimitiveMode mode) {
     if (mode == PrimitiveMode::lines || mode == PrimitiveMode::line_loop ||
         mode == PrimitiveMode::line_strip) {
@@ -106,16 +106,6 @@ class MeshReader {
       warn(primitive, "without positions it is not taken");
       return false;
     }
-    return !is_only_packed(primitive, attributes);
-  }
-
-  bool is_only_packed(const GltfObject& primitive, const GltfObject& attributes) {
-    constexpr std::string_view draco = "KHR_draco_mesh_compression";
-    if (!primitive.with_extension(draco, [](const GltfObject&) {})) return false;
-    const std::vector<Accessor>& all = source_.bytes.accessors();
-    const MaybeIndex index = attributes.index("POSITION", all.size());
-    if (!index || !all[*index].good || !all[*index].bytes.empty()) return false;
-    warn(primitive, std::string(draco) + " is not taken, and nothing else is there");
     return true;
   }
 
@@ -134,12 +124,18 @@ class MeshReader {
         !take(primitive, triangles_left_, points ? 0 : triangles_of(mode, corners),
               source_.limits.triangles, "triangles in all (option TIA_MAX_TRIANGLES)"))
       return std::nullopt;
-    const Attributes attributes{source_, object, vertices, quantized_, model_};
+    const bool packed = is_packed(primitive);
+    const auto unpacked =
+        packed ? unpack(source_, {primitive, object, mode, indices}) : std::nullopt;
+    if (packed && !unpacked) return std::nullopt;
+    const Attributes attributes{source_,    object, vertices,
+                                quantized_, model_, unpacked ? &*unpacked : nullptr};
     ModelPart part;
     part.points = points;
     read_vertices(attributes, part);
     read_targets(attributes, primitive, part);
-    if (!points) part.indices = read_triangles(primitive, indices, mode, vertices);
+    if (unpacked) part.indices = unpacked->indices;
+    else if (!points) part.indices = read_triangles(primitive, indices, mode, vertices);
     else if (primitive.has("indices")) warn(primitive, "indices of points are not taken");
     return part;
   }

@@ -289,25 +289,5 @@ TEST(GltfMeshes, WhatCostsNoBytesHasALimit) {
   expect_one_fault(read_built(builder), FaultKind::limit, primitive);
 }
 
-TEST(GltfMeshes, WhatIsOnlyPackedIsNotTaken) {
-  const auto draco = [](bool unpacked) {
-    GltfBuilder builder;
-    const int positions =
-        unpacked ? builder.vec3(row(3)) : builder.accessor(-1, gltf_float, "VEC3", 3);
-    builder.view(Bytes(8));
-    builder.set("extensionsUsed", "[\"KHR_draco_mesh_compression\"]");
-    builder.set("meshes",
-                one_primitive(named("POSITION", positions),
-                              R"(,"extensions":{"KHR_draco_mesh_compression":{"bufferView":0,)"
-                              R"("attributes":{"POSITION":0}}})"));
-    return read_built(builder);
-  };
-  expect_faults(draco(true).faults, {});
-  EXPECT_EQ(draco(true).model.meshes[0].parts.size(), 1U);
-  expect_faults(draco(false).faults, {});
-  EXPECT_TRUE(draco(false).model.meshes[0].parts.empty());
-  EXPECT_TRUE(draco(false).warned(primitive));
-}
-
 }  // namespace
 }  // namespace tia::test::gltf_files

@@ -5,9 +5,11 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
+#include <cstring>
 #include <fstream>
 #include <thread>
 
+#include "core/film/png.h"
 #include "core/models/archive.h"
 #include "core/parallel/stopped.h"
 #include "server/stores/model_exchange.h"
@@ -43,7 +45,7 @@ class Answering {
     std::ofstream(file_) << "#!/bin/sh\ncat > /dev/null\n" << script << '\n';
     chmod(file_.c_str(), 0700);
   }
-  Model read(const std::stop_token& stop = {}) const {
+  KeptModel read(const std::stop_token& stop = {}) const {
     return ModelReader({std::uint64_t{1} << 20U, 1}, file_).read(files_of(tetrahedron), {}, stop);
   }
 
@@ -53,9 +55,9 @@ class Answering {
 };
 
 TEST(ModelReader, ReadsWhatTheSameCodeReadsHere) {
-  const Model apart = reader().read(files_of(tetrahedron), {});
-  EXPECT_EQ(apart, read_model(files_of(tetrahedron)));
-  EXPECT_EQ(apart.meshes[0].parts[0].triangles(), 4U);
+  const KeptModel apart = reader().read(files_of(tetrahedron), {});
+  EXPECT_EQ(*apart.model, read_model(files_of(tetrahedron)));
+  EXPECT_EQ(apart.model->meshes[0].parts[0].triangles(), 4U);
 }
 
 TEST(ModelReader, TellsTheFaultsThatTheSameCodeTells) {
@@ -125,11 +127,17 @@ std::vector<std::uint8_t> answer_here(const ModelFiles& files, const ModelLimits
   std::vector<std::uint8_t> request(head.begin(), head.end());
   for (const ModelFile& each : files.all)
     request.insert(request.end(), each.bytes.begin(), each.bytes.end());
-  return answer_to(request);
+  const ReaderAnswer answer = answer_to(request);
+  std::vector<std::uint8_t> bytes = answer.bytes;
+  for (const auto& image : answer.images)
+    if (image) bytes.insert(bytes.end(), image->rgba.begin(), image->rgba.end());
+  return bytes;
 }
 
 TEST(ModelExchange, GivesTheModelOrItsFaults) {
-  EXPECT_EQ(model_of(answer_here(files_of(tetrahedron)), {}), read_model(files_of(tetrahedron)));
+  const KeptModel kept = model_of(answer_here(files_of(tetrahedron)), {});
+  EXPECT_EQ(*kept.model, read_model(files_of(tetrahedron)));
+  EXPECT_TRUE(kept.images.empty());
   for (const std::string& text : {std::string("unknown"), tetrahedron.substr(0, 100)}) {
     try {
       model_of(answer_here(files_of(text)), {});
@@ -151,12 +159,86 @@ TEST(ModelExchange, RefusesWhatIsNoRequest) {
   }
 }
 
-// An archive that is whole but does not fit together, as a reader that was taken over could write.
+// ---- pictures -----------------------------------------------------------------------------------
+
+// A point cloud whose texture is a picture of these pixels.
+const std::string textured =
+    "ply\nformat ascii 1.0\ncomment TextureFile skin.png\nelement vertex 1\nproperty float x\n"
+    "property float y\nproperty float z\nproperty float s\nproperty float t\nend_header\n"
+    "1 2 3 0 0\n";
+std::vector<std::uint8_t> picture_of(int width, int height) {
+  Image8 image(width, height);
+  for (std::size_t i = 0; i < image.rgb.size(); ++i)
+    image.rgb[i] = static_cast<std::uint8_t>(i * 7);
+  const std::string file = encode_png(image);
+  return {file.begin(), file.end()};
+}
+ModelFiles with_picture(const std::vector<std::uint8_t>& picture) {
+  ModelFiles files = files_of(textured);
+  files.all.push_back({"skin.png", picture});
+  return files;
+}
+
+TEST(ModelReader, DecodesPicturesApart) {
+  const std::vector<std::uint8_t> picture = picture_of(5, 3);
+  const KeptModel apart = reader().read(with_picture(picture), {});
+  ASSERT_EQ(apart.images.size(), 1U);
+  EXPECT_EQ(apart.images[0]->width, 5);
+  EXPECT_EQ(apart.images[0]->height, 3);
+  for (std::size_t i = 0; i < 15; ++i)
+    for (std::size_t c = 0; c < 4; ++c)
+      ASSERT_EQ(apart.images[0]->rgba.at(i * 4 + c),
+                c == 3 ? 255 : static_cast<std::uint8_t>((i * 3 + c) * 7));
+  EXPECT_EQ(apart.model->images.at(0).name, "skin.png");
+  EXPECT_TRUE(apart.model->images[0].file.empty());
+}
+
+TEST(ModelReader, TellsThePicturesFaults) {
+  const std::vector<std::uint8_t> picture = picture_of(5, 3);
+  const auto fault_of = [](const ModelFiles& files, const ModelLimits& limits) {
+    try {
+      reader().read(files, limits);
+    } catch (const InputError& error) {
+      return error.faults().at(0);
+    }
+    return Fault{};
+  };
+  const std::vector<std::uint8_t> half(picture.begin(), picture.begin() + 40);
+  const Fault broken = fault_of(with_picture(half), {}),
+              large = fault_of(with_picture(picture), {.texture_pixels = 14});
+  EXPECT_EQ(broken.pointer, "/images/0");
+  EXPECT_EQ(broken.kind, FaultKind::wrong_type);
+  EXPECT_EQ(large.pointer, "/images/0");
+  EXPECT_EQ(large.kind, FaultKind::limit);
+}
+
+// What a reader that was taken over could write.
+TEST(ModelExchange, ChecksPicturesAsAStrangers) {
+  const std::vector<std::uint8_t> picture = picture_of(5, 3);
+  const std::vector<std::uint8_t> good = answer_here(with_picture(picture));
+  EXPECT_EQ(model_of(good, {}).images.at(0)->rgba.size(), 60U);
+  EXPECT_THROW(model_of(good, {.texture_pixels = 14}), NoAnswer);
+  EXPECT_THROW(model_of(good, {.texture_side = 4}), NoAnswer);
+  for (std::size_t size = 0; size < good.size(); ++size)
+    EXPECT_THROW(model_of(std::span(good).first(size), {}), NoAnswer) << size;
+  std::vector<std::uint8_t> other = good;
+  other.push_back(0);
+  EXPECT_THROW(model_of(other, {}), NoAnswer);
+  other = good;
+  other[good.size() - 61] = 0xFF;  // the height's last byte
+  EXPECT_THROW(model_of(other, {}), NoAnswer);
+}
+
+// An archive that is whole but does not fit together.
 TEST(ModelReader, ChecksTheModelAsAStrangers) {
   Model model = read_model(files_of(tetrahedron));
   model.meshes[0].parts[0].indices[0] = 1'000'000;
-  std::vector<std::uint8_t> answer{'M'};
-  append_archive(model, answer);
+  std::vector<std::uint8_t> archive;
+  append_archive(model, archive);
+  std::vector<std::uint8_t> answer{'M', 0, 0, 0, 0, 0, 0, 0, 0};
+  const std::uint64_t length = archive.size();
+  std::memcpy(answer.data() + 1, &length, sizeof length);
+  answer.insert(answer.end(), archive.begin(), archive.end());
   EXPECT_THROW(model_of(answer, {}), NoAnswer);
 }
 
@@ -170,7 +252,7 @@ TEST(ModelReader, OthersGoOnWhileOneDies) {
   const Answering dying("sleep 0.1; kill -SEGV $$");
   std::jthread other([&] { EXPECT_THROW(dying.read(), ReaderDied); });
   for (int i = 0; i < 20; ++i)
-    EXPECT_EQ(reader().read(files_of(tetrahedron), {}).meshes.size(), 1U);
+    EXPECT_EQ(reader().read(files_of(tetrahedron), {}).model->meshes.size(), 1U);
 }
 
 }  // namespace
