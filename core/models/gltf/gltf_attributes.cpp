@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/models/gltf/gltf_bytes.h"
+
 namespace tia::gltf {
 namespace {
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "core/models/gltf/gltf_bytes.h"
 #include "core/models/gltf/gltf_elements.h"
 
 namespace tia::gltf {

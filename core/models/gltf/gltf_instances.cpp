@@ -1,6 +1,7 @@
 #include "core/models/gltf/gltf_instances.h"
 
 #include "core/models/gltf/gltf_attributes.h"
+#include "core/models/gltf/gltf_bytes.h"
 
 namespace tia::gltf {
 namespace {

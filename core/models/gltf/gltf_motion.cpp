@@ -3,6 +3,7 @@
 #include <tuple>
 
 #include "core/models/gltf/gltf_attributes.h"
+#include "core/models/gltf/gltf_bytes.h"
 #include "core/models/gltf/gltf_skins.h"
 
 namespace tia::gltf {

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "core/models/gltf/gltf_attributes.h"
+#include "core/models/gltf/gltf_bytes.h"
 #include "core/models/gltf/gltf_skins.h"
 
 namespace tia::gltf {
