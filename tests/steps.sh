@@ -235,7 +235,7 @@ step_same_bytes() {
     [ "$key" = none ] || options+=(--key "$key")
     for format in png pfm hdr; do same_picture "$key.$format" thesis "${options[@]}"; done
   done
-  for options in thesis normal depth albedo object shadow cost; do
+  for options in thesis normal depth albedo object shadow cost planar_depth label; do
     same_picture "$options.pfm" shapes --integrator "$options"
   done
   same_picture occlusion.pfm shapes --integrator ambient_occlusion --samples 4

@@ -26,6 +26,35 @@ Vec3<Real> Integrator<IntegratorName::depth>::radiance(WorldView& world_view, co
   return {t, t, t};
 }
 
+// Distance along the view's axis; infinite where nothing is hit.
+template <>
+template <class Real>
+Vec3<Real> Integrator<IntegratorName::planar_depth>::radiance(WorldView& world_view,
+                                                              const Ray<Real>& ray,
+                                                              Mask<Real> active,
+                                                              const SamplerState<Real>&) {
+  const Real t = first_hit(world_view, ray, active).t;
+  if (world_view.view == nullptr) return {t, t, t};
+  const View& view = *world_view.view;
+  const Vec3<Real> axis = lift<Real>(view.axis);
+  const Real before = dot(ray.origin - lift<Real>(view.origin), axis);
+  const Real depth = before + t * dot(ray.direction, axis);
+  return {depth, depth, depth};
+}
+
+// The material's own colour; white where nothing is hit.
+template <>
+template <class Real>
+Vec3<Real> Integrator<IntegratorName::label>::radiance(WorldView& world_view, const Ray<Real>& ray,
+                                                       Mask<Real> active,
+                                                       const SamplerState<Real>&) {
+  Vec3<Real> label{Real(1), Real(1), Real(1)};
+  for_each_winner(first_hit(world_view, ray, active), active, [&](int primitive, Mask<Real> here) {
+    label = select(here, lift<Real>(world_view.world.shading_of(primitive).label), label);
+  });
+  return label;
+}
+
 // The surface's colour times what it scatters; 0 where nothing is hit.
 template <>
 template <class Real>
@@ -96,5 +125,7 @@ TIA_INTEGRATOR(albedo)
 TIA_INTEGRATOR(object)
 TIA_INTEGRATOR(shadow)
 TIA_INTEGRATOR(cost)
+TIA_INTEGRATOR(planar_depth)
+TIA_INTEGRATOR(label)
 
 }  // namespace tia

@@ -20,8 +20,9 @@ struct WorldView {
   WorkCounter work;
   Rules rules{};
   RayCounts rays{};
-  unsigned met = 0;  ///< the lanes, as bits, of the last camera rays that met an object
-  PixelCone cone{};  ///< of the camera's rays
+  unsigned met = 0;            ///< the lanes, as bits, of the last camera rays that met an object
+  PixelCone cone{};            ///< of the camera's rays
+  const View* view = nullptr;  ///< whose rays they are, in the world's space; null: nobody's
 
   template <class Real>
   Hit<Real> closest(const Ray<Real>& ray, Mask<Real> active) {
@@ -31,9 +32,9 @@ struct WorldView {
   /// Of rays from the camera, which before a backdrop pass the surfaces of lights.
   template <class Real>
   Hit<Real> closest_seen(const Ray<Real>& ray, Mask<Real> active) {
-    if (!world.backdrop) return closest(ray, active);
-    const Hit<Real> hit = world.passable ? stop_of(ray, active, Sight<Real>{}, true)
-                                         : closest_object(world, ray, active, work);
+    if (!world.backdrop && !is_clipped()) return closest(ray, active);
+    const Hit<Real> hit =
+        world.passable ? stop_of(ray, active, Sight<Real>{}, true) : closest_thing(ray, active);
     met = bits(active && hit.t < Real(infinity));
     return hit;
   }
@@ -42,7 +43,35 @@ struct WorldView {
   template <class Real>
   Hit<Real> stop_of(const Ray<Real>& ray, Mask<Real> active, Sight<Real> sight, bool seen) {
     sight.objects_only = seen && world.backdrop;
+    if (seen && is_clipped())
+      return closest_between(
+          ray, [&](const Ray<Real>& from) { return first_stop(world, from, sight, active, work); });
     return first_stop(world, ray, sight, active, work);
+  }
+  bool is_clipped() const { return view != nullptr && view->is_clipped(); }
+  /// The closest object that rays from the camera see, or, without a backdrop, light.
+  template <class Real>
+  Hit<Real> closest_thing(const Ray<Real>& ray, Mask<Real> active) {
+    const auto find = [&](const Ray<Real>& from) {
+      return world.backdrop ? closest_object(world, from, active, work)
+                            : closest_hit(world, from, active, work);
+    };
+    return is_clipped() ? closest_between(ray, find) : find(ray);
+  }
+  /// What `find` finds along rays from the near plane on, or from where they begin behind it, up to
+  /// the far plane. Domain: a view that is clipped, whose rays they are or go straight on from.
+  template <class Real, class Find>
+  [[gnu::noinline]] Hit<Real> closest_between(const Ray<Real>& ray, const Find& find) const {
+    const Vec3<Real> axis = lift<Real>(view->axis);
+    const Real depth = dot(ray.origin - lift<Real>(view->origin), axis);
+    const Real cosine = dot(ray.direction, axis);
+    const Real skipped = max_of((lift<Real>(view->near) - depth) / cosine, Real(0));
+    Hit<Real> hit = find(Ray<Real>{ray.at(skipped), ray.direction});
+    hit.t = skipped + hit.t;
+    const Mask<Real> seen = depth + hit.t * cosine <= lift<Real>(view->far);
+    hit.t = select(seen, hit.t, Real(infinity));
+    hit.primitive = select(seen, hit.primitive, Real(-1));
+    return hit;
   }
   /// The share of the light that passes from t_max to the ray's origin, 0 or 1 unless shadows are
   /// transparent.

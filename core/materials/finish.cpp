@@ -33,6 +33,7 @@ ShadingParameters shading_of(const Finish& finish, const Vec3d& ambient_light) {
   shading.ambient = color * ambient_light * finish.ambient;
   shading.emission = rgb_of(finish.emission);
   shading.absorption = rgb_of(finish.absorption);
+  shading.label = rgb_of(finish.color);
   shading.brilliance = finish.brilliance;
   shading.specular = finish.specular;
   shading.exponent = 1 / finish.roughness;

@@ -101,6 +101,7 @@ PrincipledForm prepare(const Principled& p, const Vec3d& ambient_light) {
   PrincipledForm form;
   form.base = p.texture ? Vec3d{1, 1, 1} : rgb_of(p.base_color);
   form.layer = layer_of(p);
+  form.rest.label = rgb_of(p.base_color);
   form.rest.bsdf = bsdf_of(p, form.base);
   form.rest.ior = p.thin ? 1 : p.ior;
   form.rest.fresnel = true;

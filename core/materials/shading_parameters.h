@@ -16,6 +16,8 @@ struct ShadingParameters {
   Constant ambient;   ///< ambient reflection times ambient light, without a texture's colour
   Constant emission;  ///< emitted light
   Constant absorption;
+  Constant label{
+      Vec3d{1, 1, 1}};  ///< the colour that the material is told by, whatever textures it
   double brilliance = 1;
   double specular = 0, exponent = 20;
   double reflection = 0, transmission = 0, ior = 1;

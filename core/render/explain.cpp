@@ -10,7 +10,7 @@ namespace tia {
 namespace {
 
 std::unique_ptr<RayNode> tree_of(const World& world, const Ray<float>& ray,
-                                 const SamplerState<float>& sampler_state, const PixelCone& cone,
+                                 const SamplerState<float>& sampler_state, const View* view,
                                  const RenderOptions& options, ExplanationSize& size,
                                  const std::stop_token& stop) {
   RayMeter meter(options.max_rays, options.max_work, stop);
@@ -19,7 +19,8 @@ std::unique_ptr<RayNode> tree_of(const World& world, const Ray<float>& ray,
                        rules_of(options),
                        {},
                        0,
-                       cone};
+                       view != nullptr ? cone_of(*view) : PixelCone{},
+                       view};
   const RayTreeLimit limit{
       [&](const Hit<float>& hit) { size.ray(hit); },
       [&](TermName name, const LightRecord& light) { size.term(name, light); }};
@@ -44,9 +45,9 @@ std::vector<Note> notes_of(const Scene& scene, const World& world, IntegratorNam
 }
 
 // What the ray meets, in double, and the tree of `rounded`, which is the same in float, in the
-// world.
+// world; and the view there whose ray it is, or null.
 void explain_rays(Explanation& all, const Scene& scene, const Ray<float>& rounded,
-                  const SamplerState<float>& sampler_state, const PixelCone& cone,
+                  const SamplerState<float>& sampler_state, const View* view,
                   const RenderOptions& options, const std::stop_token& stop) {
   ExplanationSize size(all.world, all.labels);
   const Vec3d& origin = all.world.origin;
@@ -55,7 +56,7 @@ void explain_rays(Explanation& all, const Scene& scene, const Ray<float>& rounde
     each.point = each.point + origin;
     size.hit(each);
   }
-  all.tree = tree_of(all.world, rounded, sampler_state, cone, options, size, stop);
+  all.tree = tree_of(all.world, rounded, sampler_state, view, options, size, stop);
   all.notes = notes_of(scene, all.world, options.integrator);
   for (const Note& each : all.notes) size.note(each.pointer, each.about);
   all.pointers = object_pointers(scene, size.objects());
@@ -69,7 +70,7 @@ Explanation explain(const Scene& scene, World world, const Ray<double>& ray,
   Explanation all{std::move(world), object_labels(scene), {}, ray, {}, {}};
   const Ray<float> rounded{lift<float>(ray.origin - all.world.origin),
                            normalize(lift<float>(ray.direction))};
-  explain_rays(all, scene, rounded, SamplerState<float>{}, PixelCone{}, options, stop);
+  explain_rays(all, scene, rounded, SamplerState<float>{}, nullptr, options, stop);
   return all;
 }
 
@@ -82,7 +83,8 @@ Explanation explain(const Scene& scene, World world, const View& view, int x, in
     const Vec3<Real> center = eye.column(static_cast<Real>(x)) + eye.row(static_cast<Real>(y));
     return Eye<Real>(eye).ray(center, at);
   };
-  const Ray<float> rounded = ray(view.seen_from(world.origin), aim);
+  const View in_world = view.seen_from(world.origin);
+  const Ray<float> rounded = ray(in_world, aim);
   Explanation all{std::move(world),
                   object_labels(scene),
                   {},
@@ -96,7 +98,7 @@ Explanation explain(const Scene& scene, World world, const View& view, int x, in
                                           {static_cast<std::uint32_t>(y)},
                                           static_cast<std::uint32_t>(sample),
                                           sampler.key()};
-  explain_rays(all, scene, rounded, sampler_state, cone_of(view), options, stop);
+  explain_rays(all, scene, rounded, sampler_state, &in_world, options, stop);
   return all;
 }
 

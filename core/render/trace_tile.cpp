@@ -70,7 +70,8 @@ class Tracer {
     } else {
       return {shot_.world, WorkCounter([this](std::int64_t work) { spent(work); }),
               shot_.rules, {},
-              0,           cone_of(shot_.view)};
+              0,           cone_of(shot_.view),
+              &shot_.view};
     }
   }
 
@@ -202,7 +203,7 @@ void trace_rounds_in(const Shot& shot, int begin, int end, TilePixels& tile) {
 template <class Trace>
 void with_types(const Shot& shot, Scalar scalar, const Trace& trace) {
   const auto by_view = [&]<class Real>(std::type_identity<Real>) {
-    if (shot.world.few_balls && row_of(shot.integrator).is_whitted)
+    if (shot.world.few_balls && row_of(shot.integrator).is_whitted && !shot.view.is_clipped())
       return trace.template operator()<Real, FewBallsView>();
     return trace.template operator()<Real, WorldView>();
   };

@@ -32,6 +32,7 @@ class Check {
     if (camera_.basis) grid();
     projection();
     lens();
+    planes();
     if (faults_.count() != before) return;
     if (camera_.basis) grid_extent();
     else axes();
@@ -45,6 +46,7 @@ class Check {
   void grid();
   void projection();
   void lens();
+  void planes();
   void grid_extent();
   void axes();
   void view_plane();
@@ -120,6 +122,11 @@ void Check::lens() {
     require("focus_distance", c.focus_distance,
             "from the eye along the view to the plane that is sharp, for aperture");
   }
+}
+
+void Check::planes() {
+  if (camera_.near && camera_.far && !(*camera_.near < *camera_.far))
+    fault(FaultKind::out_of_range, "far", *camera_.far, "more than near");
 }
 
 // Pictures have up to 2^24 pixels, all perhaps in one row.

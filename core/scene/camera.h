@@ -52,10 +52,12 @@ struct Camera {
   std::optional<double> height;
   double aperture = 0;
   std::optional<double> focus_distance;
+  std::optional<double> near, far;  ///< along the view's axis; none: all is seen
 
   template <class Visitor>
   static void fields(Visitor&& visit);
-  /// Conflicting spellings, what a spelling lacks, zero lengths, an `up` along the view.
+  /// Conflicting spellings, what a spelling lacks, zero lengths, an `up` along the view,
+  /// planes in the wrong order.
   void check(const Place& at, Faults& faults) const;
   bool operator==(const Camera&) const = default;
 };
@@ -66,12 +68,12 @@ Vec3d axis_of(const Camera& camera);
 
 template <class Visitor>
 void Camera::fields(Visitor&& visit) {
-  constexpr double far = 1e9;
+  constexpr double most = 1e9;
   const auto point = [](const char* about) {
-    return Spec{.about = about, .min = -far, .max = far};
+    return Spec{.about = about, .min = -most, .max = most};
   };
   const auto size = [](const char* about) {
-    return Spec{.about = about, .min = 0, .max = far, .open_min = true};
+    return Spec{.about = about, .min = 0, .max = most, .open_min = true};
   };
   visit("location", &Camera::location, point("the eye"));
   visit("look_at", &Camera::look_at, point("the point in the picture's centre"));
@@ -93,9 +95,13 @@ void Camera::fields(Visitor&& visit) {
         Spec{.about = "rays from the eye, or parallel ones from the plane of location"});
   visit("height", &Camera::height, size("orthographic: the whole picture's height"));
   visit("aperture", &Camera::aperture,
-        Spec{.about = "the lens' diameter; 0 is a pinhole, all sharp", .min = 0, .max = far});
+        Spec{.about = "the lens' diameter; 0 is a pinhole, all sharp", .min = 0, .max = most});
   visit("focus_distance", &Camera::focus_distance,
         size("from the eye along the view to the plane that is sharp"));
+  visit("near", &Camera::near,
+        size("along the view's axis: what is nearer to the eye is not seen, but for its shadow"));
+  visit("far", &Camera::far,
+        size("along the view's axis: what is farther from the eye is not seen, but for its light"));
 }
 
 }  // namespace tia

@@ -23,7 +23,9 @@ enum class IntegratorName {
   shadow,
   cost,
   ambient_occlusion,
-  path
+  path,
+  planar_depth,
+  label
 };
 
 /// Rules: how far light is followed, and how lights and shadows are simplified or left out.
@@ -48,6 +50,7 @@ struct IntegratorRow {
   Gathers gathers = Gathers::light;
   FeatureDisplay display = FeatureDisplay::light;  ///< what its numbers mean to the eye
   bool averages = true;  ///< whether a pixel may have the mean of several rays' numbers
+  int channels = 3;      ///< how many numbers a ray finds: three, or one that all three show
   /// The rays of a pixel where nothing is said of them: several where what one finds is chance.
   int samples = 1;
   int max_depth = 5;  ///< where nothing is said of it
@@ -82,7 +85,8 @@ inline constexpr std::array integrators = std::to_array<IntegratorRow>({
      .text = "depth",
      .about = "how far away the surface is along the ray",
      .gathers = Gathers::features,
-     .display = FeatureDisplay::depth},
+     .display = FeatureDisplay::depth,
+     .channels = 1},
     {.name = IntegratorName::albedo,
      .text = "albedo",
      .about = "the surface's colour times what it scatters, without light or shadow",
@@ -92,17 +96,20 @@ inline constexpr std::array integrators = std::to_array<IntegratorRow>({
      .about = "the number of the object in the scene, from 1",
      .gathers = Gathers::features,
      .display = FeatureDisplay::number,
-     .averages = false},
+     .averages = false,
+     .channels = 1},
     {.name = IntegratorName::shadow,
      .text = "shadow",
      .about = "the share of the lights that the surface sees",
      .gathers = Gathers::features,
-     .display = FeatureDisplay::share},
+     .display = FeatureDisplay::share,
+     .channels = 1},
     {.name = IntegratorName::cost,
      .text = "cost",
      .about = "how many tests of boxes and surfaces the ray takes",
      .gathers = Gathers::features,
-     .display = FeatureDisplay::cost},
+     .display = FeatureDisplay::cost,
+     .channels = 1},
     {.name = IntegratorName::ambient_occlusion,
      .text = "ambient_occlusion",
      .about = "how much of the sky over the surface is free, by the cosine: folds and corners are "
@@ -113,6 +120,20 @@ inline constexpr std::array integrators = std::to_array<IntegratorRow>({
      .about = "light as it really goes: from surface to surface, until it is absorbed",
      .samples = 64,
      .max_depth = 16},
+    {.name = IntegratorName::planar_depth,
+     .text = "planar_depth",
+     .about =
+         "how far away the surface is along the view's axis: its distance from the eye's plane",
+     .gathers = Gathers::features,
+     .display = FeatureDisplay::depth,
+     .channels = 1},
+    {.name = IntegratorName::label,
+     .text = "label",
+     .about = "the material's base_color or color as it is told, without texture, light or curve, "
+              "for masks; white where nothing is",
+     .gathers = Gathers::features,
+     .display = FeatureDisplay::share,
+     .averages = false},
 });
 
 constexpr const IntegratorRow& row_of(IntegratorName name) {

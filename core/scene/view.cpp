@@ -41,6 +41,12 @@ SpelledCamera of_angle(const Camera& camera, int width, int height) {
   return {w, u * half_width, v * half_height, u, v};
 }
 
+// The picture's plane may be skew to the way to its centre.
+Vec3d axis_across(const SpelledCamera& spelled) {
+  const Vec3d axis = cross(spelled.upwards, spelled.across);
+  return dot(axis, spelled.forward) < 0 ? -axis : axis;
+}
+
 }  // namespace
 
 View view_of(const Camera& camera, int width, int height) {
@@ -52,6 +58,9 @@ View view_of(const Camera& camera, int width, int height) {
   view.lens_right = spelled.across * (camera.aperture / 2);
   view.lens_up = spelled.upwards * (camera.aperture / 2);
   view.focus_distance = camera.focus_distance.value_or(1);
+  view.axis = axis_across(spelled);
+  view.near = camera.near.value_or(view.near);
+  view.far = camera.far.value_or(view.far);
   return view;
 }
 

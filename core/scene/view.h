@@ -2,6 +2,8 @@
 // and of the lens. Which points are taken is render/sampler's.
 #pragma once
 
+#include <limits>
+
 #include "core/math/ray.h"
 #include "core/scene/camera.h"
 
@@ -19,6 +21,8 @@ struct View {
   Projection projection = Projection::perspective;
   Vec3d lens_right{}, lens_up{};  ///< the lens' radii, parallel to right and up; 0: a pinhole
   double focus_distance = 1;      ///< along forward; the plane of focus is parallel to the lens
+  Vec3d axis{0, 0, -1};           ///< unit, perpendicular to right and up, on forward's side
+  double near = 0, far = std::numeric_limits<double>::infinity();  ///< along it; what is seen
 
   /// The same view in a space whose origin is there.
   View seen_from(const Vec3d& there) const {
@@ -27,6 +31,7 @@ struct View {
     return view;
   }
   bool orthographic() const { return projection == Projection::orthographic; }
+  bool is_clipped() const { return near > 0 || far < std::numeric_limits<double>::infinity(); }
   bool has_lens() const { return lens_right != Vec3d{0, 0, 0}; }
 
   /// The ray through the centres of pixel (x, y), row 0 on top, and of the lens. Exactly symmetric

@@ -4,6 +4,7 @@
 #include <new>
 
 #include "core/input/json.h"
+#include "core/models/multipart.h"
 #include "core/parallel/stopped.h"
 #include "server/contract/problem_table.h"
 
@@ -35,9 +36,9 @@ Value error_entry(const Fault& fault) {
 // A document's detail; all that it has beside detail and errors, of which the id is the longest.
 constexpr std::size_t longest_detail = 2048, longest_rest = 512;
 
-// As many of the faults as a document has room for.
-Value::Array entries_of(const std::vector<Fault>& faults) {
-  std::size_t room = longest_problem - longest_detail - longest_rest;
+// As many of the faults as a document of so many bytes has room for.
+Value::Array entries_of(const std::vector<Fault>& faults, std::size_t longest) {
+  std::size_t room = longest - longest_detail - longest_rest;
   Value::Array entries;
   for (const Fault& fault : faults) {
     Value entry = error_entry(fault);
@@ -71,7 +72,8 @@ Response input_problem(const InputError& error, const Request& request) {
     return fault.kind == FaultKind::malformed;
   });
   const Fault& first = malformed == faults.end() ? faults.front() : *malformed;
-  Value::Array errors = entries_of(faults);
+  const bool is_form = boundary_of(request.header("Content-Type")).has_value();
+  Value::Array errors = entries_of(faults, is_form ? longest_form_problem : longest_problem);
   std::string detail = describe(first);
   if (faults.size() > 1)
     detail =

@@ -21,6 +21,8 @@ class StorageError : public std::runtime_error {
 
 /// The longest problem document: faults that have no room in it are counted and left out. In bytes.
 constexpr std::size_t longest_problem = 16 << 10;
+/// The same where a form was sent: Drake's client shows no longer ones.
+constexpr std::size_t longest_form_problem = (8 << 10) - 1;
 
 /// The answer to a request that failed with this exception. Anything unforeseen is a 500 whose
 /// text is for the log alone: the answer's `failure`.

@@ -129,7 +129,8 @@ Value problem_schema(Definitions& named) {
               {"detail", plain_schema<std::string>(), "what went wrong this time"},
               {"instance", plain_schema<std::string>(), "the request's X-Request-Id"},
               {"errors", list_schema(error_schema()),
-               "all faults, the first 20, or as many as 16 KiB have room for", false}})
+               "all faults, the first 20, or as many as 16 KiB, of a form 8 KiB, have room for",
+               false}})
              .as<Value::Object>());
     schema.emplace_back("oneOf", problem_kinds());
     return Value(std::move(schema));

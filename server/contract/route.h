@@ -37,8 +37,9 @@ struct Route {
   std::vector<Content> body = {};                 ///< what may be sent, one of them
   /// How long the body may be; null = as long as all others.
   BodyLimit (*body_limit)(const Config&) = nullptr;
+  BodyLimit (*form_limit)(const Config&) = nullptr;  ///< the same of one that is a form
   bool keeps_body = false;  ///< a long one goes to the folder of kept models as it comes
-  Segment segment = {};                         ///< what the path's {} stands for
+  Segment segment = {};     ///< what the path's {} stands for
   std::vector<std::string_view> segments = {};  ///< all that there are; none = any text
   /// Which paths there are, where it shares its place with what is not here; null = all that fit.
   bool (*has)(std::string_view path) = nullptr;

@@ -63,10 +63,10 @@ template <>
 struct TextForm<Vec3d> : NumbersForm {
   static std::string allowed(const Spec& spec) { return "x,y,z, each " + range_text(spec, false); }
 };
-template <std::size_t N>
-struct TextForm<std::array<int, N>> : NumbersForm {
+template <class Number, std::size_t N>
+struct TextForm<std::array<Number, N>> : NumbersForm {
   static std::string allowed(const Spec& spec) {
-    return std::to_string(N) + " numbers, each " + range_text(spec, true);
+    return std::to_string(N) + " numbers, each " + range_text(spec, std::integral<Number>);
   }
 };
 template <class T>

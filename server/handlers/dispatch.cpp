@@ -2,6 +2,7 @@
 
 #include <new>
 
+#include "core/models/multipart.h"
 #include "server/contract/problem.h"
 #include "server/handlers/handlers.h"
 #include "server/handlers/route_table.h"
@@ -140,8 +141,10 @@ bool is_answered_at_once(const Request& request) {
 
 std::optional<BodyLimit> body_limit(const Request& request, const Config& config) {
   const Route* const route = route_of(request);
-  if (route == nullptr || route->body_limit == nullptr) return std::nullopt;
-  return route->body_limit(config);
+  if (route == nullptr) return std::nullopt;
+  const bool is_form = route->form_limit != nullptr && boundary_of(request.header("Content-Type"));
+  const auto own = is_form ? route->form_limit : route->body_limit;
+  return own == nullptr ? std::nullopt : std::optional(own(config));
 }
 
 std::shared_ptr<LongBody> long_body(const Request& request, Service& service) {

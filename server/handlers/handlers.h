@@ -3,11 +3,13 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "server/contract/route.h"
 #include "server/handlers/service.h"
 #include "server/http/message.h"
+#include "server/operation/timing.h"
 #include "server/requests/plan.h"
 
 namespace tia::server {
@@ -27,6 +29,11 @@ std::vector<Route> page_routes();
 /// What GET /render would answer, where its target is known and its picture kept, or not to be sent
 /// again. None: somebody has to look into it.
 std::optional<Response> known_picture(const Request& request, Service& service);
+
+/// The picture that a form asks for, as Drake's client sends it; `watch` has run since the request
+/// came. Errors: as read_drake_form, drake_picture, ModelStore::look_into, rendered; HttpError.
+Response rendered_form(const Request& request, std::string_view boundary, Stopwatch watch,
+                       Service& service);
 
 /// The picture of a plan, from the cache or with a ticket to draw it.
 /// Errors: Stopped; InputError; HttpError (busy, too-large).

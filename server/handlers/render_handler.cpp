@@ -1,12 +1,15 @@
 // /render: parameters in, picture out.
+#include "core/models/multipart.h"
 #include "server/contract/answers.h"
 #include "server/contract/parameters.h"
 #include "server/contract/query_parameters.h"
 #include "server/handlers/bodies.h"
 #include "server/handlers/handlers.h"
 #include "server/handlers/rendered.h"
+#include "server/handlers/sent_model.h"
 #include "server/operation/timing.h"
 #include "server/requests/accept.h"
+#include "server/requests/drake_form.h"
 #include "server/requests/recipe.h"
 
 namespace tia::server {
@@ -48,6 +51,8 @@ Response get_render(const Request& request, const std::string&, Service& service
 
 Response post_render(const Request& request, const std::string&, Service& service) {
   const Stopwatch watch;
+  if (const auto boundary = boundary_of(request.header("Content-Type")))
+    return rendered_form(request, *boundary, watch, service);
   return rendered(asked_in_body(request, service), watch, request, service);
 }
 
@@ -59,32 +64,38 @@ std::vector<Content> picture_body() {
   "background": [0.1, 0.2, 0.4],
   "objects": [{"type": "sphere", "center": [0, 0, -9], "radius": 1.5}],
   "lights": [{"type": "point", "position": [4, 6, -3]}]}})"}}},
-          {media::png}};
+          {media::png},
+          {"multipart/form-data", schema_for<DrakeForm>}};
 }
 
 }  // namespace
 
 std::vector<Route> render_routes() {
-  return {{.method = "GET",
-           .path = "/render",
-           .name = "get_render",
-           .about = "a picture; no parameter is required",
-           .pace = Pace::in_turn,
-           .handler = get_render,
-           .answers = {picture_answer(), picture_unchanged()},
-           .chooses = true,
-           .query = query_parameters<PictureRequest>,
-           .examples = {"/render", "/render?key=a&width=320&height=240",
-                        "/render?light=-5,12,-8&format=pfm"}},
-          {.method = "POST",
-           .path = "/render",
-           .name = "post_render",
-           .about = "the same, parameters as a JSON object; or again, from a PNG that was sent",
-           .pace = Pace::in_turn,
-           .handler = post_render,
-           .answers = {picture_answer()},
-           .chooses = true,
-           .body = picture_body()}};
+  return {
+      {.method = "GET",
+       .path = "/render",
+       .name = "get_render",
+       .about = "a picture; no parameter is required",
+       .pace = Pace::in_turn,
+       .handler = get_render,
+       .answers = {picture_answer(), picture_unchanged()},
+       .chooses = true,
+       .query = query_parameters<PictureRequest>,
+       .examples = {"/render", "/render?key=a&width=320&height=240",
+                    "/render?light=-5,12,-8&format=pfm"}},
+      {.method = "POST",
+       .path = "/render",
+       .name = "post_render",
+       .about = "the same, parameters as a JSON object; or again, from a PNG that was sent; or, "
+                "of a form with a glTF file, as Drake's RenderEngineGltfClient sees it, with "
+                "which alone parameters may stand in the query",
+       .pace = Pace::in_turn,
+       .handler = post_render,
+       .answers = {picture_answer()},
+       .chooses = true,
+       .query = query_parameters<DrakeQuery>,
+       .body = picture_body(),
+       .form_limit = model_limit}};
 }
 
 }  // namespace tia::server

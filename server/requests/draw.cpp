@@ -2,20 +2,18 @@
 
 #include <algorithm>
 #include <chrono>
-#include <stdexcept>
 #include <tuple>
 #include <utility>
 #include <vector>
 
 #include "core/film/film.h"
-#include "core/film/hdr.h"
-#include "core/film/pfm.h"
 #include "core/film/png.h"
 #include "core/film/png_text.h"
 #include "core/input/json.h"
 #include "server/http/error.h"
 #include "server/operation/memory_costs.h"
 #include "server/operation/timing.h"
+#include "server/requests/linear_file.h"
 #include "server/requests/parts.h"
 #include "server/requests/recipe.h"
 #include "server/stores/digest.h"
@@ -95,6 +93,7 @@ Plan plan_of(const PictureRequest& asked, const RenderContext& context,
   SceneOptions in_effect = options_in_effect(scene->options, asked);
   check_rounds(asked, in_effect);
   check_format(asked, *scene, in_effect.integrator);
+  check_depth_range(asked, in_effect.integrator);
   check_sheet(asked, *scene);
   if (asked.format != Format::png && !in_effect.noise) in_effect.show_by({});
   RenderOptions options = options_of(in_effect, context.limits);
@@ -177,16 +176,6 @@ std::string recipe_of_reached(const Plan& plan, int samples) {
   return recipe_of(*plan.asked, reached);
 }
 
-// Domain: a format that keeps light as it is.
-std::string encode_linear(Format format, LinearFilm film, const std::stop_token& stop) {
-  switch (format) {
-    case Format::pfm: return encode_pfm(film.image(), stop);
-    case Format::hdr: return encode_hdr(std::move(film).image(), stop);
-    case Format::png: break;
-  }
-  throw std::logic_error("a PNG is not linear");
-}
-
 }  // namespace
 
 Picture draw(const Plan& plan, const RenderContext& context, const std::stop_token& stop) {
@@ -226,7 +215,7 @@ Picture draw(const Plan& plan, const RenderContext& context, const std::stop_tok
   if (plan.format != Format::png) {
     LinearFilm film(width, height);
     trace_onto(film);
-    workers.alone([&] { picture.bytes = encode_linear(plan.format, std::move(film), stop); });
+    workers.alone([&] { picture.bytes = linear_file(plan, std::move(film).image(), stop); });
   } else if (is_transparent(*plan.scene, plan.options.integrator)) {
     AlphaFilm film(width, height, plan.display);
     trace_onto(film);

@@ -22,6 +22,9 @@ void PictureRequest::check(const Place& at, Faults& faults) const {
     faults.add(
         {FaultKind::out_of_range, at.at("crop").pointer(), write_value(crop),
          "x0 < x1 <= " + std::to_string(width) + " and y0 < y1 <= " + std::to_string(height)});
+  if (depth_range && (*depth_range)[0] > (*depth_range)[1])
+    faults.add({FaultKind::out_of_range, at.at("depth_range").pointer(), write_value(*depth_range),
+                "near,far, of which far is not less than near"});
   if (v && !is_this_version(*v))
     faults.add({FaultKind::out_of_range, at.at("v").pointer(), Value(*v),
                 full_version() + ", which this server draws; or none, for whatever it draws"});

@@ -12,7 +12,7 @@
 
 namespace tia::server {
 
-enum class Format { png, pfm, hdr };
+enum class Format { png, pfm, hdr, tiff };
 
 /// FormatRow: what a format is called, in requests and as a file's ending, and over HTTP.
 struct FormatRow {
@@ -25,6 +25,7 @@ inline constexpr std::array formats = std::to_array<FormatRow>({
     {Format::png, "png", "image/png"},
     {Format::pfm, "pfm", "image/x-portable-floatmap"},
     {Format::hdr, "hdr", "image/vnd.radiance"},
+    {Format::tiff, "tiff", "image/tiff"},
 });
 static_assert(
     [] {
@@ -57,6 +58,7 @@ struct PictureRequest : TraceRequest {
   std::optional<int> budget_ms;
   std::optional<std::int64_t> max_rays;
   Format format = Format::png;
+  std::optional<std::array<double, 2>> depth_range;
   std::optional<int> threads;
   std::optional<std::string> v;
 
@@ -102,8 +104,13 @@ struct PictureRequest : TraceRequest {
     visit("max_rays", &P::max_rays,
           Spec{.about = "the same in rays of all kinds", .min = 1, .max = 9007199254740991});
     visit("format", &P::format,
-          Spec{.about = "png; for linear light pfm in float, or hdr in Radiance's RGBE; else what "
-                        "Accept prefers"});
+          Spec{.about = "png; for linear light pfm or tiff in float, or hdr in Radiance's RGBE; "
+                        "else what Accept prefers"});
+    visit("depth_range", &P::depth_range,
+          Spec{.about = "near,far: in numbers of depth and planar_depth what is nearer is 0, and "
+                        "what is farther infinite",
+               .min = 0,
+               .max = 1e9});
     visit("threads", &P::threads,
           Spec{.about = "most threads for this picture; never changes it", .min = 1, .max = 64});
     visit("v", &P::v,
@@ -112,7 +119,8 @@ struct PictureRequest : TraceRequest {
   }
   /// Whether it may end before all samples are there.
   bool has_budget() const { return budget_ms || max_rays; }
-  /// Also a crop that is empty or leaves the picture, a version that is not this one.
+  /// Also a crop that is empty or leaves the picture, a version that is not this one, a range of
+  /// depths the wrong way round.
   void check(const Place& at, Faults& faults) const;
   Window window() const;
 };

@@ -102,6 +102,7 @@ std::string recipe_of(const PictureRequest& asked, const Plan& plan) {
   if (!plan.scene->sheet && !(plan.window == Window{0, 0, asked.width, asked.height}))
     request.emplace_back("crop", write_value(asked.crop));
   if (asked.format != usual.format) request.emplace_back("format", name_of(asked.format));
+  if (asked.depth_range) request.emplace_back("depth_range", write_value(*asked.depth_range));
   return to_json(Value::Object{{"request", std::move(request)}, {"version", full_version()}});
 }
 

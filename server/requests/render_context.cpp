@@ -23,13 +23,13 @@ KnownScene changed(const KnownScene& scene, const RenderContext& context,
 
 // The scene with what its models stand for. What reads one again works alone: all are there before
 // this does.
-KnownScene with_models(const KnownScene& scene, const RenderContext& context,
-                       const Requester& requester) {
+KnownScene with_models(const KnownScene& scene, const ModelAlong& along,
+                       const RenderContext& context, const Requester& requester) {
   std::map<std::string, SharedModel> models;
   std::size_t bytes = 0;
   for (const std::string& id : models_in(*scene)) {
     SharedModel& model = models[id];
-    model = find_model(id, context, requester);
+    model = along.model && id == along.id ? along.model : find_model(id, context, requester);
     if (model) bytes += bytes_of(*model);
   }
   if (models.empty()) return scene;
@@ -85,7 +85,7 @@ KnownScene scene_of(const ViewRequest& asked, const RenderContext& context,
   const auto* name = std::get_if<std::string>(&asked.scene);
   KnownScene scene = name != nullptr ? find_scene(*name, context, requester)
                                      : told(std::get<Scene>(asked.scene), context, requester);
-  scene = with_models(scene, context, requester);
+  scene = with_models(scene, asked.along, context, requester);
   if (asked.camera)
     scene = changed(scene, context, requester, [&] {
       Scene patched_scene = *scene;
@@ -95,7 +95,7 @@ KnownScene scene_of(const ViewRequest& asked, const RenderContext& context,
   if (asked.key && !moves_light_only(*scene, *asked.key)) {
     const bool is_named = name != nullptr && !asked.camera;
     scene = context.pressed.get(is_named ? *name : "", scene, *asked.key, requester);
-    return with_models(scene, context, requester);
+    return with_models(scene, asked.along, context, requester);
   }
   if (!asked.key && !asked.light) return scene;
   const auto middles = context.pressed.middles_of(scene, requester);

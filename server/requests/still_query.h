@@ -28,13 +28,6 @@ struct tia::Names<tia::server::StillAs> {
 
 namespace tia::server {
 
-template <std::size_t N>
-struct TextForm<std::array<double, N>> : NumbersForm {
-  static std::string allowed(const Spec& spec) {
-    return std::to_string(N) + " numbers, each " + range_text(spec, false);
-  }
-};
-
 template <>
 struct TextForm<Backdrop> {
   static Value read(std::string_view text, const Place&) {

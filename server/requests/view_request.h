@@ -6,10 +6,17 @@
 #include <string_view>
 #include <variant>
 
+#include "core/models/kept_model.h"
 #include "core/scene/scene.h"
 #include "server/requests/camera_patch.h"
 
 namespace tia::server {
+
+/// ModelAlong: a model that came with a request, and that nobody keeps.
+struct ModelAlong {
+  std::string id;
+  SharedModel model;
+};
 
 /// ViewRequest: the parameters, in one table for query, JSON body and command line.
 struct ViewRequest {
@@ -19,6 +26,7 @@ struct ViewRequest {
   std::optional<Vec3d> light;
   std::optional<CameraPatch> camera;
   int width = 640, height = 480;
+  ModelAlong along{};  ///< no parameter; its id is of use to this request alone
 
   template <class Visitor>
   static void fields(Visitor&& visit) {

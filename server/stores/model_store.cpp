@@ -50,11 +50,15 @@ ModelStore::ModelStore(ModelReader reader, const Bounds& bounds, const Surroundi
 
 ModelStore::Kept ModelStore::keep(const ModelUpload& upload, const Requester& requester) {
   const bool is_new = !contains(upload.id);
-  KnownModel known = read_.find(upload.id);
-  if (!known) known = read(upload, requester);
+  KnownModel known = look_into(upload, requester);
   if (gallery_model(upload.id) == nullptr) uploads_.keep(upload);
   read_.add(upload.id, known);
   return {std::move(known), is_new};
+}
+
+KnownModel ModelStore::look_into(const ModelUpload& upload, const Requester& requester) {
+  if (KnownModel known = read_.find(upload.id)) return known;
+  return read(upload, requester);
 }
 
 bool ModelStore::contains(const std::string& name) {

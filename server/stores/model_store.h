@@ -54,6 +54,10 @@ class ModelStore {
   /// its faults, UploadStore::keep.
   Kept keep(const ModelUpload& upload, const Requester& requester);
 
+  /// What is in one that is not to be kept, read unless it is in memory. Errors: as keep(), but for
+  /// UploadStore's.
+  KnownModel look_into(const ModelUpload& upload, const Requester& requester);
+
   /// Whether one of that id is kept, or one of the gallery is called that. What is damaged is known
   /// only to who reads it.
   bool contains(const std::string& name);

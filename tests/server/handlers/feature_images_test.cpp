@@ -5,6 +5,7 @@
 #include <set>
 #include <string>
 
+#include "tests/core/film/tiff_reader.h"
 #include "tests/server/picture_support.h"
 #include "tests/server/support.h"
 
@@ -73,6 +74,39 @@ TEST(FeatureImages, CostsAreShownByTheirLogarithm) {
   expect_shown("cost", R"(,"samples":16)", [](const Pixels<float>& image, std::size_t i) {
     return std::log2(1 + static_cast<double>(image.rgb[i])) / 16;
   });
+}
+
+// Of one number a pixel where a ray finds one, else of three.
+TEST(FeatureImages, TiffHoldsTheNumbersOfPfm) {
+  const std::set<std::string> ones{"depth", "planar_depth", "object", "shadow", "cost"};
+  for (const char* integrator : {"depth", "planar_depth", "object", "shadow", "cost", "normal",
+                                 "albedo", "label", "whitted"}) {
+    const auto numbers = feature_numbers(integrator);
+    const std::string file = feature_image(integrator, R"(,"format":"tiff")");
+    const TiffPicture tiff = read_tiff(file);
+    ASSERT_EQ(tiff.width * tiff.height * 3, numbers.rgb.size());
+    const bool is_one = ones.contains(integrator);
+    ASSERT_EQ(tiff.channels, is_one ? 1U : 3U) << integrator;
+    for (std::size_t i = 0; i < numbers.rgb.size(); ++i)
+      ASSERT_EQ(tiff.numbers[i / 3 * tiff.channels + i % 3 % tiff.channels], numbers.rgb[i]);
+  }
+}
+
+TEST(FeatureImages, DepthsOutsideOfTheirRangeAreNoneOrInfinite) {
+  const auto all = feature_numbers("planar_depth");
+  const auto cut = feature_numbers("planar_depth", R"(,"depth_range":[8,9])");
+  std::set<int> met;
+  for (std::size_t i = 0; i < all.rgb.size(); ++i) {
+    const float depth = all.rgb[i];
+    const float expected = depth < 8 ? 0 : depth > 9 ? INFINITY : depth;
+    ASSERT_EQ(cut.rgb[i], expected);
+    met.insert(depth < 8 ? 0 : depth > 9 ? 2 : 1);
+  }
+  EXPECT_EQ(met.size(), 3U);
+  for (const char* query :
+       {"integrator=planar_depth&depth_range=1,2", "integrator=normal&format=pfm&depth_range=1,2",
+        "integrator=depth&format=pfm&depth_range=2,1"})
+    EXPECT_EQ(only_error(host().get(std::string("/render?") + query)).pointer, "/depth_range");
 }
 
 TEST(FeatureImages, DataIsStoredLinearlyWhateverTheCurve) {

@@ -136,8 +136,7 @@ TEST_F(Body, OfAnotherTypeIs415) {
   const std::string form =
       "--X\r\nContent-Disposition: form-data; name=\"key\"\r\n\r\na\r\n--X--\r\n";
   const std::string length = "Content-Length: " + std::to_string(form.size()) + "\r\n";
-  for (const char* type :
-       {"multipart/form-data; boundary=X", "multipart/form-data", "text/plain"}) {
+  for (const char* type : {"multipart/form-data", "text/plain"}) {
     const Response response =
         ask(forms::post("Content-Type: " + std::string(type) + "\r\n" + length, form));
     EXPECT_EQ(response.status, 415) << type;

@@ -84,14 +84,16 @@ TEST(Recipe, ChangesWithEveryParameterThatChangesThePicture) {
       {"integrator", "depth"}, {"samples", "2"},  {"threshold", "0.1"},
       {"max_depth", "1"},      {"seed", "5"},     {"crop", "1,2,3,4"},
       {"transfer", "srgb"},    {"format", "pfm"}, {"ao_radius", "2"},
-      {"exposure", "1"},       {"noise", "0.1"},  {"white_balance_kelvin", "3000"}};
+      {"exposure", "1"},       {"noise", "0.1"},  {"white_balance_kelvin", "3000"},
+      {"depth_range", "1,2"}};
   const std::set<std::string> of_no_byte{"threads", "v"};
   // What ends a picture early is not told, but what it came to (Rounds).
   const std::set<std::string> of_time{"budget_ms", "max_rays"};
   // What has an effect only beside another one.
   const std::map<std::string, std::map<std::string, std::string>> beside{
       {"ao_radius", {{"integrator", "ambient_occlusion"}}},
-      {"noise", {{"integrator", "ambient_occlusion"}}}};
+      {"noise", {{"integrator", "ambient_occlusion"}}},
+      {"depth_range", {{"integrator", "planar_depth"}, {"format", "tiff"}}}};
   FieldNames fields;
   PictureRequest::fields(fields);
   const auto tag = [](std::map<std::string, std::string> query) {
