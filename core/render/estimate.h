@@ -20,7 +20,14 @@ struct Estimate {
     return {static_cast<float>(light.x / count), static_cast<float>(light.y / count),
             static_cast<float>(light.z / count)};
   }
+  /// The variance of that, by the samples' own. Domain: count > 1; deviations that are watched.
+  Vec3f variance() const;
   float alpha() const { return static_cast<float>(double(met) / count); }
+};
+
+/// PartSums: of a pixel's samples, by how their light came; only where they are asked for.
+struct PartSums {
+  Vec3d direct{}, indirect{}, emission{};
 };
 
 /// Convergence: how far a pixel may yet be from what it will be, and when that is near enough.
