@@ -307,6 +307,7 @@ TEST(RoundsMemory, IsWithinItsRow) {
   };
   const std::int64_t plain = use().peak;
   options.integrator = IntegratorName::path;
+  options.samples = 32;
   options.layers = {Layer::direct, Layer::indirect, Layer::emission, Layer::variance};
   const std::int64_t layered = use().peak;
   std::printf("rounds: %.1f bytes a pixel, %.1f with 12 numbers of layers\n",
