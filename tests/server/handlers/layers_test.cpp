@@ -18,8 +18,10 @@ std::string corner(const std::string& more, const std::string& options = "") {
          options + R"(},
     "objects":[{"type":"sphere","center":[-1,0,-7],"radius":1,
                 "material":{"color":1,"diffuse":0,"reflection":0.9,"specular":0}},
-               {"type":"sphere","center":[1.4,-0.4,-7],"radius":0.8,"material":{"color":[1,0.4,0.1]}},
-               {"type":"plane","point":[0,-1.2,0],"normal":[0,1,0],"material":{"color":[0.5,0.8,0.3]}},
+               {"type":"sphere","center":[1.4,-0.4,-7],"radius":0.8,
+                "material":{"color":[1,0.4,0.1]}},
+               {"type":"plane","point":[0,-1.2,0],"normal":[0,1,0],
+                "material":{"color":[0.5,0.8,0.3]}},
                {"type":"plane","point":[0,0,-9],"normal":[0,0,1]}],
     "lights":[{"type":"sphere","position":[0,3,-5],"radius":0.5,"color":8}]}})";
 }
