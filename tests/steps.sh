@@ -233,13 +233,15 @@ step_same_bytes() {
   for key in none a d s w; do
     options=()
     [ "$key" = none ] || options+=(--key "$key")
-    for format in png pfm hdr; do same_picture "$key.$format" thesis "${options[@]}"; done
+    for format in png pfm hdr exr; do same_picture "$key.$format" thesis "${options[@]}"; done
   done
   for options in thesis normal depth albedo object shadow cost planar_depth label; do
     same_picture "$options.pfm" shapes --integrator "$options"
   done
   same_picture occlusion.pfm shapes --integrator ambient_occlusion --samples 4
   same_picture path.pfm cornell --integrator path --samples 4
+  same_picture layers.exr cornell --samples 4 --integrator path \
+    --aov rgba,normal,albedo,Z,object,direct,indirect,emission,variance,samples
   same_picture samples.pfm shapes --samples 5 --seed 7
   same_picture threshold.pfm shapes --threshold 0.05
   same_picture lens.pfm shapes --samples 3 --camera '{"aperture": 1, "focus_distance": 12}'

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "core/math/vec3.h"
@@ -23,6 +24,12 @@ struct FilmTile {
   /// The share of a pixel that objects cover, by which its light is multiplied already; only of
   /// worlds with a backdrop, else not set.
   std::array<float, std::size_t{size} * size> alpha;
+  /// Further planes, one behind another, each as r: of layers, where there are any (LayerFilm).
+  std::vector<float> more = {};
+
+  std::span<const float> more_plane(int i) const {
+    return std::span(more).subspan(static_cast<std::size_t>(i) * r.size(), r.size());
+  }
 };
 
 /// Replaces each pixel of a tile by what f makes of it.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/integrators/fog.h"
+#include "core/integrators/path_parts.h"
 #include "core/integrators/path_state.h"
 #include "core/integrators/phase.h"
 #include "core/integrators/scatterers.h"
@@ -19,9 +20,11 @@ class LightGatherer {
   using Numbers = typename PathNumbers<Real>::AtVertex;
 
  public:
-  LightGatherer(WorldView& world_view, PathState<Real>& state)
+  /// `parts`: where it is told apart, too; may be null.
+  LightGatherer(WorldView& world_view, PathState<Real>& state, PathParts<Real>* parts)
       : world_view_(world_view),
         state_(state),
+        parts_(parts),
         lights_(world_view.world),
         fog_(world_view.world, lights_) {}
 
@@ -30,12 +33,12 @@ class LightGatherer {
                    const FogSpan<Real>& span, Mask<Real> active) {
     const Real passed = any(span.here) ? span.transmittance(state_.medium.density) : Real(1);
     if (const Mask<Real> missed = active && !isect.here; any(missed)) {
-      add(missed, lift<Real>(world_view_.world.background) * passed);
+      add_met(missed, lift<Real>(world_view_.world.background) * passed);
       const Real chance = lights_.chance_beyond() * fog_.times_beyond(state_.fog_vertex);
       lights_.beyond(ray.direction, chance, missed,
                      [&](const V& radiance, const Real& pdf, Mask<Real> here) {
                        const Real weight = drawn_weight(here, [&](auto) { return pdf; });
-                       add(here, radiance * (weight * passed));
+                       add_met(here, radiance * (weight * passed));
                      });
     }
     const Mask<Real> luminous = isect.here && shines(isect.emission);
@@ -47,7 +50,7 @@ class LightGatherer {
         return lights_.chance(light, lane_of(state_.from, i), lane_of(state_.from_n, i));
       });
     });
-    add(luminous, isect.emission * (weight * passed));
+    add_met(luminous, isect.emission * (weight * passed));
   }
   // What one point of one light gives the surface to scatter.
   void add_direct(const Surface& isect, const Bsdf<Real>& bsdf, const MediumBoundary<Real>& behind,
@@ -73,18 +76,27 @@ class LightGatherer {
                 const Mask<Real> lit = here && shines(scattered) && is_finite(scattered);
                 if (!any(lit)) return;
                 const Real passing = passing_to(draw, p, {p, draw.wi}, Real(0), lit);
-                add(lit && passing > Real(0),
-                    scattered * (asked_weight(draw, meeting.flown * phase) *
-                                 fog_between(p, draw, density) * passing));
+                add_asked(lit && passing > Real(0),
+                          scattered * (asked_weight(draw, meeting.flown * phase) *
+                                       fog_between(p, draw, density) * passing));
               });
   }
   const FogSampling<Real>& fog() const { return fog_; }
   const HenyeyGreenstein<Real>& phase() const { return phase_; }
 
  private:
-  void add(Mask<Real> here, const V& radiance) {
-    const V none{Real(0), Real(0), Real(0)};
-    state_.light = state_.light + select(here, state_.beta * radiance, none);
+  V add(Mask<Real> here, const V& radiance) {
+    const V none{Real(0), Real(0), Real(0)}, light = select(here, state_.beta * radiance, none);
+    state_.light = state_.light + light;
+    return light;
+  }
+  void add_met(Mask<Real> here, const V& radiance) {
+    const V light = add(here, radiance);
+    if (parts_ != nullptr) parts_->add_met(light);
+  }
+  void add_asked(Mask<Real> here, const V& radiance) {
+    const V light = add(here, radiance);
+    if (parts_ != nullptr) parts_->add_asked(light);
   }
   // The weight of light that the surface's direction has found, where add_direct() could have asked
   // for it with a density of other_pdf(mask).
@@ -107,9 +119,9 @@ class LightGatherer {
     if (!any(lit)) return;
     const Ray<Real> ray = isect.ray_off(draw.wi, below);
     const Real passing = passing_to(draw, isect.at.p, ray, isect.offset, lit);
-    add(lit && passing > Real(0),
-        scattered * (asked_weight(draw, at.pdf) * fog_between(isect.at.p, draw, between.density) *
-                     passing));
+    add_asked(lit && passing > Real(0),
+              scattered * (asked_weight(draw, at.pdf) *
+                           fog_between(isect.at.p, draw, between.density) * passing));
   }
   // The weight of light that was asked for, where the path itself finds its direction with pdf.
   static Real asked_weight(const LightDraw<Real>& draw, const Real& pdf) {
@@ -143,6 +155,7 @@ class LightGatherer {
 
   WorldView& world_view_;
   PathState<Real>& state_;
+  PathParts<Real>* const parts_;
   const LightSampling<Real> lights_;
   const FogSampling<Real> fog_;
   const HenyeyGreenstein<Real> phase_{lift<Real>(world_view_.world.fog.g)};

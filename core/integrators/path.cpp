@@ -23,7 +23,9 @@ class PathTracer {
 
  public:
   PathTracer(WorldView& world_view, const SamplerState<Real>& sampler_state)
-      : world_view_(world_view), numbers_(sampler_state), lights_(world_view, state_) {}
+      : world_view_(world_view),
+        numbers_(sampler_state),
+        lights_(world_view, state_, world_view.parts != nullptr ? &parts_.emplace() : nullptr) {}
 
   V trace(Ray<Real> ray, Mask<Real> active) {
     const int max_depth = std::min(world_view_.rules.max_depth, SceneOptions::deepest);
@@ -52,9 +54,12 @@ class PathTracer {
       else active = isect.here;
       if (any(flight.scattered))
         active = active || scatter_in_fog(ray, flight, span, arriving, numbers, depth, next);
+      if (parts_) parts_->go_on(state_.pdf);
       ray = next;
     }
-    return clamped(state_.light);
+    const V light = clamped(state_.light);
+    if (parts_) parts_->store_to(*world_view_.parts);
+    return light;
   }
 
  private:
@@ -79,11 +84,13 @@ class PathTracer {
     world_view_.rays.count(depth == 0 ? RayKind::primary : RayKind::reflection,
                            count(active) - refracted);
   }
-  V clamped(const V& light) const {
+  V clamped(const V& light) {
     const double most = world_view_.rules.clamp;
     if (most == Rules{}.clamp) return light;
     const Real brightest = max_of(max_of(light.x, light.y), light.z), bound = lift<Real>(most);
-    return light * select(brightest > bound, bound / brightest, Real(1));
+    const Real share = select(brightest > bound, bound / brightest, Real(1));
+    if (parts_) parts_->dim(share);
+    return light * share;
   }
 
   // ---- wavelengths ------------------------------------------------------------------------------
@@ -181,6 +188,7 @@ class PathTracer {
   const PathNumbers<Real> numbers_;
   const Medium<Real> space_{.density = lift<Real>(world_view_.world.fog.density)};
   PathState<Real> state_{space_};
+  std::optional<PathParts<Real>> parts_{};  // where they are asked for
   LightGatherer<Real> lights_;
   std::array<std::optional<MediumTransition<Real>>, SceneOptions::deepest> passed_{};
   const MediumTransition<Real>* last_ = nullptr;

@@ -30,6 +30,12 @@ struct RayCounts {
       0;  ///< of paths, whose last ray would have gone on if it were not for max_depth
   bool operator==(const RayCounts&) const = default;
   std::int64_t all() const { return primary + shadow + reflection + refraction; }
+  RayCounts& operator+=(const RayCounts& more) {
+    primary += more.primary, shadow += more.shadow;
+    reflection += more.reflection, refraction += more.refraction;
+    cut += more.cut;
+    return *this;
+  }
   void count(RayKind kind, int rays) {
     (kind == RayKind::primary      ? primary
      : kind == RayKind::reflection ? reflection

@@ -28,6 +28,13 @@ Vec3d larger(const Vec3d& a, const Vec3d& b) {
 
 }  // namespace
 
+Vec3f Estimate::variance() const {
+  const auto of = [&](double sum, double all_squares) {
+    return static_cast<float>(variance_of_mean(sum, all_squares, count));
+  };
+  return {of(deviations.x, squares.x), of(deviations.y, squares.y), of(deviations.z, squares.z)};
+}
+
 bool Convergence::settle(Estimate& e) const {
   const double n = e.count;
   if (shows_) {

@@ -21,12 +21,19 @@ struct Estimate {
     return {static_cast<float>(light.x / count), static_cast<float>(light.y / count),
             static_cast<float>(light.z / count)};
   }
+  /// The variance of that, by the samples' own. Domain: count > 1; deviations that are watched.
+  Vec3f variance() const;
   /// With the shadow on the ground: 1 - E / E0 of the samples there, at least 0.
   float alpha() const {
     const auto& [with, without, on_ground] = ground;
     const double dark = with < without ? 1 - with / without : 0;
     return static_cast<float>((met + dark * on_ground) / count);
   }
+};
+
+/// PartSums: of a pixel's samples, by how their light came; only where they are asked for.
+struct PartSums {
+  Vec3d direct{}, indirect{}, emission{};
 };
 
 /// Convergence: how far a pixel may yet be from what it will be, and when that is near enough.

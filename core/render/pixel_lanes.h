@@ -4,6 +4,7 @@
 #include <array>
 #include <optional>
 
+#include "core/integrators/path_parts.h"
 #include "core/math/lanes.h"
 #include "core/render/estimate.h"
 #include "core/render/ground_shadow.h"
@@ -17,6 +18,7 @@ struct Pixels {
   static constexpr auto size = static_cast<std::size_t>(lanes<Real>);
   std::size_t count = 0;
   std::array<Estimate*, size> estimates{};
+  std::array<PartSums*, size> parts{};  ///< where they are asked for
   typename Aims<Real>::Pixels x{}, y{};
 
   Mask<Real> active() const { return iota<Real>() < Real(static_cast<float>(count)); }
@@ -42,6 +44,17 @@ struct Pixels {
   Vec3<Real> center(const View& view) const {
     return view.column(lanes_of([&](std::size_t i) { return static_cast<float>(x[i]); })) +
            view.row(lanes_of([&](std::size_t i) { return static_cast<float>(y[i]); }));
+  }
+  // A sample's. Not inlined into what draws without.
+  [[gnu::noinline]] void add(const LightParts& sample) const {
+    const auto of = [](const LightParts::Part& part, std::size_t i) {
+      return Vec3d{part.r[i], part.g[i], part.b[i]};
+    };
+    for (std::size_t i = 0; i < count; ++i) {
+      parts[i]->direct = parts[i]->direct + of(sample.direct, i);
+      parts[i]->indirect = parts[i]->indirect + of(sample.indirect, i);
+      parts[i]->emission = parts[i]->emission + of(sample.emission, i);
+    }
   }
   // One of each pixel's sums, in lanes, and back.
   Vec3<Precise<Real>> gather(Vec3d Estimate::*sum) const {

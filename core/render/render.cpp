@@ -58,7 +58,7 @@ class Render {
         meter_(options.budget ? no_limit : options.max_rays,
                options.budget ? no_limit : options.max_work, stop, spent_of(options)),
         shot_{world,        in_world_, options.integrator, rules_of(options), sampler_,
-              convergence_, meter_} {}
+              convergence_, meter_,    options.layers} {}
 
   Rendered tile_by_tile(const Develop& develop) {
     try {
@@ -90,9 +90,9 @@ class Render {
     for_each(tiles(), [&](int i) {
       FilmTile tile;
       place(i, tile);
-      const std::vector<Shown>& pixels = all[static_cast<std::size_t>(i)].after(rounds);
-      fill(tile, pixels);
-      tally_.add(pixels);
+      const ShownTile& shown = all[static_cast<std::size_t>(i)].after(rounds, options_.layers);
+      tally_.add(shown.pixels);
+      fill(tile, shown);
       lay_under(tile);
       develop(tile);
     });
@@ -110,7 +110,7 @@ class Render {
     tile.height = std::min(options_.tile, window_.height() - tile.y);
   }
   TilePixels pixels_of(const FilmTile& tile) const {
-    return {window_.x0 + tile.x, window_.y0 + tile.y, tile.width, tile.height};
+    return {window_.x0 + tile.x, window_.y0 + tile.y, tile.width, tile.height, shot_.parts_light()};
   }
   TilePixels pixels_of(int i) const {
     FilmTile tile;
@@ -122,14 +122,13 @@ class Render {
   }
 
   void trace(FilmTile& tile) {
-    if (sampler_.centered() && !in_world_.orthographic())
+    if (sampler_.centered() && !in_world_.orthographic() && !tells_more_)
       return trace_centers(shot_, options_.scalar, window_.x0 + tile.x, window_.y0 + tile.y, tile);
     TilePixels pixels = pixels_of(tile);
     trace_rounds(shot_, options_.scalar, 0, sampler_.rounds(), pixels);
-    std::vector<Shown> shown(pixels.estimates.size());
-    std::ranges::transform(pixels.estimates, shown.begin(), shown_of);
-    fill(tile, shown);
-    if (convergence_.shows()) tally_.add(shown);
+    ShownTile shown = shown_of(pixels, options_.layers);
+    if (convergence_.shows()) tally_.add(shown.pixels);
+    fill(tile, std::move(shown));
   }
 
   // The colour of a backdrop that shadows fall on.
@@ -186,6 +185,7 @@ class Render {
   RayMeter meter_;
   Tally tally_;
   const Shot shot_;
+  const bool tells_more_ = options_.layers.any([](const LayerRow& row) { return row.is_beside(); });
 };
 
 }  // namespace

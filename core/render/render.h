@@ -40,7 +40,8 @@ struct RenderOptions {
   std::int64_t seed = 0;
   std::int64_t max_rays = Limits{}.max_rays;  ///< of all kinds, of the whole window
   std::int64_t max_work = Limits{}.max_work;  ///< of the whole window
-  std::optional<Budget> budget = {};          ///< ends it after a whole round. Domain: of chance
+  LayerSet layers = {};  ///< what else tiles are to tell, by FilmTile::more (planes_of)
+  std::optional<Budget> budget = {};  ///< ends it after a whole round. Domain: of chance
   Spent spent = {};
   Flow* flow = nullptr;  ///< the request that it is drawn for; null: one of its own
 };

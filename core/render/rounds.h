@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/render/layer_planes.h"
 #include "core/render/reached.h"
 #include "core/render/trace_tile.h"
 
@@ -48,8 +49,23 @@ class Tally {
   float error_ = 0;
 };
 
+/// ShownTile: its pixels, and the planes of layers as FilmTile has them.
+struct ShownTile {
+  std::vector<Shown> pixels;
+  std::vector<float> more;
+};
+inline ShownTile shown_of(const TilePixels& tile, LayerSet layers) {
+  ShownTile shown;
+  shown.pixels.resize(tile.estimates.size());
+  std::ranges::transform(tile.estimates, shown.pixels.begin(),
+                         [](const Estimate& each) { return shown_of(each); });
+  shown.more = planes_of(tile, layers);
+  return shown;
+}
+
 /// Fills a tile with its pixels.
-inline void fill(FilmTile& tile, const std::vector<Shown>& pixels) {
+inline void fill(FilmTile& tile, ShownTile shown) {
+  const std::vector<Shown>& pixels = shown.pixels;
   for (std::size_t i = 0; i < pixels.size(); ++i) {
     const auto number = static_cast<int>(i);
     const std::size_t at = FilmTile::index(number % tile.width, number / tile.width);
@@ -58,6 +74,7 @@ inline void fill(FilmTile& tile, const std::vector<Shown>& pixels) {
     tile.b[at] = pixels[i].light.z;
     tile.alpha[at] = pixels[i].alpha;
   }
+  tile.more = std::move(shown.more);
 }
 
 /// RoundsOfTile: a tile while rounds go over the whole picture.
@@ -70,24 +87,22 @@ class RoundsOfTile {
   // A round that does not come to its end must not be seen: what the ones before it have come to is
   // kept.
   void trace(const Shot& shot, Scalar scalar, int round) {
-    keep(round);
+    keep(round, shot.layers);
     begun_ = round + 1;
     trace_rounds(shot, scalar, round, round + 1, pixels_);
   }
-  const std::vector<Shown>& after(int rounds) {
-    keep(rounds);
+  const ShownTile& after(int rounds, LayerSet layers) {
+    keep(rounds, layers);
     return shown_;
   }
 
  private:
-  void keep(int rounds) {
-    if (begun_ > rounds) return;
-    shown_.resize(pixels_.estimates.size());
-    std::ranges::transform(pixels_.estimates, shown_.begin(), shown_of);
+  void keep(int rounds, LayerSet layers) {
+    if (begun_ <= rounds) shown_ = shown_of(pixels_, layers);
   }
 
   TilePixels pixels_;
-  std::vector<Shown> shown_;
+  ShownTile shown_;
   int begun_ = 0;  // how many rounds
 };
 

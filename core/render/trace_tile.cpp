@@ -18,10 +18,12 @@ class Tracer {
  public:
   Tracer(const Shot& shot, int x0, int y0, int width, int height)
       : eye(shot.view), shot_(shot), world_view_{world_view_of(x0, y0, width, height)} {
-    if constexpr (may_have_backdrop)
+    if constexpr (may_have_backdrop) {
       if (hides_beyond_ && shot.world.ground)
         ground_.emplace(shot.world, shot.integrator, shot.rules, cone_of(shot.view),
                         [this](std::int64_t work) { spent(work); });
+      if (shot.parts_light()) world_view_.parts = &parts_;
+    }
   }
 
   static constexpr bool may_have_backdrop = std::is_same_v<AnyWorldView, WorldView>;
@@ -35,6 +37,7 @@ class Tracer {
       if (!hides_beyond_) return light;
       const Mask<Real> seen = met_lanes() > Real(0);
       if (ground_) on_ground_ = ground_->light(ray, active && !seen, sampler_state, rays());
+      if (world_view_.parts != nullptr) parts_.replace(~met(), rgb_of(beyond_));
       return select(seen, light, backdrop_);
     }
   }
@@ -53,6 +56,8 @@ class Tracer {
     else return light;
   }
   RayCounts& rays() { return world_view_.rays; }
+  /// What the last rays' light consists of, where that is asked for.
+  const LightParts& parts() const { return parts_; }
 
   Eye<Real> eye;
 
@@ -76,18 +81,19 @@ class Tracer {
   }
 
   // A transparent one is black: light is multiplied by alpha. So is one with a ground, till later.
-  Vec3<Real> backdrop() const {
-    return has_backdrop() && !shot_.world.ground
-               ? lift<Real>(rgb_of(shot_.world.backdrop->color.value_or(Color{})))
-               : Vec3<Real>{};
+  Color beyond() const {
+    return has_backdrop() && !shot_.world.ground ? shot_.world.backdrop->color.value_or(Color{})
+                                                 : Color{};
   }
 
   const Shot& shot_;
   AnyWorldView world_view_;
   const bool hides_beyond_ = has_backdrop() && gathers_light(shot_.integrator);
-  const Vec3<Real> backdrop_ = backdrop();
+  const Color beyond_ = beyond();
+  const Vec3<Real> backdrop_ = lift<Real>(rgb_of(beyond_));
   std::optional<GroundShadow<Real>> ground_;
   GroundLight<Real> on_ground_;
+  LightParts parts_{};
 };
 
 // ---- one ray a pixel of a perspective view, as for most pictures --------------------------------
@@ -142,7 +148,7 @@ template <class Real, class AnyWorldView>
   const Vec3<Real> center = pixels.center(shot.view);
   const Mask<Real> active = pixels.active();
   const int count = shot.sampler.count(round), before = shot.sampler.before(round);
-  const bool watches = shot.convergence.watches(), clamps = shot.convergence.clamps();
+  const bool watches = shot.watches(), clamps = shot.convergence.clamps();
   const bool has_backdrop = tracer.has_backdrop(), has_ground = tracer.has_ground();
   Vec3<Real> first = pixels.first_light();
   SamplerState<Real> sampler_state{pixels.x, pixels.y, 0, shot.sampler.key()};
@@ -152,6 +158,7 @@ template <class Real, class AnyWorldView>
     sampler_state.sample = static_cast<std::uint32_t>(before + i);
     const Vec3<Real> light = tracer.light(tracer.eye.ray(center, aims(i)), active, sampler_state);
     sums.add(light);
+    if (pixels.parts[0] != nullptr) pixels.add(tracer.parts());
     if constexpr (Tracer<Real, AnyWorldView>::may_have_backdrop)
       if (has_backdrop) sums.add_met(tracer.met());
     if (has_ground) sums.add_ground(tracer.on_ground());
@@ -177,6 +184,7 @@ void trace_round(const Shot& shot, int round, Tracer<Real, AnyWorldView>& tracer
     for (std::size_t i = 0; i < Pixels<Real>::size; ++i) {
       const int pixel = unsettled[begin + (i < pixels.count ? i : 0)];
       pixels.estimates[i] = &tile.estimates[static_cast<std::size_t>(pixel)];
+      if (!tile.parts.empty()) pixels.parts[i] = &tile.parts[static_cast<std::size_t>(pixel)];
       pixels.x[i] = static_cast<std::uint32_t>(tile.x0 + pixel % tile.width);
       pixels.y[i] = static_cast<std::uint32_t>(tile.y0 + pixel / tile.width);
     }
@@ -229,12 +237,13 @@ std::vector<int> in_patches(int width, int height) {
 
 }  // namespace
 
-TilePixels::TilePixels(int x, int y, int w, int h)
+TilePixels::TilePixels(int x, int y, int w, int h, bool has_parts)
     : x0(x),
       y0(y),
       width(w),
       height(h),
       estimates(static_cast<std::size_t>(w * h)),
+      parts(has_parts ? estimates.size() : 0),
       unsettled(in_patches(w, h)) {}
 
 void trace_rounds(const Shot& shot, Scalar scalar, int first, int last, TilePixels& tile) {

@@ -3,6 +3,7 @@
 
 #include "core/film/image.h"
 #include "core/render/estimate.h"
+#include "core/render/layers.h"
 #include "core/render/meter.h"
 #include "core/render/sampler.h"
 
@@ -21,6 +22,12 @@ struct Shot {
   const Sampler& sampler;
   const Convergence& convergence;
   RayMeter& meter;
+  LayerSet layers = {};  ///< what is to be known besides the light
+
+  bool parts_light() const {
+    return layers.any([](const LayerRow& row) { return row.of_paths; });
+  }
+  bool watches() const { return convergence.watches() || layers.has(Layer::variance); }
 };
 
 /// TilePixels: a tile of a picture whose pixels take samples by rounds. Shape: row by row.
@@ -28,9 +35,10 @@ struct TilePixels {
   int x0 = 0, y0 = 0;  ///< the corner's place in the picture
   int width = 0, height = 0;
   std::vector<Estimate> estimates;
-  std::vector<int> unsettled;  ///< the numbers of those that need more samples
+  std::vector<PartSums> parts;  ///< where they are asked for, else none
+  std::vector<int> unsettled;   ///< the numbers of those that need more samples
 
-  TilePixels(int x, int y, int w, int h);
+  TilePixels(int x, int y, int w, int h, bool has_parts);
 };
 
 /// Traces rounds first .. last - 1 of the tile's unsettled pixels, and counts their rays.

@@ -59,6 +59,8 @@ Value list_from_text(std::string_view text) {
 Value words_from_text(std::string_view text) {
   Value::Array words;
   if (trimmed(text).empty()) return words;
+  if (text.starts_with('['))  // or a host's address
+    if (auto list = try_json(text)) return std::move(*list);
   for (std::size_t comma = 0; comma != text.npos;
        text.remove_prefix(std::min(comma + 1, text.size()))) {
     comma = text.find(',');

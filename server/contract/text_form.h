@@ -21,7 +21,7 @@ Value number_from_text(std::string_view text);
 Value truth_from_text(std::string_view text);
 /// "x,y,z" or "[x,y,z]" as an array of numbers, any other as a string.
 Value list_from_text(std::string_view text);
-/// "a, b" as an array of strings; "" as an empty one.
+/// "a, b" or ["a","b"] as an array of strings; "" as an empty one.
 Value words_from_text(std::string_view text);
 /// "{…}" as the JSON that it is, "z:…" as the JSON that is packed in it (packed_text.h), any other
 /// as a string. Errors: InputError, pointers below `at`.

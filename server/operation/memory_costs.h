@@ -30,6 +30,8 @@ inline constexpr MemoryCost png{"png", "pixel", 13,
                                 "its codes, filtered and packed, and the file with its recipe"};
 inline constexpr MemoryCost alpha{"alpha", "pixel", 18, "the same of one with alpha"};
 inline constexpr MemoryCost linear{"linear", "pixel", 26, "its light in floats, and the file"};
+inline constexpr MemoryCost layers{"layers", "number of a layer", 18,
+                                   "it in floats, the sum over its samples, and the file"};
 inline constexpr MemoryCost rounds{"rounds", "pixel of a picture with a budget", 160,
                                    "the sums over its samples, and what it was a round ago"};
 inline constexpr MemoryCost model{"model", "byte of a model's files", 4,

@@ -13,6 +13,7 @@
 #include "server/http/error.h"
 #include "server/operation/memory_costs.h"
 #include "server/operation/timing.h"
+#include "server/requests/exr_picture.h"
 #include "server/requests/linear_file.h"
 #include "server/requests/parts.h"
 #include "server/requests/recipe.h"
@@ -27,7 +28,8 @@ std::string cost_key_of(const Plan& plan) {
   std::string key = hex(plan.scene.objects.digest);
   const auto add = [&](const auto&... parts) { ((key += ' ' + std::to_string(parts)), ...); };
   add(static_cast<int>(plan.options.integrator), plan.options.max_depth, plan.options.ao_radius,
-      plan.options.threshold, plan.options.noise, plan.scene->options.transparent_shadows);
+      plan.options.threshold, plan.options.noise, plan.scene->options.transparent_shadows,
+      plan.layers.bits());
   if (plan.scene->fog) add(plan.scene->fog->density);
   for (const Light& light : plan.scene->lights) {
     const Value written = write_value(light);
@@ -55,14 +57,10 @@ void check_rounds(const PictureRequest& asked, const SceneOptions& in_effect) {
   check("max_rays", asked.max_rays);
 }
 
-// Whether the picture has alpha.
-bool is_transparent(const Scene& scene, IntegratorName integrator) {
-  return scene.backdrop && scene.backdrop->is_transparent() && gathers_light(integrator);
-}
 void check_format(const PictureRequest& asked, const Scene& scene, IntegratorName integrator) {
-  if (asked.format != Format::png && is_transparent(scene, integrator))
+  if (!has_alpha(asked.format) && is_transparent(scene, integrator))
     throw InputError({FaultKind::conflict, "/format", write_value(asked.format),
-                      "png, which alone has alpha, or a backdrop that is a colour"});
+                      alpha_formats() + ", which have alpha, or a backdrop that is a colour"});
 }
 
 // Errors: InputError (conflict) where a sheet is asked for what only a single view has.
@@ -73,6 +71,7 @@ void check_sheet(const PictureRequest& asked, const Scene& scene) {
                       "a picture of one view; this one's scene is a sheet of several"});
   };
   check("crop", asked.crop);
+  check("aov", asked.aov);
   check("budget_ms", asked.budget_ms);
   check("max_rays", asked.max_rays);
 }
@@ -111,6 +110,10 @@ Plan plan_of(const PictureRequest& asked, const RenderContext& context,
             .display = {display_of(in_effect.integrator), in_effect.tone()},
             .format = asked.format,
             .asked = &asked};
+  if (asked.format == Format::exr) {
+    plan.layers = plan.options.layers = asked.layers_in_effect();
+    check_layers(plan, context.limits);
+  }
   const std::size_t objects = scene.objects.bytes <= most_told_bytes ? scene.objects.bytes : 0;
   std::tie(plan.recipe, plan.cost_key) = context.go_through(scene.others + objects, requester, [&] {
     return std::pair(recipe_of(asked, plan), cost_key_of(plan));
@@ -120,15 +123,17 @@ Plan plan_of(const PictureRequest& asked, const RenderContext& context,
 
 namespace {
 
-const MemoryCost& cost_of_pixels(const Plan& plan) {
-  if (plan.format != Format::png) return memory_cost::linear;
-  return is_transparent(*plan.scene, plan.options.integrator) ? memory_cost::alpha
-                                                              : memory_cost::png;
+std::int64_t memory_of_pixels(const Plan& plan, std::size_t pixels) {
+  if (plan.format == Format::exr)
+    return memory_for(memory_cost::layers, pixels * static_cast<std::size_t>(plan.layers.planes()));
+  if (plan.format != Format::png) return memory_for(memory_cost::linear, pixels);
+  const bool alpha = is_transparent(*plan.scene, plan.options.integrator);
+  return memory_for(alpha ? memory_cost::alpha : memory_cost::png, pixels);
 }
 std::int64_t memory_of(const Plan& plan) {
   const auto pixels = static_cast<std::size_t>(plan.window.width()) *
                       static_cast<std::size_t>(plan.window.height());
-  return memory_for(memory_cost::request, 1) + memory_for(cost_of_pixels(plan), pixels) +
+  return memory_for(memory_cost::request, 1) + memory_of_pixels(plan, pixels) +
          (plan.asked->has_budget() ? memory_for(memory_cost::rounds, pixels) : 0);
 }
 
@@ -204,6 +209,8 @@ Picture draw(const Plan& plan, const RenderContext& context, const std::stop_tok
     }
     picture.rays = all.rays;
     picture.reached = all.reached;
+    if constexpr (std::is_same_v<decltype(film), ExrPicture&>)
+      picture.rays += film.draw_features(picture.reached, world, context.pool, stop);
     if (plan.asked->has_budget())
       workers.alone([&] {
         recipe = recipe_of_reached(plan, picture.reached->samples);
@@ -212,7 +219,11 @@ Picture draw(const Plan& plan, const RenderContext& context, const std::stop_tok
     picture.timing.trace = watch.lap_ms();
     picture.trace_seconds = static_cast<double>(flow.attained - before) * 1e-9;
   };
-  if (plan.format != Format::png) {
+  if (plan.format == Format::exr) {
+    ExrPicture film(plan);
+    trace_onto(film);
+    picture.bytes = film.encode(recipe, workers);
+  } else if (plan.format != Format::png) {
     LinearFilm film(width, height);
     trace_onto(film);
     workers.alone([&] { picture.bytes = linear_file(plan, std::move(film).image(), stop); });

@@ -5,27 +5,31 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/film/display.h"
+#include "core/render/layers.h"
 #include "core/render/render.h"
 #include "server/requests/view_request.h"
 
 namespace tia::server {
 
-enum class Format { png, pfm, hdr, tiff };
+enum class Format { png, pfm, hdr, tiff, exr };
 
 /// FormatRow: what a format is called, in requests and as a file's ending, and over HTTP.
 struct FormatRow {
   Format format;
   std::string_view name, media_type;
+  bool has_alpha = false;
 };
 
 /// THE LIST of formats. Of those that a client likes equally well the first is given.
 inline constexpr std::array formats = std::to_array<FormatRow>({
-    {Format::png, "png", "image/png"},
+    {Format::png, "png", "image/png", true},
     {Format::pfm, "pfm", "image/x-portable-floatmap"},
     {Format::hdr, "hdr", "image/vnd.radiance"},
     {Format::tiff, "tiff", "image/tiff"},
+    {Format::exr, "exr", "image/x-exr", true},
 });
 static_assert(
     [] {
@@ -59,6 +63,8 @@ struct PictureRequest : TraceRequest {
   std::optional<std::int64_t> max_rays;
   Format format = Format::png;
   std::optional<std::array<double, 2>> depth_range;
+  std::optional<std::vector<Layer>> aov;
+  std::optional<int> depth;
   std::optional<int> threads;
   std::optional<std::string> v;
 
@@ -103,14 +109,26 @@ struct PictureRequest : TraceRequest {
              .max = 3'600'000});
     visit("max_rays", &P::max_rays,
           Spec{.about = "the same in rays of all kinds", .min = 1, .max = 9007199254740991});
-    visit("format", &P::format,
-          Spec{.about = "png; for linear light pfm or tiff in float, or hdr in Radiance's RGBE; "
-                        "else what Accept prefers"});
+    visit(
+        "format", &P::format,
+        Spec{.about = "png; for linear light pfm or tiff in float, hdr in Radiance's RGBE, or exr "
+                      "in OpenEXR's layers; else what Accept prefers"});
     visit("depth_range", &P::depth_range,
           Spec{.about = "near,far: in numbers of depth and planar_depth what is nearer is 0, and "
                         "what is farther infinite",
                .min = 0,
                .max = 1e9});
+    visit("aov", &P::aov,
+          Spec{.about = "the layers of an exr, each once; else rgba. normal, albedo, Z and object "
+                        "are the pictures that such integrators draw (Z: depth); direct, indirect "
+                        "and emission part path's light by how it came; variance is that of the "
+                        "pixel's mean, samples how many it has",
+               .min_items = 1});
+    visit("depth", &P::depth,
+          Spec{.about = "16 or 32: an exr's rgba in half or in float; else 16",
+               .unit = "bits",
+               .min = 16,
+               .max = 32});
     visit("threads", &P::threads,
           Spec{.about = "most threads for this picture; never changes it", .min = 1, .max = 64});
     visit("v", &P::v,
@@ -120,11 +138,21 @@ struct PictureRequest : TraceRequest {
   /// Whether it may end before all samples are there.
   bool has_budget() const { return budget_ms || max_rays; }
   /// Also a crop that is empty or leaves the picture, a version that is not this one, a range of
-  /// depths the wrong way round.
+  /// depths the wrong way round, what is an exr's alone.
   void check(const Place& at, Faults& faults) const;
   Window window() const;
+  /// Those of an exr.
+  LayerSet layers_in_effect() const;
+
+ private:
+  void check_exr(const Place& at, Faults& faults) const;
 };
 
+/// "png or exr": those that have alpha.
+std::string alpha_formats();
+constexpr bool has_alpha(Format format) {
+  return formats[static_cast<std::size_t>(format)].has_alpha;
+}
 /// "image/png" or the like.
 constexpr std::string_view media_type_of(Format format) {
   return formats[static_cast<std::size_t>(format)].media_type;

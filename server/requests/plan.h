@@ -9,6 +9,11 @@
 
 namespace tia::server {
 
+/// Whether the picture has alpha.
+inline bool is_transparent(const Scene& scene, IntegratorName integrator) {
+  return scene.backdrop && scene.backdrop->is_transparent() && gathers_light(integrator);
+}
+
 /// Plan: a request whose picture can be drawn: all that may be wrong with it has been checked.
 struct Plan {
   KnownScene scene;
@@ -18,6 +23,7 @@ struct Plan {
   RenderOptions options;
   DisplayRule display;
   Format format = Format::png;
+  LayerSet layers = {};                   ///< of an exr, which alone has any
   const PictureRequest* asked = nullptr;  ///< the request
   std::string recipe = {};    ///< what POST /render would draw the same picture from (recipe.h)
   std::string cost_key = {};  ///< what tells how much one of its rays takes (draw.h)

@@ -50,6 +50,13 @@ Value told_scene(const Plan& plan) {
   return scene;
 }
 
+// In the order of the list, which changes no byte.
+Value told_layers(const Plan& plan) {
+  Value::Array names;
+  plan.layers.for_each([&](const LayerRow& row) { names.emplace_back(row.text); });
+  return names;
+}
+
 void refuse_untold(const Value& request) {
   const auto* members = request.as<Value::Object>();
   const Value* scene = members != nullptr ? find(*members, "scene") : nullptr;
@@ -103,6 +110,10 @@ std::string recipe_of(const PictureRequest& asked, const Plan& plan) {
     request.emplace_back("crop", write_value(asked.crop));
   if (asked.format != usual.format) request.emplace_back("format", name_of(asked.format));
   if (asked.depth_range) request.emplace_back("depth_range", write_value(*asked.depth_range));
+  if (plan.format == Format::exr) {
+    if (!(plan.layers == usual.layers_in_effect())) request.emplace_back("aov", told_layers(plan));
+    if (asked.depth == 32) request.emplace_back("depth", write_value(asked.depth));
+  }
   return to_json(Value::Object{{"request", std::move(request)}, {"version", full_version()}});
 }
 

@@ -77,9 +77,9 @@ Scene read_again(const Scene& scene, const std::stop_token& stop) {
 void StillParameters::check(const Place& at, Faults& faults) const {
   StillRequest::check(at, faults);
   PictureRequest::check(at, faults);
-  if (format != Format::png && background.is_transparent() && gathers_light(integrator_in_effect()))
+  if (!has_alpha(format) && background.is_transparent() && gathers_light(integrator_in_effect()))
     faults.add({FaultKind::conflict, at.at("format").pointer(), write_value(format),
-                "png, which alone has alpha, or a background that is a colour"});
+                alpha_formats() + ", which have alpha, or a background that is a colour"});
 }
 
 Scene still_of(const StillParameters& asked, const SharedModel& model,

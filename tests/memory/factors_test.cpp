@@ -12,6 +12,7 @@
 #include "core/film/png.h"
 #include "core/film/png_text.h"
 #include "core/render/explain.h"
+#include "core/render/layer_film.h"
 #include "core/scene/read_scene.h"
 #include "server/operation/memory_costs.h"
 #include "server/requests/recipe.h"
@@ -262,6 +263,31 @@ TEST(AlphaMemory, IsWithinItsRow) {
   EXPECT_LE(use.peak, memory_for(memory_cost::alpha, std::size_t{size} * size));
 }
 
+TEST(LayersMemory, IsWithinItsRow) {
+  const int size = 512;
+  Random random(7);
+  const LayerSet some{Layer::rgba, Layer::normal, Layer::object};
+  const Use use = use_of<std::string>([&] {
+    LayerFilm film(size, size, some, true);
+    FilmTile tile;
+    tile.width = tile.height = FilmTile::size;
+    for (tile.y = 0; tile.y < size; tile.y += FilmTile::size)
+      for (tile.x = 0; tile.x < size; tile.x += FilmTile::size) {
+        for (auto* numbers : {&tile.r, &tile.g, &tile.b, &tile.alpha})
+          for (float& number : *numbers) number = static_cast<float>(random.in(0, 1e6));
+        film.put(tile);
+        for (const Layer feature : {Layer::normal, Layer::object}) film.put(tile, row_of(feature));
+      }
+    return film.encode({.width = size, .height = size, .channels = {}, .texts = {}}, ExrType::real,
+                       {});
+  });
+  const auto numbers = static_cast<std::size_t>(some.planes()) * size * size;
+  std::printf("layers: %.1f bytes a number\n",
+              static_cast<double>(use.peak) / static_cast<double>(numbers));
+  if (sanitized()) GTEST_SKIP() << "the sanitizer's pieces are larger";
+  EXPECT_LE(use.peak, memory_for(memory_cost::layers, numbers));
+}
+
 // With a budget rounds go over the whole picture, whose sums are there all the time.
 TEST(RoundsMemory, IsWithinItsRow) {
   constexpr int size = 256;
@@ -273,13 +299,25 @@ TEST(RoundsMemory, IsWithinItsRow) {
   options.samples = 64;
   options.budget.emplace();
   Pool pool(1);
-  const Use use = use_of<Rendered>([&] {
-    return render(world, view_of(scene.camera, size, size), {0, 0, size, size}, options, pool, {},
-                  [](const FilmTile&) {});
-  });
-  std::printf("rounds: %.1f bytes a pixel\n", static_cast<double>(use.peak) / (size * size));
+  const auto use = [&] {
+    return use_of<Rendered>([&] {
+      return render(world, view_of(scene.camera, size, size), {0, 0, size, size}, options, pool, {},
+                    [](const FilmTile&) {});
+    });
+  };
+  const std::int64_t plain = use().peak;
+  options.integrator = IntegratorName::path;
+  options.samples = 32;
+  options.layers = {Layer::direct, Layer::indirect, Layer::emission, Layer::variance};
+  const std::int64_t layered = use().peak;
+  std::printf("rounds: %.1f bytes a pixel, %.1f with 12 numbers of layers\n",
+              static_cast<double>(plain) / (size * size),
+              static_cast<double>(layered) / (size * size));
   if (sanitized()) GTEST_SKIP() << "the sanitizer's pieces are larger";
-  EXPECT_LE(use.peak, memory_for(memory_cost::rounds, std::size_t{size} * size));
+  constexpr std::size_t pixels = std::size_t{size} * size;
+  EXPECT_LE(plain, memory_for(memory_cost::rounds, pixels));
+  EXPECT_LE(layered,
+            memory_for(memory_cost::rounds, pixels) + memory_for(memory_cost::layers, pixels * 12));
 }
 
 // ---- explanations ---------------------------------------------------------------------------

@@ -25,7 +25,7 @@ const ELSEWHERE = {
 
 // Says every status that curl gets on standard error.
 const CURL = `curl() { command curl -sS --max-time 60 -w '%{stderr}~%{http_code}~' "$@"; }\n`;
-const MAGIC = { png: '\x89PNG', pfm: 'PF\n', hdr: '#?RA', tiff: 'II*\0' };
+const MAGIC = { png: '\x89PNG', pfm: 'PF\n', hdr: '#?RA', tiff: 'II*\0', exr: 'v/1\x01' };
 
 const shellBlocks = (page) => blocksOf(page).filter(({ language }) => language === 'sh');
 

@@ -35,6 +35,8 @@ TEST(ListFromText, KeepsAllElseAsTheTextThatCame) {
 TEST(WordsFromText, AreWhatStandsBetweenCommasWithoutTheSpacesAround) {
   EXPECT_EQ(words_from_text("a"), Value(Value::Array{"a"}));
   EXPECT_EQ(words_from_text(" a b ,c, ,"), Value(Value::Array{"a b", "c", "", ""}));
+  EXPECT_EQ(words_from_text(R"(["a", "b,c"])"), Value(Value::Array{"a", "b,c"}));
+  EXPECT_EQ(words_from_text("[::1],b"), Value(Value::Array{"[::1]", "b"}));
   for (const char* nothing : {"", "  "})
     EXPECT_EQ(words_from_text(nothing), Value(Value::Array{})) << nothing;
 }

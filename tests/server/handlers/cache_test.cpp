@@ -35,7 +35,9 @@ TEST(PictureTag, IsTheSameForTheSameRequestInOtherWords) {
        "scene=" + whole, "transfer=linear", "threshold=0"},
       {"key=a", "light=-20,20,-10", "light=[-20,20,-10]&scene=thesis", "light=-2e1,20.0,-10"},
       {"format=pfm", "format=pfm&threads=1"},
-      {"format=hdr", "format=hdr&threads=1"}};
+      {"format=hdr", "format=hdr&threads=1"},
+      {"format=exr", "format=exr&aov=rgba&depth=16"},
+      {"format=exr&aov=Z,rgba", "format=exr&aov=rgba,%20Z"}};
   std::set<std::string> all;
   for (const auto& group : same) {
     std::set<std::string> tags;
@@ -61,6 +63,9 @@ TEST(PictureTag, IsAnotherForAnotherPicture) {
                                          "height=479",
                                          "format=pfm",
                                          "format=hdr",
+                                         "format=exr",
+                                         "format=exr&aov=Z",
+                                         "format=exr&depth=32",
                                          "samples=2",
                                          "seed=1",
                                          "max_depth=1",

@@ -56,7 +56,7 @@ TEST(PostScenes, AGallerysSceneMayBeKeptToo) {
 
 TEST(PostScenes, TheIdDrawsWhatTheSceneDraws) {
   const std::string id = kept(host(), lit_ball);
-  for (const char* format : {"png", "pfm", "hdr"}) {
+  for (const char* format : {"png", "pfm", "hdr", "exr"}) {
     Value::Object asked{{"width", 37}, {"height", 23}, {"format", format}, {"key", "d"}};
     Value::Object whole = asked;
     asked.emplace_back("scene", id);

@@ -128,8 +128,9 @@ TEST(ChooseFormat, RefusesWhoAcceptsNone) {
       ADD_FAILURE() << accept;
     } catch (const HttpError& error) {
       EXPECT_EQ(error.type(), "not-acceptable");
-      EXPECT_THAT(error.detail(),
-                  HasSubstr("image/png, image/x-portable-floatmap, image/vnd.radiance"));
+      EXPECT_THAT(
+          error.detail(),
+          HasSubstr("image/png, image/x-portable-floatmap, image/vnd.radiance, image/x-exr"));
     }
   }
 }
@@ -138,7 +139,8 @@ constexpr const char* pfm_type = "image/x-portable-floatmap";
 constexpr const char* small_render = "/render?width=8&height=8";
 
 TEST(AcceptOfRender, GivesThePictureThatTheFormatWouldForGetHeadAndPost) {
-  for (const auto& [format, type] : {std::pair("pfm", pfm_type), {"hdr", "image/vnd.radiance"}}) {
+  for (const auto& [format, type] :
+       {std::pair("pfm", pfm_type), {"hdr", "image/vnd.radiance"}, {"exr", "image/x-exr"}}) {
     const Headers headers{{"Accept", type}};
     const std::string bytes = host().get(std::string(small_render) + "&format=" + format).body;
     const Response get = host().get(small_render, headers);
@@ -167,7 +169,7 @@ TEST(AcceptOfRender, ThatAllowsNoPictureIs406SayingWhatThereIs) {
     const Problem problem = problem_of(response);
     EXPECT_EQ(problem.type, "/problems/not-acceptable");
     EXPECT_THAT(problem.detail,
-                HasSubstr("image/png, image/x-portable-floatmap, image/vnd.radiance"));
+                HasSubstr("image/png, image/x-portable-floatmap, image/vnd.radiance, image/x-exr"));
   }
 }
 
