@@ -20,8 +20,10 @@ PictureLimits picture_limits(const ModelLimits& limits) {
 }
 
 void add_image_fault(const PictureFault& fault, const Place& at, Faults& faults) {
-  const FaultKind kind = fault.beyond_limits ? FaultKind::limit : FaultKind::wrong_type;
-  faults.add({kind, at.pointer(), Value(fault.got), fault.allowed});
+  if (fault.beyond_limits)
+    return faults.add({FaultKind::limit, at.pointer(), Value(fault.got), fault.allowed});
+  faults.add(
+      {FaultKind::wrong_type, at.pointer(), Value(fault.got), "a PNG, JPEG or WebP picture"});
 }
 
 std::variant<PictureSize, PictureFault> measure_image(ModelBytes file,

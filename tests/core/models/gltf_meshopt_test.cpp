@@ -117,7 +117,7 @@ Indices turned(Indices triangles) {
 TEST(GltfMeshopt, AllModesGiveWhatWasPacked) {
   const std::vector<float> points = random_points(400, 1);
   const Indices triangles = random_triangles(400, 300, 2);
-  for (const std::size_t stride : {2, 4})
+  for (const std::size_t stride : {std::size_t{2}, std::size_t{4}})
     for (const bool sequence : {false, true}) {
       const Bytes packed = sequence ? packed_indices(triangles) : packed_triangles(triangles);
       const Said said{stride, triangles.size(), sequence ? "INDICES" : "TRIANGLES"};
