@@ -43,7 +43,7 @@ std::string with_chunk(const std::string& file, std::string_view type, std::stri
 
 TEST(PngText, IsReadBackAndLeavesAllElseAsItWas) {
   Random random(11);
-  for (const std::size_t size : {0, 1, 2, 60, 1000, 70'000}) {
+  for (const std::size_t size : std::vector<std::size_t>{0, 1, 2, 60, 1000, 70'000}) {
     std::string text;
     while (text.size() < size) text += static_cast<char>('a' + random.below(7));
     for (const std::string& file : {small_png(), encode_png(noise(40, 30, size))}) {
@@ -112,7 +112,7 @@ TEST(PngText, ThatStandsThereTwiceOrBrokenIsRefused) {
 }
 
 TEST(PngText, MayBeAsLongAsIsAllowedAndNoLonger) {
-  for (const std::size_t size : {100, 5000}) {
+  for (const std::size_t size : std::vector<std::size_t>{100, 5000}) {
     const std::string text(size, 'x');  // which compresses to little: it must not unpack further
     const std::string plain = "Recipe\0\0\0\0\0"s + text;
     for (const std::string& file :

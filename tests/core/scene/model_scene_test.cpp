@@ -46,7 +46,8 @@ ModelLight lit(ModelLightKind kind) {
 }
 
 Scene scene_of_file(const Model& model) {
-  const auto kept = std::make_shared<const KeptModel>(std::make_shared<const Model>(model));
+  const auto kept =
+      std::make_shared<const KeptModel>(KeptModel{std::make_shared<const Model>(model), {}});
   return model_scene(kept, "name", 4.0 / 3);
 }
 

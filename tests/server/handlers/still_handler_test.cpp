@@ -94,12 +94,11 @@ TEST_F(Stills, OfABudgetTellTheAddressOfWhatWasReached) {
 // From the front the box is 2 wide and 4 high, its front side nearest: that touches the frame.
 TEST_F(Stills, FillNineTenthsOfThePicture) {
   const Png png = this->png("&integrator=object&orbit=0,0&width=100&height=100&background=0");
+  const std::string black(3, '\0');
   int top = 100, bottom = -1, left = 100, right = -1;
   for (int y = 0; y < 100; ++y)
     for (int x = 0; x < 100; ++x)
-      if (png.rgb[3 * (100 * y + x)] + png.rgb[3 * (100 * y + x) + 1] +
-              png.rgb[3 * (100 * y + x) + 2] !=
-          0)
+      if (png.rgb.substr(static_cast<std::size_t>(3 * (100 * y + x)), 3) != black)
         top = std::min(top, y), bottom = std::max(bottom, y), left = std::min(left, x),
         right = std::max(right, x);
   EXPECT_NEAR(top, 5, 1);
