@@ -95,8 +95,10 @@ ReaderAnswer faults_answer(const InputError& error) {
   Value::Array all;
   for (const Fault& each : error.faults()) all.push_back(fault_value(each));
   const std::string text = to_json(all);
-  ReaderAnswer answer{{faults_follow}, {}};
-  answer.bytes.insert(answer.bytes.end(), text.begin(), text.end());
+  ReaderAnswer answer;
+  answer.bytes.reserve(1 + text.size());
+  answer.bytes.push_back(faults_follow);
+  for (const char c : text) answer.bytes.push_back(static_cast<std::uint8_t>(c));
   return answer;
 }
 
