@@ -139,7 +139,11 @@ std::string nearest_name(std::string_view name, const std::vector<std::string_vi
   std::size_t fewest = std::min({1 + name.size() / 3, name.size() - 1, most_edits});
   for (const std::string_view candidate :
        std::span(known).first(std::min(most_tried, known.size()))) {
-    const std::size_t edits = edit_distance(name, candidate.substr(0, longest_compared), fewest);
+    // Who writes a name's first word means it: fov is fov_degrees, not far.
+    const bool begins =
+        candidate.starts_with(name) && candidate.substr(name.size()).starts_with('_');
+    const std::size_t edits =
+        begins ? 1 : edit_distance(name, candidate.substr(0, longest_compared), fewest);
     if (edits < fewest || (edits == fewest && best.empty())) {
       fewest = edits;
       best = candidate;

@@ -33,7 +33,7 @@ TEST(CommandLine, HelpOfRenderNamesEveryParameter) {
   EXPECT_EQ(end.status, 0);
   for (const char* part : {"scene", "--key", "--light", "--width", "--height", "--crop",
                            "--integrator", "--transfer", "--format", "--seed", "--threads", "-o",
-                           "an integer from 1 to 64", "png, pfm, hdr, exr", "srgb"})
+                           "an integer from 1 to 64", "png, pfm, hdr, tiff, exr", "srgb"})
     EXPECT_THAT(end.out, HasSubstr(part));
 }
 

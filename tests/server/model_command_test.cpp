@@ -1,6 +1,7 @@
 // `tia model`: what is in a file, in words.
 #include <fstream>
 
+#include "core/film/png.h"
 #include "core/input/json.h"
 #include "tests/server/process_support.h"
 
@@ -50,7 +51,7 @@ TEST_F(ModelCommand, TellsWhatAFileHolds) {
 TEST_F(ModelCommand, FindsWhatTheFileNames) {
   write("a/square.obj", "mtllib square.mtl\n" + square + "usemtl red\nf 1/1 2/2 3/3 4/4\n");
   write("a/square.mtl", "newmtl red\nKd 1 0 0\nmap_Kd pictures/red.png\n");
-  write("a/pictures/red.png", std::string("\x89PNG\r\n\x1A\n", 8));
+  write("a/pictures/red.png", encode_png(Image8(1, 1)));
   const Value told = described("a/square.obj");
   EXPECT_EQ(size(told, "warnings"), 0U) << to_json(told);
   EXPECT_EQ(count(told, "textures"), 1);
@@ -69,7 +70,7 @@ TEST_F(ModelCommand, AsksForNothingTwice) {
   write("a.obj", "mtllib m/a.mtl\n" + square + "usemtl red\nf 1/1 2/2 3/3 4/4\n");
   write("m/a.mtl", "newmtl red\nmap_Kd red.png\n");
   write("other.mtl", "");
-  write("red.png", std::string("\x89PNG\r\n\x1A\n", 8));
+  write("red.png", encode_png(Image8(1, 1)));
   EXPECT_EQ(model({"a.obj"}).status, 2);
 }
 

@@ -28,7 +28,8 @@ struct Plates {
     const double slant = random.in(0.2, 1), bright = 1 / (size * size);
     eye = {-std::sin(slant), 0, std::cos(slant)};
     const Vec3d mirrored{-eye.x, 0, eye.z};
-    const Vec3d near = (mirrored + random.direction() * (0.5 * roughness)) * random.in(1.5, 3);
+    const double far = random.in(1.5, 3);
+    const Vec3d near = (mirrored + random.direction() * (0.5 * roughness)) * far;
     scene.lights = {sphere_light(near, size)};
     scene.lights[0].intensity = bright;  // the floor gets about the same of any size
     Finish glow = dark();

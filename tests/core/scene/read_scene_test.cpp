@@ -77,7 +77,7 @@ TEST(ReadScene, UnknownMembersNameTheNearestKnownOne) {
   expect_scene_refused(R"({"objcts":[]})", {{unknown_name, "/objcts", "\"objcts\"",
                                              "title, description, camera", "objects"}});
   expect_scene_refused(R"({"camera":{"fov":40}})",
-                       {{unknown_name, "/camera/fov", "\"fov\"", "fov_degrees", ""}});
+                       {{unknown_name, "/camera/fov", "\"fov\"", "fov_degrees", "fov_degrees"}});
   expect_scene_refused(
       with_sphere(R"("colour":[1,1,1])"),
       {{unknown_name, "/objects/0/colour", "\"colour\"", "center, radius, transform, material"}});

@@ -167,7 +167,9 @@ const std::vector<std::string> beyond_scene_schema = {
     "only projection perspective", "for aperture", "of aperture", "of pixel_size",
     "a point other than location", "a direction of some length", "not zero, not parallel",
     "a view plane of some size", "of the view plane's size", "a vector of length 1",
-    "perpendicular to u", "u x v",
+    "perpendicular to u", "u x v", "more than near",
+    // sheets, and the ground that shadows fall on
+    "a scene that has a backdrop", "at most as many columns",
     // shapes
     "above min in every component", "a point other than base", "above 0 where base_radius is 0",
     "more than a constant", "total degree", "below major_radius", "not on the line through a and b",

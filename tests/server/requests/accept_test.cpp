@@ -130,7 +130,8 @@ TEST(ChooseFormat, RefusesWhoAcceptsNone) {
       EXPECT_EQ(error.type(), "not-acceptable");
       EXPECT_THAT(
           error.detail(),
-          HasSubstr("image/png, image/x-portable-floatmap, image/vnd.radiance, image/x-exr"));
+          HasSubstr(
+              "image/png, image/x-portable-floatmap, image/vnd.radiance, image/tiff, image/x-exr"));
     }
   }
 }
@@ -168,8 +169,10 @@ TEST(AcceptOfRender, ThatAllowsNoPictureIs406SayingWhatThereIs) {
     EXPECT_EQ(response.status, 406);
     const Problem problem = problem_of(response);
     EXPECT_EQ(problem.type, "/problems/not-acceptable");
-    EXPECT_THAT(problem.detail,
-                HasSubstr("image/png, image/x-portable-floatmap, image/vnd.radiance, image/x-exr"));
+    EXPECT_THAT(
+        problem.detail,
+        HasSubstr(
+            "image/png, image/x-portable-floatmap, image/vnd.radiance, image/tiff, image/x-exr"));
   }
 }
 

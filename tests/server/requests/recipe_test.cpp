@@ -85,7 +85,7 @@ TEST(Recipe, ChangesWithEveryParameterThatChangesThePicture) {
       {"max_depth", "1"},      {"seed", "5"},     {"crop", "1,2,3,4"},
       {"transfer", "srgb"},    {"format", "pfm"}, {"ao_radius", "2"},
       {"exposure", "1"},       {"noise", "0.1"},  {"white_balance_kelvin", "3000"},
-      {"depth_range", "1,2"}};
+      {"depth_range", "1,2"},  {"aov", "normal"}, {"depth", "32"}};
   const std::set<std::string> of_no_byte{"threads", "v"};
   // What ends a picture early is not told, but what it came to (Rounds).
   const std::set<std::string> of_time{"budget_ms", "max_rays"};
@@ -93,7 +93,9 @@ TEST(Recipe, ChangesWithEveryParameterThatChangesThePicture) {
   const std::map<std::string, std::map<std::string, std::string>> beside{
       {"ao_radius", {{"integrator", "ambient_occlusion"}}},
       {"noise", {{"integrator", "ambient_occlusion"}}},
-      {"depth_range", {{"integrator", "planar_depth"}, {"format", "tiff"}}}};
+      {"depth_range", {{"integrator", "planar_depth"}, {"format", "tiff"}}},
+      {"aov", {{"format", "exr"}}},
+      {"depth", {{"format", "exr"}}}};
   FieldNames fields;
   PictureRequest::fields(fields);
   const auto tag = [](std::map<std::string, std::string> query) {
