@@ -42,12 +42,15 @@ test('is refused by that schema where anything that it needs is missing', async 
   }
 });
 
+// What says how a picture's file is made: the page shows PNG alone.
+const OF_FILES = ['format', 'aov', 'depth', 'depth_range'];
+
 test('names the parameters that the page knows, and those that are none of a picture’s own', () => {
   const queries = (path) => openapi.paths[path].get.parameters.filter(({ in: place }) => place === 'query')
     .map(({ name }) => name);
   const [render, still] = [queries('/render'), queries('/still')];
   const known = PARAMETERS.filter((name) => render.includes(name) || !still.includes(name)); // but what only stills have
-  assert.deepEqual(render.toSorted(), [...known, 'format', 'threads', 'v'].toSorted());
+  assert.deepEqual(render.toSorted(), [...known, ...OF_FILES, 'threads', 'v'].toSorted());
 });
 
 test('holds no schema that ajv does not take as JSON Schema 2020-12', () => {
