@@ -78,8 +78,9 @@ TEST(TransformSteps, IsWrittenAsItWasGiven) {
 TEST(TransformSteps, StepsHaveExactlyOneKnownKey) {
   const char* keys = "one of translate, rotate_degrees, scale, matrix";
   expect_placement_refused("[{}]", {{missing, "/transform/0", "", keys}});
-  expect_placement_refused(R"([{"scale":2},{"rotate":[0,0,90]}])",
-                           {{unknown_name, "/transform/1/rotate", "\"rotate\"", keys}});
+  expect_placement_refused(
+      R"([{"scale":2},{"rotate":[0,0,90]}])",
+      {{unknown_name, "/transform/1/rotate", "\"rotate\"", keys, "rotate_degrees"}});
   expect_placement_refused(R"([{"trnslate":[0,0,90]}])", {{unknown_name, "/transform/0/trnslate",
                                                            "\"trnslate\"", keys, "translate"}});
   expect_placement_refused(
