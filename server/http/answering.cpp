@@ -102,7 +102,9 @@ void Connection::deliver(RequestTask& task) {
   task_.reset();
   account();
   outbox_.begin();
-  enter(Phase::writing, timeouts::answer);
+  enter(Phase::writing, timeouts::look);
+  gone_ = 0;
+  gone_at_ = since_;
 }
 
 // Answers the request in work with a problem, unless there is no memory even for that.

@@ -251,14 +251,21 @@ void Connection::cut_off(Clock::time_point now) {
                             " ms, the time in the queue included (option TIA_DEADLINE_MS)",
                         {{"Retry-After", std::to_string(context_.application.retry_after())}}));
       return proceed();
-    case Phase::writing:
-      due_ =
-          since_ + timeouts::answer + timeouts::at_slowest_rate(outbox_.sent() - waiting_bytes());
-      if (now >= due_) close();
-      return;
+    case Phase::writing: return watch_taking(now);
     case Phase::lingering:
     case Phase::closed: return close();
   }
+}
+
+// Who has taken bytes faster than the slowest rate may not pause longer for that: an answer's limit
+// is at most `answer` from when we last saw some of it gone.
+void Connection::watch_taking(Clock::time_point now) {
+  const std::size_t gone = outbox_.sent() - waiting_bytes();
+  if (gone > gone_) gone_at_ = now;
+  gone_ = gone;
+  const auto end = std::min(since_ + timeouts::at_slowest_rate(gone_), gone_at_) + timeouts::answer;
+  if (now >= end) return close();
+  due_ = std::min(end, now + timeouts::look);
 }
 
 void Connection::retire() {

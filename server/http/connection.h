@@ -67,6 +67,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
   void fail_turn(const std::exception_ptr& failure);
   void tell_failure(const std::exception_ptr& failure);
   void cut_off(Clock::time_point now);
+  void watch_taking(Clock::time_point now);
   void leave();
   bool flush();
   void linger();
@@ -87,8 +88,10 @@ class Connection : public std::enable_shared_from_this<Connection> {
   Clock::time_point taken_;            // when the client last took bytes, or sent some
   std::shared_ptr<RequestTask> task_;  // the request in work
   Outbox outbox_;
-  std::size_t storing_ = 0;  // bytes of a long body that are being put away
-  std::size_t held_ = 0;     // what we have told the context that we hold
+  std::size_t storing_ = 0;    // bytes of a long body that are being put away
+  std::size_t gone_ = 0;       // bytes of an answer that the client's system had, at the last look
+  Clock::time_point gone_at_;  // when they were last more than before
+  std::size_t held_ = 0;       // what we have told the context that we hold
   std::size_t requests_ = 0;
   bool keep_alive_ = true;
   bool read_armed_ = false, write_armed_ = false;

@@ -10,7 +10,8 @@ using std::chrono::seconds;
 
 constexpr seconds head{5};    ///< from connecting, or a request's first byte, to its head's end
 constexpr seconds body{5};    ///< for a body, besides what it may take at slowest_rate
-constexpr seconds answer{8};  ///< for taking an answer, besides what it may take at slowest_rate
+constexpr seconds answer{8};  ///< as body, for taking an answer
+constexpr seconds look{1};    ///< between two looks at how much of an answer has been taken
 constexpr seconds idle{30};   ///< between two requests
 constexpr seconds linger{2};  ///< for reading an answer after which we close
 constexpr seconds stuck{1};   ///< without taking a byte of an answer, where others need the place

@@ -46,8 +46,8 @@ inline std::string joined_text(const std::vector<std::string_view>& pieces) {
 inline std::string form_of_files(const NamedTexts& texts) {
   std::string body;
   for (const auto& [path, text] : texts)
-    body += "--border\r\nContent-Disposition: form-data; name=\"file\"; filename=\"" + path +
-            "\"\r\n\r\n" + text + "\r\n";
+    body += joined_text({"--border\r\nContent-Disposition: form-data; name=\"file\"; filename=\"",
+                         path, "\"\r\n\r\n", text, "\r\n"});
   return body + "--border--\r\n";
 }
 inline constexpr const char* form_type = "multipart/form-data; boundary=border";
