@@ -44,7 +44,12 @@ Finishes<Real> finishes(const World& world, const Hit<Real>& hit,
   const auto take = [&](const ShadingParameters& shading, int primitive, Mask<Real> here) {
     all.take(shading, world.primitive(primitive).object, here, std::exchange(first, false));
   };
-  for_each_shading(world, hit, isect.numbers, isect.here, take);
+  const auto own = [&](const PrincipledForm& form, const PrincipledNumbers& at, int i) {
+    const VaryingShading of = varying_at(form, at);
+    put_lane(all.ambient, i, of.ambient);
+    put_lane(all.reflection, i, of.reflection), put_lane(all.transmission, i, of.transmission);
+  };
+  for_each_shading(world, hit, isect.textures.numbers, isect.here, take, own);
   return all;
 }
 
@@ -53,10 +58,14 @@ template <class Point, class Real>
 Real opacities(const World& world, const Hit<Real>& hit,
                const SurfaceInteraction<Point, Real>& isect) {
   Real opacity(1);
-  for_each_shading(world, hit, isect.numbers, isect.here,
-                   [&](const ShadingParameters& shading, int, Mask<Real> here) {
-                     opacity = select(here, lift<Real>(shading.opacity), opacity);
-                   });
+  for_each_shading(
+      world, hit, isect.textures.numbers, isect.here,
+      [&](const ShadingParameters& shading, int, Mask<Real> here) {
+        opacity = select(here, lift<Real>(shading.opacity), opacity);
+      },
+      [&](const PrincipledForm& form, const PrincipledNumbers& at, int i) {
+        put_lane(opacity, i, alpha_at(form, at));
+      });
   return opacity;
 }
 

@@ -153,7 +153,7 @@ class PathTracer {
     if (any(disperses(materials, isect.here))) disperse(materials, isect.here);
     const auto behind = boundary(materials, isect, hit, last_, space_);
     const Bsdf<Real> bsdf(materials.bsdf, -ray.direction, isect.at.n, isect.at.ng, behind.eta,
-                          isect.here);
+                          isect.here, isect.textures.frames ? &*isect.textures.frames : nullptr);
     lights_.add_direct(isect, bsdf, behind, numbers);
     const BsdfSample<Real> drawn = bsdf.sample(numbers.lobe, numbers.u, numbers.v);
     state_.beta = state_.beta * drawn.weight;

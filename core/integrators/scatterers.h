@@ -29,7 +29,10 @@ Scatterers<Real> scatterers(const World& world, const Hit<Real>& hit,
     all.object =
         select(here, Real(static_cast<float>(world.primitive(primitive).object)), all.object);
   };
-  for_each_shading(world, hit, isect.numbers, isect.here, take);
+  const auto own = [&](const PrincipledForm& form, const PrincipledNumbers& at, int i) {
+    all.bsdf.put(bsdf_at(form, at), i);
+  };
+  for_each_shading(world, hit, isect.textures.numbers, isect.here, take, own);
   all.inside.ior = all.bsdf.ior;
   // Turned the other way from behind, for the grain is the same lines there.
   all.bsdf.grain_sin = select(isect.at.front, all.bsdf.grain_sin, -all.bsdf.grain_sin);

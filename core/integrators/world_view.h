@@ -163,8 +163,8 @@ struct SurfaceInteraction {
   Point at{};
   Vec3<Real> albedo{}, emission{};
   Vec3<Real> tint{Real(1), Real(1), Real(1)};  ///< a texture's colour, times a mesh's
-  bool tinted = false;          ///< whether any lane has one, which albedo then includes
-  LaneNumbers<Real> numbers{};  ///< which albedo then follows, where textures give them
+  bool tinted = false;            ///< whether any lane has one, which albedo then includes
+  LaneTextures<Real> textures{};  ///< whose numbers albedo then follows
   Real offset{};  ///< how far from the surface new rays start, along its normal (offset_of)
 
   Ray<Real> shadow_ray(const Vec3<Real>& wi) const { return {at.p + at.side() * offset, wi}; }
@@ -187,13 +187,13 @@ struct SurfaceInteraction {
 template <class Real>
 SurfacePoint<Real> textured_surface(const WorldView& world_view, const Ray<Real>& ray,
                                     const Hit<Real>& hit, int primitive, Mask<Real> here,
-                                    const Real& travelled, LaneNumbers<Real>& numbers) {
+                                    const Real& travelled, LaneTextures<Real>& textures) {
   const World& world = world_view.world;
   SurfacePoint<Real> at = world_view.surface_of(ray, hit, primitive, here);
   if (world.shading_of(primitive).form < 0) return at;
   const PixelCone& cone = world_view.cone;
   const Real width = lift<Real>(cone.width) + lift<Real>(cone.spread) * (travelled + hit.t);
-  take_textures(world, ray, hit, primitive, here, width, numbers, at);
+  take_textures(world, ray, hit, primitive, here, width, textures, at);
   return at;
 }
 
@@ -217,19 +217,20 @@ auto surfaces(const AnyWorldView& world_view, const Ray<Real>& ray, const Hit<Re
     bool first = true;  // most packets hit a single primitive, and nothing has to be selected
     for_each_winner(hit, active, [&](int primitive, Mask<Real> here) {
       const ShadingParameters& shading = world_view.world.shading_of(primitive);
-      isect.take(textured_surface(world_view, ray, hit, primitive, here, travelled, isect.numbers),
+      isect.take(textured_surface(world_view, ray, hit, primitive, here, travelled, isect.textures),
                  shading, here, std::exchange(first, false));
       if (shading.texture < 0 && !world_view.world.primitive(primitive).colored) return;
       isect.tint = select(here, world_view.colors_of(ray, hit, primitive, here), isect.tint);
       isect.tinted = true;
     });
-    if (isect.numbers)
-      for_each_shading(world_view.world, hit, isect.numbers, isect.here,
-                       [&](const ShadingParameters& shading, int, Mask<Real> here) {
-                         isect.albedo = select(here, lift<Real>(shading.albedo), isect.albedo);
-                         isect.emission =
-                             select(here, lift<Real>(shading.emission), isect.emission);
-                       });
+    if (isect.textures.numbers)
+      for_each_shading(
+          world_view.world, hit, isect.textures.numbers, isect.here,
+          [](const ShadingParameters&, int, Mask<Real>) {},
+          [&](const PrincipledForm& form, const PrincipledNumbers& at, int i) {
+            const VaryingShading of = varying_at(form, at);
+            put_lane(isect.albedo, i, of.albedo), put_lane(isect.emission, i, of.emission);
+          });
     if (isect.tinted) isect.albedo = isect.albedo * isect.tint;
   }
   isect.offset = offset_of(hit.t, isect.at.p);

@@ -36,6 +36,7 @@ BsdfValue<Real> Bsdf<Real>::value(const V& wi) const {
   BsdfValue<Real> sum{grey(zero), zero};
   if (any(above)) add_reflected(w, above, sum);
   if (any(below)) add_passed(w, below, sum);
+  if (bends_) add_bent_coat(to_coat(w), here_ && side > zero, sum);
   sum.pdf = over(sum.pdf, all_);
   return sum;
 }
@@ -55,7 +56,8 @@ void Bsdf<Real>::add_reflected(const V& wi, Here here, BsdfValue<Real>& sum) con
   }
   f = f * (even * cover_);
   Real pdf = matt_ * even;
-  const Here coat = coat_rough_ && coat_ > zero;
+  Here coat = coat_rough_ && coat_ > zero;
+  if (bends_) coat = coat && !bent_;
   V h{};
   Real c{};
   if (any(rough_ || coat)) {
@@ -81,6 +83,19 @@ void Bsdf<Real>::add_reflected(const V& wi, Here here, BsdfValue<Real>& sum) con
   }
   sum.f_cos = select(here, f, sum.f_cos);
   sum.pdf = select(here, pdf, sum.pdf);
+}
+
+// For wi in the coat's frame: what it shows may lie below the horizon of the normal under it.
+template <class Real>
+void Bsdf<Real>::add_bent_coat(const V& wi, Here lit, BsdfValue<Real>& sum) const {
+  const Real zero(0);
+  const Here coat = lit && bent_ && coat_rough_ && coat_ > zero && wi.z > zero;
+  if (!any(coat)) return;
+  const V h = normalize(coat_wo_ + wi);
+  const Real c = dot(coat_wo_, h), density = coat_ggx().density(h) / (Real(4) * coat_wo_.z);
+  const Real f = coat_fresnel(c) * density * coat_ggx().visible(coat_wo_, wi);
+  sum.f_cos = sum.f_cos + grey(select(coat, f, zero));
+  sum.pdf = sum.pdf + select(coat, coat_ * density * coat_ggx().visible(coat_wo_), zero);
 }
 
 template <class Real>
@@ -113,18 +128,19 @@ void Bsdf<Real>::add_passed(const V& wi, Here here, BsdfValue<Real>& sum) const 
 // ----------------------------------------------------------------------------
 
 template <class Real>
-typename Bsdf<Real>::V Bsdf<Real>::mirrored(const V& h) const {
-  const Real c = dot(wo_, h);
-  return h * (c + c) - wo_;
+typename Bsdf<Real>::V Bsdf<Real>::mirrored(const V& wo, const V& h) {
+  const Real c = dot(wo, h);
+  return h * (c + c) - wo;
 }
 
 template <class Real>
 void Bsdf<Real>::draw_coat(Here here, const Real& u, const Real& v, Drawn& drawn) const {
   const V h = any(here && coat_rough_)
-                  ? select(coat_rough_, coat_ggx().sample(wo_, u, v), up<Real>())
+                  ? select(coat_rough_, coat_ggx().sample(coat_wo_, u, v), up<Real>())
                   : up<Real>();
-  drawn.w = select(here, mirrored(h), drawn.w);
-  drawn.weight = select(here, grey(coat_fresnel(wo_.z) * over(all_, coat_)), drawn.weight);
+  const V w = mirrored(coat_wo_, h);
+  drawn.w = select(here, bends_ ? select(bent_, from_coat(w), w) : w, drawn.w);
+  drawn.weight = select(here, grey(coat_fresnel(coat_wo_.z) * over(all_, coat_)), drawn.weight);
   drawn.single = drawn.single || (here && !coat_rough_);
 }
 
@@ -136,7 +152,7 @@ void Bsdf<Real>::draw_facet(Here here, const Real& choice, const Real& u, const 
   const Real c = dot(wo_, h), inverse = Real(1) / eta_;
   const Fresnel at_h = fresnel(c);
   const Real reflected = at_h.reflected_share(), chance = over(all_, facets_) * cover_;
-  const V w = mirrored(h);
+  const V w = mirrored(wo_, h);
   const Here passing = here && !(choice < reflected);
   drawn.w = select(here, w, drawn.w);
   drawn.weight = select(here, at_h.reflected * over(chance, reflected), drawn.weight);
@@ -170,7 +186,8 @@ BsdfSample<Real> Bsdf<Real>::sample(const Real& lobe, const Real& u, const Real&
   BsdfSample<Real> one{some, normalize(world(drawn.w)), drawn.weight};
   one.transmitted = drawn.passing;
   // No light passes an opaque surface whose interpolated normal leans over too far.
-  const Real side = dot(ng_, one.wi), height = drawn.w.z;
+  const Real side = dot(ng_, one.wi);
+  const Real height = bends_ ? select(coat && bent_, dot(coat_n_, drawn.w), drawn.w.z) : drawn.w.z;
   one.here = some && ((drawn.passing && side < zero && height < zero) ||
                       (!drawn.passing && side > zero && height > zero));
   const Here spread = one.here && !drawn.single;

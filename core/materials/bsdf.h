@@ -41,9 +41,10 @@ class Bsdf : BsdfShares<Real> {
  public:
   /// Domain: unit wo, towards the viewer; unit n and ng, the shading and the geometric normal, ng
   /// on the side of wo; eta: the index of refraction behind the surface over that before it.
+  /// `frames`: how coat and grain lie; null: as the surface and the horizontal do.
   Bsdf(const BsdfParameters<Real>& parameters, const V& wo, const V& n, const V& ng,
-       const Real& eta, Here here)
-      : Shares(parameters, wo, n, ng, eta, here) {}
+       const Real& eta, Here here, const LayerFrames<Real>* frames = nullptr)
+      : Shares(parameters, wo, n, ng, eta, here, frames) {}
 
   /// Where it scatters light into more than single directions.
   Here scatters() const;
@@ -60,15 +61,20 @@ class Bsdf : BsdfShares<Real> {
   using Shares::albedos_;
   using Shares::all_;
   using Shares::below_;
+  using Shares::bends_;
+  using Shares::bent_;
   using Shares::coat_;
   using Shares::coat_cover_;
   using Shares::coat_fresnel;
+  using Shares::coat_n_;
   using Shares::coat_rough_;
+  using Shares::coat_wo_;
   using Shares::cover_;
   using Shares::down_;
   using Shares::eta_;
   using Shares::facets_;
   using Shares::fresnel;
+  using Shares::from_coat;
   using Shares::ground_;
   using Shares::has_facets_;
   using Shares::here_;
@@ -81,15 +87,17 @@ class Bsdf : BsdfShares<Real> {
   using Shares::passes_;
   using Shares::rough_;
   using Shares::sheen_;
+  using Shares::to_coat;
   using Shares::up_;
   using Shares::wo_;
   using Shares::world;
 
   const Ggx<Real>& ggx() const { return albedos_.ggx; }
   Ggx<Real> coat_ggx() const { return {p_.coat_alpha, p_.coat_alpha}; }
-  V mirrored(const V& h) const;
+  static V mirrored(const V& wo, const V& h);
   void add_reflected(const V& wi, Here here, BsdfValue<Real>& sum) const;
   void add_passed(const V& wi, Here here, BsdfValue<Real>& sum) const;
+  void add_bent_coat(const V& wi, Here lit, BsdfValue<Real>& sum) const;
   /// What sample() has drawn in the shading frame, and its weight where it is a single direction.
   struct Drawn {
     V w, weight;

@@ -1,7 +1,7 @@
 // BsdfParameters: a material as what a Bsdf needs of it.
 #pragma once
 
-#include "core/math/wide.h"
+#include "core/math/lanes.h"
 
 namespace tia {
 
@@ -48,6 +48,16 @@ struct BsdfParameters {
     number(coat_alpha, from.coat_alpha), number(sheen_alpha, from.sheen_alpha);
     flag(fresnel, from.fresnel), flag(covers, from.covers), flag(thin, from.thin);
     flag(tinted, from.tinted);
+  }
+  /// Sets a lane's numbers to those of a material, but for what is the same at all of its points:
+  /// indices, grain's angle and flags, which take() has set.
+  void put(const BsdfParameters<double>& from, int i) {
+    put_lane(base, i, from.base), put_lane(tint, i, from.tint), put_lane(f0, i, from.f0);
+    put_lane(sheen, i, from.sheen), put_lane(sheen_alpha, i, from.sheen_alpha);
+    put_lane(matt, i, from.matt), put_lane(metal, i, from.metal), put_lane(glass, i, from.glass);
+    put_lane(f90, i, from.f90), put_lane(alpha_x, i, from.alpha_x);
+    put_lane(alpha_y, i, from.alpha_y), put_lane(coat, i, from.coat);
+    put_lane(coat_alpha, i, from.coat_alpha);
   }
   bool operator==(const BsdfParameters&) const = default;
 };

@@ -1,5 +1,6 @@
 #include "core/materials/bsdf_shares.h"
 
+#include "core/materials/mean_fresnel.h"
 #include "core/materials/sheen.h"
 
 #include <tuple>
@@ -28,38 +29,22 @@ template <class Real>
 Vec3<Real> left_of(const Vec3<Real>& v) {
   return {left_of(v.x), left_of(v.y), left_of(v.z)};
 }
-// Schlick's share by the cosine's mean, 2 times the integral of c (1 - c)^5 being 1/21.
-template <class Real>
-Vec3<Real> mean_fresnel(const Vec3<Real>& f0, const Real& f90) {
-  return f0 + (grey(f90) - f0) * Real(1.0F / 21);
-}
-// Fresnel's share by the cosine's mean, for light that comes from the thinner side; the other
-// side's follows from it. Source: the fit of Kulla, Conty (2017).
-template <class Real>
-Real mean_dielectric(const Real& eta) {
-  const Real denser = max_of(eta, Real(1) / eta);
-  const Real outer = (denser - Real(1)) / (Real(4.08567F) + Real(1.00071F) * denser);
-  return select(eta < Real(1), Real(1) - (Real(1) - outer) * eta * eta, outer);
-}
-// A pane's two sides, between which light goes to and fro.
-// Source: Pharr, Jakob, Humphreys, "Physically Based Rendering", 4th ed., 9.5.
-template <class Real>
-Real of_pane(const Real& reflected) {
-  return (reflected + reflected) / (Real(1) + reflected);
-}
 
 }  // namespace
 
 template <class Real>
 BsdfShares<Real>::BsdfShares(const BsdfParameters<Real>& parameters, const V& wo, const V& n,
-                             const V& ng, const Real& eta, Here here)
+                             const V& ng, const Real& eta, Here here,
+                             const LayerFrames<Real>* frames)
     : p_(parameters), here_(here), ng_(ng), eta_(eta), index_(eta) {
   passes_ = here_ && p_.glass > Real(0);
   // An interpolated normal may face away from the viewer.
   n_ = select(dot(n, wo) > Real(0), n, ng);
-  set_frame();
+  set_frame(frames);
   wo_ = local(wo);
   wo_.z = max_of(wo_.z, Real(1e-4F));
+  coat_wo_ = wo_;
+  if (frames != nullptr) set_coat_frame(*frames, wo);
   set_facets(eta);
   set_cover();
   set_ground();
@@ -67,17 +52,35 @@ BsdfShares<Real>::BsdfShares(const BsdfParameters<Real>& parameters, const V& wo
   all_ = coat_ + facets_ + below_ + sheen_ + matt_;
 }
 
-// Facets are stretched along the horizontal, as a turned body's grooves are.
+// Facets are stretched along the horizontal, as a turned body's grooves are, or as maps tell.
 template <class Real>
-void BsdfShares<Real>::set_frame() {
+void BsdfShares<Real>::set_frame(const LayerFrames<Real>* frames) {
   std::tie(x_, y_) = axes_around(n_);
   const Here grained = here_ && !(p_.alpha_x == p_.alpha_y);
   if (!any(grained)) return;
   const Here leans = grained && n_.x * n_.x + n_.z * n_.z > Real(1e-8F);
   const V across = normalize(select(leans, V{n_.z, Real(0), -n_.x}, x_));
-  const V along = across * p_.grain_cos + cross(n_, across) * p_.grain_sin;
+  V along = across * p_.grain_cos + cross(n_, across) * p_.grain_sin;
+  if (frames != nullptr) {
+    const V told = frames->grain - n_ * dot(n_, frames->grain);
+    const Here flat = frames->grained && dot(told, told) > Real(1e-8F);
+    along = select(flat, normalize(select(flat, told, along)), along);
+  }
   x_ = select(grained, along, x_);
   y_ = select(grained, cross(n_, along), y_);
+}
+
+// Like the surface's, the coat's normal may face away from the viewer; then it is the surface's.
+template <class Real>
+void BsdfShares<Real>::set_coat_frame(const LayerFrames<Real>& frames, const V& wo) {
+  bent_ = here_ && frames.coated && p_.coat > Real(0) && dot(frames.coat_n, wo) > Real(0);
+  bends_ = any(bent_);
+  if (!bends_) return;
+  coat_n_ = select(bent_, normalize(local(frames.coat_n)), V{Real(0), Real(0), Real(1)});
+  std::tie(coat_x_, coat_y_) = axes_around(coat_n_);
+  V own = to_coat(local(wo));
+  own.z = max_of(own.z, Real(1e-4F));
+  coat_wo_ = select(bent_, own, wo_);
 }
 
 template <class Real>
@@ -115,10 +118,10 @@ void BsdfShares<Real>::set_cover() {
   cover_ = coat_cover_ = one;
   coat_ = sheen_ = zero;
   if (any(here_ && p_.coat > zero)) {
-    const Real w = schlick_weight(wo_.z);
+    const Real w = schlick_weight(coat_wo_.z);
     SchlickAlbedo<Real> at{one - w, w};
     if (any(coat_rough_)) {
-      const SchlickAlbedo<Real> table = schlick_albedo(wo_.z, sqrt(p_.coat_alpha));
+      const SchlickAlbedo<Real> table = schlick_albedo(coat_wo_.z, sqrt(p_.coat_alpha));
       at = {select(coat_rough_, table.a, at.a), select(coat_rough_, table.b, at.b)};
     }
     coat_ = p_.coat * (p_.coat_f0 * at.a + p_.coat_f90 * at.b);

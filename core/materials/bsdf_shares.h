@@ -4,6 +4,7 @@
 #include "core/materials/albedo_tables.h"
 #include "core/materials/bsdf_parameters.h"
 #include "core/materials/facet_albedo.h"
+#include "core/materials/layer_frames.h"
 
 namespace tia {
 
@@ -37,9 +38,12 @@ class BsdfShares {
   };
 
   BsdfShares(const BsdfParameters<Real>& parameters, const V& wo, const V& n, const V& ng,
-             const Real& eta, Here here);
+             const Real& eta, Here here, const LayerFrames<Real>* frames);
   V local(const V& w) const { return {dot(x_, w), dot(y_, w), dot(n_, w)}; }
   V world(const V& w) const { return x_ * w.x + y_ * w.y + n_ * w.z; }
+  /// The same from the shading frame to the coat's and back, in the lanes of bent_.
+  V to_coat(const V& w) const { return {dot(coat_x_, w), dot(coat_y_, w), dot(coat_n_, w)}; }
+  V from_coat(const V& w) const { return coat_x_ * w.x + coat_y_ * w.y + coat_n_ * w.z; }
   SchlickAlbedo<Real> albedo(const V& w) const;
   V layer(const SchlickAlbedo<Real>& at) const;
   Real coat_fresnel(const Real& c) const;
@@ -48,6 +52,11 @@ class BsdfShares {
   BsdfParameters<Real> p_;
   Here here_, rough_{}, coat_rough_{}, passes_{};
   V n_{}, ng_, x_{}, y_{}, wo_{};
+  // Where the coat has a normal of its own: its frame in the shading frame, and wo in it. Elsewhere
+  // coat_wo_ is wo_, and without any such lane nothing else is set.
+  bool bends_ = false;
+  Here bent_{};
+  V coat_n_{}, coat_x_{}, coat_y_{}, coat_wo_{};
   Real eta_;    // of what passes
   Real index_;  // in Fresnel's equations, which a pane has too
   FacetAlbedo<Real> albedos_{};
@@ -62,7 +71,8 @@ class BsdfShares {
   Real matt_{}, below_{}, facets_{}, coat_{}, sheen_{}, all_{};  // how likely sample() chooses each
 
  private:
-  void set_frame();
+  void set_frame(const LayerFrames<Real>* frames);
+  void set_coat_frame(const LayerFrames<Real>& frames, const V& wo);
   void set_facets(const Real& eta);
   void set_cover();
   void set_ground();

@@ -71,15 +71,29 @@ void set_numbers(BsdfParameters<double>& bsdf, const PrincipledNumbers& at, cons
 }  // namespace
 
 // In whitted a metal is a mirror as far as it is smooth, without a colour, and else matt.
+VaryingShading varying_at(const PrincipledForm& form, const PrincipledNumbers& at) {
+  const double matt = (1 - at.metallic) * (1 - at.transmission);
+  return {form.base * at.base * (matt + at.metallic * at.roughness),
+          form.rest.ambient.exact * form.base * at.base * at.occlusion,
+          form.rest.emission.exact * at.emissive,
+          at.metallic * (1 - at.roughness),
+          (1 - at.metallic) * at.transmission,
+          alpha_at(form, at)};
+}
+
+BsdfParameters<double> bsdf_at(const PrincipledForm& form, const PrincipledNumbers& at) {
+  BsdfParameters<double> bsdf = form.rest.bsdf;
+  set_numbers(bsdf, at, form.layer);
+  return bsdf;
+}
+
 ShadingParameters shading_at(const PrincipledForm& form, const PrincipledNumbers& at) {
   ShadingParameters shading = form.rest;
-  set_numbers(shading.bsdf, at, form.layer);
-  shading.ambient = form.rest.ambient.exact * form.base * at.base * at.occlusion;
-  shading.emission = form.rest.emission.exact * at.emissive;
-  shading.albedo = form.base * at.base * (shading.bsdf.matt + at.metallic * at.roughness);
-  shading.reflection = at.metallic * (1 - at.roughness);
-  shading.transmission = shading.bsdf.glass;
-  shading.opacity = alpha_at(form, at);
+  const VaryingShading own = varying_at(form, at);
+  shading.bsdf = bsdf_at(form, at);
+  shading.albedo = own.albedo, shading.ambient = own.ambient, shading.emission = own.emission;
+  shading.reflection = own.reflection, shading.transmission = own.transmission;
+  shading.opacity = own.opacity;
   return shading;
 }
 

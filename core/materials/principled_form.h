@@ -39,4 +39,13 @@ double alpha_at(const PrincipledForm& form, const PrincipledNumbers& at);
 /// Source: Khronos, glTF 2.0 (2021), appendix B, and its extensions KHR_materials_*.
 ShadingParameters shading_at(const PrincipledForm& form, const PrincipledNumbers& at);
 
+/// VaryingShading: those of them that the numbers have a say in, but for the BSDF's.
+struct VaryingShading {
+  Vec3d albedo, ambient, emission;
+  double reflection, transmission, opacity;
+};
+VaryingShading varying_at(const PrincipledForm& form, const PrincipledNumbers& at);
+/// Its BSDF there.
+BsdfParameters<double> bsdf_at(const PrincipledForm& form, const PrincipledNumbers& at);
+
 }  // namespace tia

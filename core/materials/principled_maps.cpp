@@ -1,6 +1,7 @@
 #include "core/materials/principled_maps.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace tia {
 namespace {
@@ -39,11 +40,29 @@ double map_alpha(const PrincipledMaps& maps, const TexturePoint& at) {
   return alpha;
 }
 
-Vec3d mapped_normal(const PrincipledMaps& maps, TextureReader& reader) {
-  const Rgba found = reader.rgba_of(*maps.normal);
-  const double scale = maps.normal->strength;
+Vec3d mapped_normal(const TextureMap& map, TextureReader& reader) {
+  const Rgba found = reader.rgba_of(map);
+  const double scale = map.strength;
   const Vec3d n{(2 * found[0] - 1) * scale, (2 * found[1] - 1) * scale, 2 * found[2] - 1};
   return dot(n, n) > 0 ? normalize(n) : Vec3d{0, 0, 1};
+}
+
+Vec2d mapped_grain(const Grain& grain, TextureReader& reader) {
+  Vec2d along{1, 0};
+  if (grain.map) {
+    const Rgba found = reader.rgba_of(*grain.map);
+    const double x = 2 * found[0] - 1, y = 2 * found[1] - 1, size = std::sqrt(x * x + y * y);
+    if (size > 0) along = {x / size, y / size};
+  }
+  const auto& [c, s] = grain.turned;
+  return {c * along.u - s * along.v, s * along.u + c * along.v};
+}
+
+const TextureMap& tangent_map(const PrincipledMaps& maps) {
+  static const TextureMap as_it_is;
+  if (maps.normal) return *maps.normal;
+  if (maps.coat_normal) return *maps.coat_normal;
+  return maps.grain && maps.grain->map ? *maps.grain->map : as_it_is;
 }
 
 }  // namespace tia

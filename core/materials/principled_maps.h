@@ -31,12 +31,22 @@ struct MapUse {
   bool operator==(const MapUse&) const = default;
 };
 
+/// Grain: along which direction of the tangent space facets are stretched.
+/// Source: KHR_materials_anisotropy.
+struct Grain {
+  std::optional<TextureMap> map{};  ///< red and green, from -1 to 1; none: along the tangent
+  Vec2d turned{1, 0};               ///< cosine and sine of the angle by which that is turned
+  bool operator==(const Grain&) const = default;
+};
+
 /// PrincipledMaps: as glTF's material has them.
 struct PrincipledMaps {
   std::vector<MapUse> uses;
   std::optional<TextureMap> normal;
   /// Whether it shines with its mesh's colour, as what is unlit does.
   bool shines_with_mesh = false;
+  std::optional<TextureMap> coat_normal{};
+  std::optional<Grain> grain{};
   bool operator==(const PrincipledMaps&) const = default;
 };
 
@@ -47,9 +57,13 @@ bool emission_varies(const PrincipledMaps& maps);
 void multiply(const PrincipledMaps& maps, TextureReader& reader, PrincipledNumbers& numbers);
 /// Alpha alone: the product of the maps' and the mesh's.
 double map_alpha(const PrincipledMaps& maps, const TexturePoint& at);
-/// The normal map's normal in tangent space, unit: x along the tangent, y along the bitangent, z
-/// along the shading normal. Domain: maps with a normal map.
+/// A normal map's normal in tangent space, unit: x along the tangent, y along the bitangent, z
+/// along the shading normal.
 /// Source: Khronos, glTF 2.0, 3.9.3: normalize((2 t - 1) (scale, scale, 1)).
-Vec3d mapped_normal(const PrincipledMaps& maps, TextureReader& reader);
+Vec3d mapped_normal(const TextureMap& map, TextureReader& reader);
+/// The grain's direction there, along the tangent and the bitangent, unit.
+Vec2d mapped_grain(const Grain& grain, TextureReader& reader);
+/// The map whose coordinates tell the tangent space where the mesh has no tangents.
+const TextureMap& tangent_map(const PrincipledMaps& maps);
 
 }  // namespace tia

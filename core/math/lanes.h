@@ -65,8 +65,18 @@ typename Register::value_type lane(const Registers<Register, N>& value, int lane
   return one;
 }
 inline void set_lane(float& value, int, float one) { value = one; }
+inline void set_lane(double& value, int, double one) { value = one; }
 inline void set_lane(Wide& value, int lane, float one) {
   std::memcpy(reinterpret_cast<char*>(&value) + sizeof one * std::size_t(lane), &one, sizeof one);
+}
+/// Sets a lane to a number, or a triple, of the compiled scene as lift() has it.
+template <class Real>
+void put_lane(Real& to, int lane, double value) {
+  set_lane(to, lane, static_cast<LaneOf<Real>>(value));
+}
+template <class Real>
+void put_lane(Vec3<Real>& to, int lane, const Vec3d& value) {
+  put_lane(to.x, lane, value.x), put_lane(to.y, lane, value.y), put_lane(to.z, lane, value.z);
 }
 
 /// Calls f(lane) for each lane of the mask, one by one.

@@ -7,6 +7,7 @@
 #include "core/film/image.h"
 #include "core/models/model.h"
 #include "core/models/model_pyramids.h"
+#include "core/models/model_tangents.h"
 
 namespace tia {
 
@@ -16,6 +17,7 @@ struct KeptModel {
   /// One an image of the model's, as decode_images() gives them; null where it has no file.
   std::vector<std::shared_ptr<const ImageRgba8>> images;
   std::shared_ptr<ModelPyramids> pyramids = std::make_shared<ModelPyramids>();
+  std::shared_ptr<ModelTangents> tangents = std::make_shared<ModelTangents>();
 };
 
 /// SharedModel: one that is in use outlives its place in a store.

@@ -5,6 +5,8 @@
 #include <set>
 #include <utility>
 
+#include "core/math/deterministic.h"
+
 namespace tia {
 namespace {
 
@@ -84,36 +86,78 @@ void add(TextureMap map, const Slot& slot, std::vector<MapUse>& uses) {
   same->channels.insert(same->channels.end(), slot.channels.begin(), slot.channels.end());
 }
 
+bool bends_coat(const ModelMaterial& material) {
+  return material.clearcoat > 0 && material.clearcoat_normal_texture;
+}
+
 // Calls f(use, encoding) for each texture that shows.
 template <class F>
 void each_use(const ModelMaterial& material, F f) {
   for (const Slot& slot : slots_of(material))
     if (const MaybeTexture& use = material.*slot.texture) f(*use, slot.encoding);
-  if (material.normal_texture && !material.unlit) f(*material.normal_texture, Encoding::linear);
+  if (material.unlit) return;
+  if (material.normal_texture) f(*material.normal_texture, Encoding::linear);
+  if (bends_coat(material)) f(*material.clearcoat_normal_texture, Encoding::linear);
+}
+
+std::optional<Grain> grain_of(const KeptModel& kept, const ModelMaterial& material) {
+  if (!(material.anisotropy > 0)) return std::nullopt;
+  const double angle = material.anisotropy_rotation;
+  return Grain{map_of(kept, material.anisotropy_texture, Encoding::linear),
+               {cos_of(angle), sin_of(angle)}};
 }
 
 }  // namespace
 
 std::shared_ptr<const PrincipledMaps> maps_of(const KeptModel& kept, const ModelMaterial& material,
-                                              bool colored) {
+                                              const Mesh& mesh) {
   PrincipledMaps maps;
   for (const Slot& slot : slots_of(material))
     if (auto map = map_of(kept, material.*slot.texture, slot.encoding))
       add(std::move(*map), slot, maps.uses);
-  if (!material.unlit) maps.normal = map_of(kept, material.normal_texture, Encoding::linear);
-  maps.shines_with_mesh = material.unlit && colored;
+  maps.shines_with_mesh = material.unlit && !mesh.colors.values.empty();
+  if (!material.unlit) {
+    maps.normal = map_of(kept, material.normal_texture, Encoding::linear);
+    if (bends_coat(material))
+      maps.coat_normal = map_of(kept, material.clearcoat_normal_texture, Encoding::linear);
+    if (!mesh.tangents.values.empty()) maps.grain = grain_of(kept, material);
+  }
   if (maps == PrincipledMaps{}) return nullptr;
   return std::make_shared<const PrincipledMaps>(std::move(maps));
 }
 
 const TextureUse* tangent_texture(const ModelMaterial& material) {
-  return material.normal_texture && !material.unlit ? &*material.normal_texture : nullptr;
+  static const TextureUse first_uvs;
+  if (material.unlit) return nullptr;
+  if (material.normal_texture) return &*material.normal_texture;
+  if (bends_coat(material)) return &*material.clearcoat_normal_texture;
+  if (!(material.anisotropy > 0)) return nullptr;
+  return material.anisotropy_texture ? &*material.anisotropy_texture : &first_uvs;
 }
 
 bool wants_more_uvs(const ModelMaterial& material) {
   bool wants = false;
   each_use(material, [&](const TextureUse& use, Encoding) { wants = wants || use.uv_set == 1; });
   return wants;
+}
+
+std::size_t tangent_bytes(const Model& model) {
+  const auto wants = [&](const ModelPart& part, ModelIndex material) {
+    const TextureUse* const use = tangent_texture(model.materials[material]);
+    return use != nullptr && !part.uvs[use->uv_set].empty();
+  };
+  std::size_t bytes = 0;
+  for (const ModelMesh& mesh : model.meshes)
+    for (const ModelPart& part : mesh.parts) {
+      const bool wanted = (part.material && wants(part, *part.material)) ||
+                          std::ranges::any_of(part.variants, [&](const VariantMaterial& each) {
+                            return wants(part, each.material);
+                          });
+      if (!wanted || !part.tangents.empty()) continue;
+      const std::size_t corners = part.indices.size(), most = part.vertices() + corners;
+      bytes += 4 * sizeof(double) * most + 2 * sizeof(std::uint32_t) * corners;
+    }
+  return bytes;
 }
 
 std::size_t pyramid_bytes(const KeptModel& kept) {

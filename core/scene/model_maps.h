@@ -5,17 +5,18 @@
 
 #include "core/materials/principled_maps.h"
 #include "core/models/kept_model.h"
+#include "core/shapes/mesh/mesh.h"
 
 namespace tia {
 
-/// Null where the material has none that shows. Of clearcoat_normal_texture and the direction in
-/// anisotropy_texture nothing is shown. `colored`: whether what wears it has colours of vertices.
-/// Domain: a material of the model's.
+/// Null where the material has none that shows, on that mesh: grain runs along its tangents, or
+/// where it has none as a scene's principled has it.
+/// Domain: a material of the model's, a mesh of pieces_of().
 std::shared_ptr<const PrincipledMaps> maps_of(const KeptModel& kept, const ModelMaterial& material,
-                                              bool colored);
+                                              const Mesh& mesh);
 
 /// The texture along whose rows a mesh's tangents run, where its material asks for tangents; null
-/// where it does not.
+/// where it does not. Grain without a texture takes the first uvs as they are.
 const TextureUse* tangent_texture(const ModelMaterial& material);
 
 /// Whether a texture of it is looked up by the second set of uvs.
@@ -24,5 +25,7 @@ bool wants_more_uvs(const ModelMaterial& material);
 /// What the mip pyramids of all of a model's materials take, once they are made. Space/units:
 /// bytes.
 std::size_t pyramid_bytes(const KeptModel& kept);
+/// The most that the tangents take that are made of it and kept. Space/units: bytes.
+std::size_t tangent_bytes(const Model& model);
 
 }  // namespace tia

@@ -118,7 +118,7 @@ class Making {
   MaterialRef material_for(const ModelPiece& piece) const {
     if (const MaterialRef* instead = instead_of(piece)) return *instead;
     const ModelMaterial& own = material_in(piece);
-    auto maps = piece.points ? nullptr : maps_of(kept_, own, !piece.mesh.colors.values.empty());
+    auto maps = piece.points ? nullptr : maps_of(kept_, own, piece.mesh);
     return Boxed<Material>(
         material_of(own, std::move(maps), std::get<PlacedModel>(object_.shape).ambient));
   }
@@ -144,7 +144,8 @@ Affine map_of(const PlacedModel& asked, const ModelChoice& choice, const Aabb& b
 
 std::vector<Object> model_objects(const KeptModel& kept, const Object& object,
                                   const ModelChoice& choice, ModelBudget& budget) {
-  const std::vector<ModelPiece> pieces = pieces_of(*kept.model, choice, budget);
+  const std::vector<ModelPiece> pieces =
+      pieces_of(*kept.model, choice, budget, kept.tangents.get());
   if (pieces.empty()) return {};
   const auto& asked = std::get<PlacedModel>(object.shape);
   const Aabb box = bounds_of(pieces);

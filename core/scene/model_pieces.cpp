@@ -69,15 +69,19 @@ void add_vertices(Numbers<float>& list, const std::vector<std::uint32_t>& which,
   all.insert(all.end(), more.begin(), more.end());
 }
 
-// Source: Khronos, glTF 2.0, 3.7.2.1.
-void add_tangents(Mesh& mesh, const TextureUse& use) {
+// Source: Khronos, glTF 2.0, 3.7.2.1. None without uvs.
+TangentLists made_tangents(const Mesh& mesh, const TextureUse& use) {
   const std::vector<double> uvs = uvs_in(use, mesh);
-  if (uvs.empty()) return;
+  if (uvs.empty()) return {};
   TangentVertices made = tangents_of(
       {mesh.positions.values.get(), mesh.normals.values.get(), uvs, mesh.indices.values.get()});
-  mesh.tangents.values = std::move(made.tangents);
+  return {std::move(made.from), std::move(made.indices), std::move(made.tangents)};
+}
+
+void add_tangents(Mesh& mesh, const TangentLists& made) {
+  mesh.tangents.values = made.tangents;
   if (made.from.empty()) return;
-  mesh.indices.values = std::move(made.indices);
+  mesh.indices.values = made.indices;
   add_vertices(mesh.positions, made.from, 3), add_vertices(mesh.normals, made.from, 3);
   add_vertices(mesh.uvs, made.from, 2), add_vertices(mesh.more_uvs, made.from, 2);
   add_vertices(mesh.colors, made.from, 4);
@@ -86,8 +90,13 @@ void add_tangents(Mesh& mesh, const TextureUse& use) {
 /// Gathering: goes through what a pose shows.
 class Gathering {
  public:
-  Gathering(const Model& model, const ModelChoice& choice, ModelBudget& budget)
-      : model_(model), choice_(choice), budget_(budget), pose_(pose_of(model, choice.moment)) {}
+  Gathering(const Model& model, const ModelChoice& choice, ModelBudget& budget,
+            ModelTangents* tangents)
+      : model_(model),
+        choice_(choice),
+        budget_(budget),
+        tangents_(tangents),
+        pose_(pose_of(model, choice.moment)) {}
 
   std::vector<ModelPiece> pieces() {
     std::vector<bool> hidden(model_.nodes.size());
@@ -171,14 +180,23 @@ class Gathering {
       if (smooths(part)) smooth(mesh, choice_.smooth);
       else if (material && tangent_texture(model_.materials[*material]) != nullptr)
         mesh.tangents.values = std::move(shape.tangents);
-      if (const TextureUse* along = tangents_along(part, material)) add_tangents(mesh, *along);
+      if (const TextureUse* along = tangents_along(part, material); along && tangents_)
+        add_made_tangents(mesh, part, *along, posed || smooths(part));
     }
     return mesh;
+  }
+  // Those of what is as the file has it are kept with the model.
+  void add_made_tangents(Mesh& mesh, const ModelPart& part, const TextureUse& along,
+                         bool differs) const {
+    const auto make = [&] { return made_tangents(mesh, along); };
+    if (differs) add_tangents(mesh, make());
+    else add_tangents(mesh, *tangents_->of(part, along, make));
   }
 
   const Model& model_;
   const ModelChoice& choice_;
   ModelBudget& budget_;
+  ModelTangents* const tangents_;
   Pose pose_;
   std::map<const ModelPart*, Mesh> known_;
   std::vector<ModelPiece> pieces_;
@@ -187,8 +205,8 @@ class Gathering {
 }  // namespace
 
 std::vector<ModelPiece> pieces_of(const Model& model, const ModelChoice& choice,
-                                  ModelBudget& budget) {
-  return Gathering(model, choice, budget).pieces();
+                                  ModelBudget& budget, ModelTangents* tangents) {
+  return Gathering(model, choice, budget, tangents).pieces();
 }
 
 Aabb bounds_of(const std::vector<ModelPiece>& pieces) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/models/model_tangents.h"
 #include "core/scene/model_choice.h"
 
 namespace tia {
@@ -35,9 +36,10 @@ struct ModelPiece {
 
 /// All that is shown. Lists are shared between pieces wherever they are the same: of a part that
 /// several nodes show they all are, unless its vertices are moved one by one.
+/// `tangents`: those that the file does not have; null: nobody needs them.
 /// Returns: none where the budget does not reach, which is then exceeded.
 std::vector<ModelPiece> pieces_of(const Model& model, const ModelChoice& choice,
-                                  ModelBudget& budget);
+                                  ModelBudget& budget, ModelTangents* tangents);
 
 /// The box around them. Space/units: the model's own.
 Aabb bounds_of(const std::vector<ModelPiece>& pieces);

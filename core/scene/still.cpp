@@ -152,7 +152,7 @@ std::optional<Camera> still_camera(const Model& model, const Object& object,
     return std::nullopt;
   }
   ModelBudget budget;
-  const Aabb box = bounds_of(pieces_of(model, shown, budget));
+  const Aabb box = bounds_of(pieces_of(model, shown, budget, nullptr));
   const Affine map = map_of(std::get<PlacedModel>(object.shape), shown, box);
   return camera_at(model.cameras[*model.nodes[*node].camera], map * pose.places[*node]);
 }

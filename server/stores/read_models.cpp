@@ -41,7 +41,7 @@ std::size_t bytes_of(const KeptModel& model) {
   std::size_t bytes = sizeof(Model) + bytes_beside(*model.model);
   for (const auto& image : model.images)
     if (image) bytes += sizeof(ImageRgba8) + image->rgba.capacity();
-  return bytes + pyramid_bytes(model);
+  return bytes + pyramid_bytes(model) + tangent_bytes(*model.model);
 }
 
 KnownModel ReadModels::find(const std::string& id) {

@@ -19,7 +19,8 @@ struct KnownModel {
   explicit operator bool() const { return model != nullptr; }
 };
 
-/// What it holds in memory, in bytes, with the mip pyramids that it makes when it is drawn.
+/// What it holds in memory, in bytes, with the mip pyramids and tangents that it makes when it is
+/// drawn.
 std::size_t bytes_of(const KeptModel& model);
 
 class ReadModels {

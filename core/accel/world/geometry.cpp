@@ -84,7 +84,8 @@ std::size_t picture_bytes(const std::vector<PrincipledForm>& forms) {
   for (const PrincipledForm& form : forms) {
     if (!form.maps) continue;
     for (const MapUse& use : form.maps->uses) all.insert(use.map.pyramid.get());
-    if (form.maps->normal) all.insert(form.maps->normal->pyramid.get());
+    for (const auto* map : {&form.maps->normal, &form.maps->coat_normal})
+      if (*map) all.insert((*map)->pyramid.get());
   }
   std::size_t bytes = 0;
   for (const MipPyramid* each : all) bytes += heap_bytes(*each);

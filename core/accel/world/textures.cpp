@@ -4,9 +4,9 @@
 #include <array>
 #include <bit>
 #include <cmath>
-#include <optional>
 
 #include "core/accel/mesh/mesh_point.h"
+#include "core/accel/world/bending.h"
 #include "core/accel/world/trace.h"
 #include "core/accel/world/winners.h"
 
@@ -134,51 +134,6 @@ Vec3<Real> texture_colors(const World& world, const Ray<Real>& ray, const Hit<Re
 
 namespace {
 
-/// Bending: a normal map on a mesh, lane by lane.
-template <class Real>
-class Bending {
- public:
-  Bending(const PrincipledMaps& maps, const SurfacePoint<Real>& surface)
-      : maps_(maps), surface_(surface), front_(bits(surface.front)) {}
-
-  void bend(std::size_t lane_number, TextureReader& reader, const TrianglePoint& at,
-            const Affine& map) {
-    const int i = static_cast<int>(lane_number);
-    const double side = (front_ >> i & 1U) != 0 ? 1 : -1;
-    const Vec3<Real>& n = surface_.n;
-    const Vec3d outward = Vec3d{lane(n.x, i), lane(n.y, i), lane(n.z, i)} * side;
-    const Vec3d made = bent(reader, at, map, outward) * side;
-    const double numbers[] = {made.x, made.y, made.z};
-    for (std::size_t k = 0; k < 3; ++k) n_[k][lane_number] = static_cast<LaneOf<Real>>(numbers[k]);
-  }
-  Vec3<Real> normals() const {
-    return {load<Real>(n_[0].data()), load<Real>(n_[1].data()), load<Real>(n_[2].data())};
-  }
-
- private:
-  // A normal in the world. A mirrored mesh is the mirror image.
-  Vec3d bent(TextureReader& reader, const TrianglePoint& at, const Affine& map, const Vec3d& n) {
-    const MeshTangent own = tangent_of(at, *maps_.normal, normal_of(at));
-    const Vec3d given = inverse_of(map).vector(own.t);
-    const Vec3d t = normalize(given - n * dot(given, n));
-    const double sign = map.determinant() < 0 ? -own.sign : own.sign;
-    const Vec3d m = mapped_normal(maps_, reader);
-    return normalize(t * m.x + cross(n, t) * (sign * m.y) + n * m.z);
-  }
-  // Most lanes have the same.
-  const Affine& inverse_of(const Affine& map) {
-    if (!inverse_ || !(map == map_)) map_ = map, inverse_ = map.inverse();
-    return *inverse_;
-  }
-
-  const PrincipledMaps& maps_;
-  const SurfacePoint<Real>& surface_;
-  const unsigned front_;
-  Affine map_;
-  std::optional<Affine> inverse_;
-  std::array<std::array<LaneOf<Real>, static_cast<std::size_t>(lanes<Real>)>, 3> n_{};
-};
-
 template <class Real>
 const PrincipledForm& form_in(const World& world, int primitive, LaneNumbers<Real>& numbers) {
   if (!numbers) numbers.emplace();
@@ -201,21 +156,23 @@ void take_numbers(const World& world, const Ray<Real>& ray, const Hit<Real>& hit
 
 template <class Real>
 void take_textures(const World& world, const Ray<Real>& ray, const Hit<Real>& hit, int primitive,
-                   Mask<Real> here, const Real& width, LaneNumbers<Real>& numbers,
+                   Mask<Real> here, const Real& width, LaneTextures<Real>& textures,
                    SurfacePoint<Real>& at) {
-  const PrincipledForm& form = form_in<Real>(world, primitive, numbers);
+  const PrincipledForm& form = form_in<Real>(world, primitive, textures.numbers);
   if (!form.maps || world.primitive(primitive).mesh < 0)
-    return take_numbers(world, ray, hit, primitive, here, numbers);
-  const bool bends = form.maps->normal.has_value();
+    return take_numbers(world, ray, hit, primitive, here, textures.numbers);
   Bending<Real> bending(*form.maps, at);
+  const bool bends = bending.bends();
   each_mesh_texture_point(world, ray, hit, primitive, here, width,
                           [&](std::size_t i, const TexturePoint& point,
                               const TrianglePoint& triangle, const Affine& map) {
                             TextureReader reader(point);
-                            (*numbers)[i] = numbers_at(form, reader);
-                            if (bends) bending.bend(i, reader, triangle, map);
+                            PrincipledNumbers& numbers = (*textures.numbers)[i];
+                            numbers = numbers_at(form, reader);
+                            if (bends)
+                              bending.bend(static_cast<int>(i), reader, triangle, map, numbers);
                           });
-  if (bends) at.n = select(here, bending.normals(), at.n);
+  if (bends) bending.store(here, textures, at);
 }
 
 #define TIA_TEXTURES(Real)                                                                       \
@@ -224,7 +181,7 @@ void take_textures(const World& world, const Ray<Real>& ray, const Hit<Real>& hi
   template void take_numbers(const World&, const Ray<Real>&, const Hit<Real>&, int, Mask<Real>,  \
                              LaneNumbers<Real>&);                                                \
   template void take_textures(const World&, const Ray<Real>&, const Hit<Real>&, int, Mask<Real>, \
-                              const Real&, LaneNumbers<Real>&, SurfacePoint<Real>&);
+                              const Real&, LaneTextures<Real>&, SurfacePoint<Real>&);
 TIA_TEXTURES(Wide)
 TIA_TEXTURES(float)
 TIA_TEXTURES(double)

@@ -84,11 +84,11 @@ void walk(const World& world, const Ray<Real>& ray, const Real& t_max, const Blo
   walk(ray, t_max, going, find, visit);
 }
 
-// Calls f(shading, primitive, lanes) for what the lanes have met. `wanted` tells by a primitive's
-// shading whether its textures are needed.
-template <class Real, class Wanted, class F>
-void each_met(const World& world, const Ray<Real>& ray, const Hit<Real>& hit, Mask<Real> met,
-              Wanted wanted, F f) {
+// The share that goes straight on where the lanes have met something, by its opacity and its
+// transmission. `wanted` tells by a primitive's shading whether it is asked for.
+template <class Real, class Wanted, class Share>
+Real share_passed(const World& world, const Ray<Real>& ray, const Hit<Real>& hit, Mask<Real> met,
+                  Wanted wanted, Share share) {
   LaneNumbers<Real> numbers;
   Mask<Real> those{};
   for_each_winner(hit, met, [&](int primitive, Mask<Real> here) {
@@ -97,18 +97,16 @@ void each_met(const World& world, const Ray<Real>& ray, const Hit<Real>& hit, Ma
     if (shading.form >= 0) take_numbers(world, ray, hit, primitive, here, numbers);
     those = those || here;
   });
-  for_each_shading(world, hit, numbers, those, f);
-}
-
-// The share that goes straight on where the lanes have met something, as `share` of its shading.
-template <class Real, class Wanted, class Share>
-Real share_passed(const World& world, const Ray<Real>& ray, const Hit<Real>& hit, Mask<Real> met,
-                  Wanted wanted, Share share) {
   Real passed(0);
-  each_met(world, ray, hit, met, wanted,
-           [&](const ShadingParameters& shading, int, Mask<Real> here) {
-             passed = select(here, lift<Real>(share(shading)), passed);
-           });
+  for_each_shading(
+      world, hit, numbers, those,
+      [&](const ShadingParameters& of, int, Mask<Real> here) {
+        passed = select(here, lift<Real>(share(of.opacity, of.transmission)), passed);
+      },
+      [&](const PrincipledForm& form, const PrincipledNumbers& at, int i) {
+        const VaryingShading of = varying_at(form, at);
+        put_lane(passed, i, share(of.opacity, of.transmission));
+      });
   return passed;
 }
 template <class Real>
@@ -117,9 +115,8 @@ Real share_lit(const World& world, const Ray<Real>& ray, const Hit<Real>& hit, M
   return share_passed(
       world, ray, hit, met,
       [&](const ShadingParameters& shading) { return transparent || shading.see_through; },
-      [&](const ShadingParameters& shading) {
-        const double through = transparent ? shading.opacity * shading.transmission : 0;
-        return 1 - shading.opacity + through;
+      [&](double opacity, double transmission) {
+        return 1 - opacity + (transparent ? opacity * transmission : 0);
       });
 }
 template <class Real>
@@ -127,7 +124,7 @@ Real share_seen(const World& world, const Ray<Real>& ray, const Hit<Real>& hit, 
                 Mask<Real> straight) {
   Real passed = share_passed(
       world, ray, hit, met, [](const ShadingParameters& shading) { return shading.see_through; },
-      [](const ShadingParameters& shading) { return 1 - shading.opacity; });
+      [](double opacity, double) { return 1 - opacity; });
   for_each_winner(hit, met && straight, [&](int primitive, Mask<Real> here) {
     if (!world.shading_of(primitive).one_sided || !world.primitive(primitive).culls) return;
     const SurfacePoint<Real> at = surface(world, ray, hit, primitive, here);

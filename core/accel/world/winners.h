@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "core/accel/world/world.h"
+#include "core/materials/layer_frames.h"
 #include "core/math/lanes.h"
 
 namespace tia {
@@ -37,28 +38,32 @@ void take_numbers(const World& world, const Ray<Real>& ray, const Hit<Real>& hit
 
 template <class Real>
 struct SurfacePoint;  // trace.h
+/// LaneTextures: what textures say of the surfaces that lanes have hit.
+template <class Real>
+struct LaneTextures {
+  LaneNumbers<Real> numbers{};
+  std::optional<LayerFrames<Real>> frames{};  ///< none where no coat and no grain is told apart
+};
 /// The same as rays of some width see them, and bends the shading normals `at` those points as a
 /// normal map says. Space/units: `width`: of the rays' cones there, in scene units; 0: of rays.
 template <class Real>
 void take_textures(const World& world, const Ray<Real>& ray, const Hit<Real>& hit, int primitive,
-                   Mask<Real> here, const Real& width, LaneNumbers<Real>& numbers,
+                   Mask<Real> here, const Real& width, LaneTextures<Real>& textures,
                    SurfacePoint<Real>& at);
 
-/// Calls f(shading, primitive, mask) for what lanes have hit: for each primitive, and where its
-/// numbers are textured for each lane. Domain: take_numbers has been called for those.
-template <class Real, class F>
+/// Calls f(shading, primitive, mask) for each primitive that lanes have hit, and where its numbers
+/// are textured then own(form, numbers, lane) for each lane: to set what is other there.
+/// Domain: take_numbers has been called for those.
+template <class Real, class F, class Own>
 void for_each_shading(const World& world, const Hit<Real>& hit, const LaneNumbers<Real>& numbers,
-                      Mask<Real> active, F f) {
+                      Mask<Real> active, F f, Own own) {
   for_each_winner(hit, active, [&](int primitive, Mask<Real> here) {
     const ShadingParameters& shading = world.shading_of(primitive);
-    if (shading.form < 0) return f(shading, primitive, here);
+    f(shading, primitive, here);
+    if (shading.form < 0) return;
     const PrincipledForm& form =
         world.geometry_of(primitive).forms[static_cast<std::size_t>(shading.form)];
-    for (unsigned left = bits(here); left != 0; left &= left - 1) {
-      const int i = std::countr_zero(left);
-      f(shading_at(form, (*numbers)[static_cast<std::size_t>(i)]), primitive,
-        iota<Real>() == Real(static_cast<float>(i)));
-    }
+    for_each_lane(here, [&](int i) { own(form, (*numbers)[static_cast<std::size_t>(i)], i); });
   });
 }
 

@@ -7,8 +7,9 @@ namespace {
 using namespace test;
 
 // The light that a white sky all around gives: energy, so not denser where it passes.
-double albedo_of(const Principled& principled, double mu, double eta, double turn = 0.1) {
-  const Bsdf<Wide> bsdf = bsdf_of(parameters_of(principled), direction_at(mu, turn), eta);
+double albedo_of(const Principled& principled, double mu, double eta, double turn = 0.1,
+                 const LayerFrames<Wide>* frames = nullptr) {
+  const Bsdf<Wide> bsdf = bsdf_of(parameters_of(principled), direction_at(mu, turn), eta, frames);
   double sum = 0;
   constexpr int count = 1 << 12;
   each_sample(bsdf, count, [&](const BsdfSample<Wide>& sample, int lane) {
@@ -75,14 +76,13 @@ TEST(Bsdf, GrainIsNeverSmooth) {
     }
 }
 TEST(Bsdf, NothingGivesMoreThanItGets) {
-  Random random(842);
+  Random random(842), of_frames(847);
   for (int i = 0; i < rounds(200, 10); ++i) {
     const Principled principled = coated(any_of(random), random);
     const double mu = random.in(0.02, 1);
-    EXPECT_LT(
-        albedo_of(principled, mu, random.in(0, 1) < 0.5 ? principled.ior : 1 / principled.ior),
-        1.012)
-        << i;
+    const double eta = random.in(0, 1) < 0.5 ? principled.ior : 1 / principled.ior;
+    const LayerFrames<Wide> frames = any_frames(of_frames);
+    EXPECT_LT(albedo_of(principled, mu, eta, 0.1, i % 4 < 2 ? nullptr : &frames), 1.012) << i;
   }
 }
 
@@ -127,6 +127,25 @@ TEST(Bsdf, TableIsTheIntegralOverTheLight) {
     }
     const auto table = schlick_albedo(1.0, rough);
     EXPECT_NEAR(table.a + table.b, sum, 1e-3) << rough;
+  }
+}
+// Of the facets' direction only what lies in the surface counts.
+TEST(Bsdf, GrainThatIsToldIsGrainTurnedAsFar) {
+  Random random(848);
+  for (int i = 0; i < 50; ++i) {
+    Principled p = any_of(random);
+    p.anisotropy = random.in(0.2, 0.8);
+    const Vec3d along{std::cos(p.anisotropy_rotation), std::sin(p.anisotropy_rotation), 0};
+    const LayerFrames<Wide> frames =
+        frames_of({0, 0, 1}, along * random.in(0.1, 3) + Vec3d{0, 0, random.in(-1, 1)});
+    const Vec3d wo = direction_at(random.in(0.2, 1), random.in(0, 1));
+    const Vec3d wi = direction_at(random.in(-1, 1), random.in(0, 1));
+    const BsdfParameters<double> turned = parameters_of(p);
+    p.anisotropy_rotation += random.in(0.3, 1);
+    const Vec3d expected = lane_of(bsdf_of(turned, wo, 1.5).value(lift<Wide>(wi)).f_cos, 0);
+    const Vec3d told =
+        lane_of(bsdf_of(parameters_of(p), wo, 1.5, &frames).value(lift<Wide>(wi)).f_cos, 0);
+    EXPECT_LE(length(told - expected), 1e-6 + 1e-4 * length(expected)) << i;
   }
 }
 // Straight down on GGX: D = 1 / (pi alpha^2), all facets seen, f = F D / 4.

@@ -16,9 +16,10 @@ constexpr auto all_lanes = static_cast<std::size_t>(lanes<Wide>);
 /// own.
 struct Meetings {
   std::array<BsdfParameters<double>, all_lanes> materials;
-  std::array<std::array<float, all_lanes>, 13> numbers{};
+  std::array<std::array<float, all_lanes>, 21> numbers{};
+  bool framed;  ///< whether coats and grain are told in some lanes
 
-  explicit Meetings(Random& random) {
+  explicit Meetings(Random& random) : framed(random.chance(0.5)) {
     for (std::size_t at = 0; at < all_lanes; ++at) {
       Principled principled = random_principled(random);
       principled.anisotropy_rotation = random.in(0, 6);
@@ -30,6 +31,8 @@ struct Meetings {
       put(6, at, random.direction());
       numbers[9][at] = static_cast<float>(random.in(0.6, 1.7));
       for (std::size_t k = 10; k < 13; ++k) numbers[k][at] = static_cast<float>(random.unit());
+      put(13, at, normalize(n + random.direction() * 0.7)), put(16, at, random.direction());
+      for (const std::size_t k : {19U, 20U}) numbers[k][at] = random.chance(0.5) ? 1 : 0;
     }
   }
   void put(std::size_t first, std::size_t at, const Vec3d& v) {
@@ -54,7 +57,9 @@ struct Scattered {
     for (int i = 0; i < lanes<Real>; ++i)
       parameters.take(of.materials[first + static_cast<std::size_t>(i)],
                       iota<Real>() == Real(static_cast<float>(i)), i == 0);
-    const Bsdf<Real> bsdf(parameters, vector(0), vector(3), vector(3), real(9), Real(0) == Real(0));
+    const LayerFrames<Real> frames{vector(13), vector(16), real(19) > Real(0), real(20) > Real(0)};
+    const Bsdf<Real> bsdf(parameters, vector(0), vector(3), vector(3), real(9), Real(0) == Real(0),
+                          of.framed ? &frames : nullptr);
     value = bsdf.value(vector(6));
     sample = bsdf.sample(real(10), real(11), real(12));
   }

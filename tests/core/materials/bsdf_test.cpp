@@ -51,14 +51,16 @@ std::vector<double> expected_shares(const Bsdf<Wide>& bsdf) {
 
 // Pearson's sum over the cells of more than five samples against its mean and deviation.
 TEST(Bsdf, DirectionsComeAsOftenAsTheirDensitySays) {
-  Random random(840);
+  Random random(840), of_frames(846);
   constexpr int count = 1 << 14;
   for (int i = 0; i < rounds(100, 5); ++i) {
     Principled principled = any_of(random);
     if (i % 2 == 0) principled = coated(principled, random);
     const Vec3d wo = direction_at(random.in(0.2, 1), random.in(0, 1));
     const double eta = random.in(0, 1) < 0.5 ? principled.ior : 1 / principled.ior;
-    const Bsdf<Wide> bsdf = bsdf_of(parameters_of(principled), wo, eta);
+    const LayerFrames<Wide> frames = any_frames(of_frames);
+    const Bsdf<Wide> bsdf =
+        bsdf_of(parameters_of(principled), wo, eta, i % 4 < 2 ? nullptr : &frames);
     const std::vector<double> expected = expected_shares(bsdf);
     std::vector<int> found(expected.size());
     int lost = 0;

@@ -15,11 +15,23 @@ namespace tia::test {
 
 inline constexpr int n = lanes<Wide>;
 
-inline Bsdf<Wide> bsdf_of(const BsdfParameters<double>& parameters, const Vec3d& wo, double eta) {
+inline Bsdf<Wide> bsdf_of(const BsdfParameters<double>& parameters, const Vec3d& wo, double eta,
+                          const LayerFrames<Wide>* frames = nullptr) {
   BsdfParameters<Wide> wide;
   wide.take(parameters, Wide(0) == Wide(0), true);
   const Vec3<Wide> up{Wide(0), Wide(0), Wide(1)};
-  return {wide, lift<Wide>(wo), up, up, lift<Wide>(eta), Wide(0) == Wide(0)};
+  return {wide, lift<Wide>(wo), up, up, lift<Wide>(eta), Wide(0) == Wide(0), frames};
+}
+/// In all lanes a coat of that normal and grain along that direction.
+inline LayerFrames<Wide> frames_of(const Vec3d& coat_n, const Vec3d& grain) {
+  const Mask<Wide> all = Wide(0) == Wide(0);
+  return {lift<Wide>(coat_n), lift<Wide>(grain), all, all};
+}
+/// Of a coat that leans by 60 degrees at most.
+inline LayerFrames<Wide> any_frames(Random& random) {
+  const double z = random.in(0.5, 1), turn = random.in(0, 1), r = std::sqrt(1 - z * z);
+  const Vec3d n{r * std::cos(2 * pi * turn), r * std::sin(2 * pi * turn), z};
+  return frames_of(n, random.direction());
 }
 inline Vec3d direction_at(double z, double turn) {
   const double r = std::sqrt(1 - z * z);

@@ -21,7 +21,7 @@ PrincipledNumbers map_numbers(const Principled& principled, const TexturePoint& 
 }
 Vec3d normal_in(const PrincipledMaps& maps, const TexturePoint& at) {
   TextureReader reader(at);
-  return mapped_normal(maps, reader);
+  return mapped_normal(*maps.normal, reader);
 }
 std::shared_ptr<const PrincipledMaps> shared_maps(PrincipledMaps maps) {
   return std::make_shared<const PrincipledMaps>(std::move(maps));

@@ -70,8 +70,8 @@ TEST(ModelMips, PyramidsAreMadeOnceAndKnownBefore) {
   paint_of(model).metallic_texture = second;
   paint_of(model).normal_texture = second;
   const auto kept = source_of(model, {checker_picture(32), checker_picture(16)})("it");
-  const auto maps = maps_of(*kept, kept->model->materials[0], false),
-             again = maps_of(*kept, kept->model->materials[0], false);
+  const auto maps = maps_of(*kept, kept->model->materials[0], Mesh{}),
+             again = maps_of(*kept, kept->model->materials[0], Mesh{});
   ASSERT_EQ(maps->uses.size(), 3U) << "metallic and roughness are looked up together";
   EXPECT_EQ(*maps, *again);
   EXPECT_EQ(maps->uses[0].map.pyramid, maps->uses[2].map.pyramid);
