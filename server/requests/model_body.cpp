@@ -7,6 +7,7 @@
 #include "core/models/bundle.h"
 #include "core/models/formats.h"
 #include "core/models/multipart.h"
+#include "core/models/zip.h"
 #include "server/http/error.h"
 #include "server/stores/model_folder.h"
 
@@ -46,20 +47,18 @@ ModelBytes body_of(const std::string& text) {
   return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
 }
 
-// The files of a form, or of the archive that is its only one.
-std::vector<ModelFile> files_in(ModelBytes body, std::string_view type, const ZipLimits& limits,
-                                Faults& faults, std::vector<UnpackedFile>& unpacked) {
+// The files of a form.
+std::vector<ModelFile> files_in(ModelBytes body, std::string_view type, Faults& faults) {
   std::vector<ModelFile> files{{"model", body}};
   if (const auto boundary = boundary_of(type))
     files = files_of(parse_multipart(body, *boundary, faults), faults);
-  if (files.size() != 1 || !is_zip(files.front().bytes)) return files;
-  unpacked = unpack_zip(files.front().bytes, limits, faults);
-  return files_of(unpacked);
+  return files;
 }
 
 }  // namespace
 
-SentModel model_in(const Request& request, const std::string& main, std::int64_t most_unpacked) {
+SentModel model_in(const Request& request, const std::string& main, std::int64_t most_unpacked,
+                   ModelStore& models) {
   Faults faults(request.stop);
   SentModel sent;
   auto* const sent_file = dynamic_cast<SentFile*>(request.long_body.get());
@@ -67,8 +66,13 @@ SentModel model_in(const Request& request, const std::string& main, std::int64_t
   const ModelBytes body = body_of(sent.body ? *sent.body : request.body);
   ModelFiles files;
   const ZipLimits limits{.bytes = static_cast<std::uint64_t>(most_unpacked)};
-  files.all = files_in(body, request.header("Content-Type"), limits, faults, sent.unpacked);
+  files.all = files_in(body, request.header("Content-Type"), faults);
   faults.raise();
+  if (files.all.size() == 1 && is_zip(files.all.front().bytes)) {
+    auto unpacked = models.unpack(files.all.front().bytes, limits, request.stop);
+    files.all = std::move(unpacked.files);
+    sent.unpacked = std::move(unpacked.bytes);
+  }
   const bool is_foreign =
       std::ranges::any_of(files.all, [](const ModelFile& file) { return foreign_format_of(file); });
   files.main = main_of(files.all, main, faults);

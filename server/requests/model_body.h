@@ -8,8 +8,8 @@
 
 #include "core/input/fields.h"
 #include "core/models/paths.h"
-#include "core/models/zip.h"
 #include "server/http/message.h"
+#include "server/stores/model_store.h"
 #include "server/stores/model_upload.h"
 
 namespace tia::server {
@@ -31,14 +31,15 @@ struct ModelQuery {
 /// has gone to the disk. The request outlives it.
 struct SentModel {
   std::unique_ptr<const std::string> body;
-  std::vector<UnpackedFile> unpacked;
+  std::vector<std::uint8_t> unpacked;
   ModelUpload upload;
 };
 
-/// What is sent, of at most so many bytes unpacked; bytes decide what it is, and no type that is
-/// declared but multipart/form-data's.
-/// Errors: HttpError (media-type) where the main file is of no format; InputError as unpack_zip(),
-/// parse_multipart(), files_of() and main_of(); StorageError. Cost: reads all bytes.
-SentModel model_in(const Request& request, const std::string& main, std::int64_t most_unpacked);
+/// What is sent, of at most so many bytes unpacked, which `models` unpacks; bytes decide what it
+/// is, and no type that is declared but multipart/form-data's. Errors: HttpError (media-type) where
+/// the main file is of no format; InputError as parse_multipart(), files_of() and main_of(); as
+/// ModelStore::unpack; StorageError. Cost: reads all bytes.
+SentModel model_in(const Request& request, const std::string& main, std::int64_t most_unpacked,
+                   ModelStore& models);
 
 }  // namespace tia::server

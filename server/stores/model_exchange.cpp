@@ -9,11 +9,10 @@
 #include "core/models/archive.h"
 #include "core/models/check_model.h"
 #include "core/models/images.h"
+#include "server/stores/unpack_exchange.h"
 
 namespace tia::server {
 namespace {
-
-constexpr std::uint8_t model_follows = 'M', faults_follow = 'F';
 
 // The limits by their names, which both sides walk.
 template <class Limits, class F>
@@ -31,26 +30,21 @@ void for_each_limit(Limits& limits, F f) {
 
 // ---- requests -----------------------------------------------------------------------------------
 
-template <class T>
-const T& member(const Value& object, std::string_view name) {
-  const auto* members = object.as<Value::Object>();
-  const Value* value = members == nullptr ? nullptr : find(*members, name);
-  const T* found = value == nullptr ? nullptr : value->as<T>();
-  if (found == nullptr) throw std::runtime_error("no request: " + std::string(name));
-  return *found;
-}
-
 struct ModelRequest {
   ModelFiles files;
   ModelLimits limits;
 };
 
-ModelRequest request_of(std::span<const std::uint8_t> bytes) {
+// The line that a request begins with, which is taken off.
+Value take_head(std::span<const std::uint8_t>& bytes) {
   const auto line_end = std::ranges::find(bytes, std::uint8_t{'\n'});
   if (line_end == bytes.end()) throw std::runtime_error("no request: no line");
-  const auto head_size = static_cast<std::size_t>(line_end - bytes.begin());
-  const Value head = parse_json({reinterpret_cast<const char*>(bytes.data()), head_size}, {});
-  bytes = bytes.subspan(head_size + 1);
+  const auto line = bytes.first(static_cast<std::size_t>(line_end - bytes.begin()));
+  bytes = bytes.subspan(line.size() + 1);
+  return parse_json({reinterpret_cast<const char*>(line.data()), line.size()}, {});
+}
+
+ModelRequest request_of(const Value& head, std::span<const std::uint8_t> bytes) {
   ModelRequest request;
   for (const Value& each : member<Value::Array>(head, "files")) {
     const auto size = static_cast<std::size_t>(member<double>(each, "bytes"));
@@ -66,82 +60,13 @@ ModelRequest request_of(std::span<const std::uint8_t> bytes) {
   return request;
 }
 
-// ---- faults -------------------------------------------------------------------------------------
-
-Value fault_value(const Fault& fault) {
-  Value::Object value{{"kind", static_cast<double>(fault.kind)},
-                      {"pointer", fault.pointer},
-                      {"allowed", fault.allowed},
-                      {"nearest", fault.nearest}};
-  if (fault.got) value.emplace_back("got", *fault.got);
-  if (fault.line) value.emplace_back("line", static_cast<double>(*fault.line));
-  return value;
-}
-
-Fault fault_of(const Value& value) {
-  const double kind = member<double>(value, "kind");
-  if (kind < 0 || kind > static_cast<double>(FaultKind::limit)) throw NoAnswer("a kind of fault");
-  Fault fault{static_cast<FaultKind>(static_cast<int>(kind)), member<std::string>(value, "pointer"),
-              std::nullopt, member<std::string>(value, "allowed"),
-              member<std::string>(value, "nearest")};
-  const auto& members = *value.as<Value::Object>();
-  if (const Value* got = find(members, "got")) fault.got = *got;
-  if (find(members, "line") != nullptr)
-    fault.line = static_cast<std::size_t>(member<double>(value, "line"));
-  return fault;
-}
-
-ReaderAnswer faults_answer(const InputError& error) {
-  Value::Array all;
-  for (const Fault& each : error.faults()) all.push_back(fault_value(each));
-  const std::string text = to_json(all);
-  ReaderAnswer answer;
-  answer.bytes.reserve(1 + text.size());
-  answer.bytes.push_back(faults_follow);
-  for (const char c : text) answer.bytes.push_back(static_cast<std::uint8_t>(c));
-  return answer;
-}
-
-// Collected again, for what anybody may have written is to be cut short.
-[[noreturn]] void raise(std::span<const std::uint8_t> text) {
-  Faults faults;
-  try {
-    const Value all = parse_json({reinterpret_cast<const char*>(text.data()), text.size()}, {});
-    if (const auto* list = all.as<Value::Array>())
-      for (const Value& each : *list) faults.add(fault_of(each));
-  } catch (const std::exception& error) {
-    throw NoAnswer(error.what());
-  }
-  faults.raise();
-  throw NoAnswer("no faults");
-}
-
 // ---- models -------------------------------------------------------------------------------------
 
 using PictureExtent = std::array<std::uint32_t, 2>;  // width, height; of none 0, 0
 
-template <class Number>
-void put_number(Number number, std::vector<std::uint8_t>& bytes) {
-  const auto* from = reinterpret_cast<const std::uint8_t*>(&number);
-  bytes.insert(bytes.end(), from, from + sizeof number);
-}
-
-std::span<const std::uint8_t> take(std::span<const std::uint8_t>& rest, std::uint64_t size) {
-  if (size > rest.size()) throw NoAnswer("fewer bytes than it says");
-  const auto part = rest.first(size);
-  rest = rest.subspan(size);
-  return part;
-}
-template <class Number>
-Number take_number(std::span<const std::uint8_t>& rest) {
-  Number number;
-  std::memcpy(&number, take(rest, sizeof number).data(), sizeof number);
-  return number;
-}
-
 // After the letter: the archive's length, the archive, the sizes of all pictures, their pixels.
 ReaderAnswer model_answer(Model model, const ModelLimits& limits) {
-  ReaderAnswer answer{{model_follows}, {}};
+  ReaderAnswer answer{{model_follows}, {}, {}};
   Faults faults;
   answer.images = decode_images(model, limits, faults);
   faults.raise();
@@ -207,18 +132,20 @@ std::string request_head(const ModelFiles& files, const ModelLimits& limits) {
 }
 
 ReaderAnswer answer_to(std::span<const std::uint8_t> bytes) {
-  const ModelRequest request = request_of(bytes);
+  const Value head = take_head(bytes);
   try {
+    if (asks_to_unpack(head)) return unpacked_answer(head, bytes);
+    const ModelRequest request = request_of(head, bytes);
     return model_answer(read_model(request.files, request.limits), request.limits);
   } catch (const InputError& error) {
-    return faults_answer(error);
+    return {faults_answer(error), {}, {}};
   }
 }
 
 KeptModel model_of(std::span<const std::uint8_t> answer, const ModelLimits& limits) {
   if (answer.empty()) throw NoAnswer("nothing");
   const auto rest = answer.subspan(1);
-  if (answer[0] == faults_follow) raise(rest);
+  if (answer[0] == faults_follow) raise_faults(rest);
   if (answer[0] != model_follows) throw NoAnswer("neither a model nor faults");
   return take_model(rest, limits);
 }

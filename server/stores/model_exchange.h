@@ -4,12 +4,13 @@
 
 #include <cstdint>
 #include <span>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "core/models/formats.h"
 #include "core/models/kept_model.h"
+#include "server/stores/exchange_parts.h"
+#include "server/stores/reader_answer.h"
 
 namespace tia::server {
 
@@ -17,21 +18,10 @@ namespace tia::server {
 /// sizes, which is the main one, and the limits.
 std::string request_head(const ModelFiles& files, const ModelLimits& limits);
 
-/// ReaderAnswer: bytes, and behind them the pixels of the pictures, which are not copied.
-struct ReaderAnswer {
-  std::vector<std::uint8_t> bytes;
-  std::vector<std::shared_ptr<const ImageRgba8>> images;  ///< null: none
-};
-
 /// The answer to a whole request, which only the server writes: of a model its archive and what its
-/// pictures hold, else the faults. Errors: std::runtime_error of what is no request;
-/// std::bad_alloc. Cost: a model's pictures in memory, and its archive.
+/// pictures hold, of an archive its files, else the faults. Errors: std::runtime_error of what is
+/// no request; std::bad_alloc. Cost: a model's pictures in memory, and its archive.
 ReaderAnswer answer_to(std::span<const std::uint8_t> request);
-
-/// NoAnswer: bytes that no reader would answer with, unless something is wrong with it.
-struct NoAnswer : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
 
 /// The model of an answer, which is looked at as a stranger's: without the files of its pictures,
 /// but with what they hold. Errors: InputError of its faults; NoAnswer.

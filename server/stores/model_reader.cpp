@@ -9,7 +9,9 @@
 #include <new>
 #include <optional>
 
+#include "server/stores/exchange_parts.h"
 #include "server/stores/model_exchange.h"
+#include "server/stores/unpack_exchange.h"
 
 namespace tia::server {
 namespace {
@@ -38,6 +40,16 @@ void judge(int status, const Confinement& confinement) {
   if (code != answered) throw ReaderDied("the reader ended with " + std::to_string(code));
 }
 
+// What read() makes of an answer, where it is one.
+template <class Read>
+auto believed(const Read& read) {
+  try {
+    return read();
+  } catch (const NoAnswer& error) {
+    throw ReaderDied(std::string("the reader answered ") + error.what());
+  }
+}
+
 // ---- the process itself -------------------------------------------------------------------------
 
 // All of standard input. Its memory doubles, for nobody has said how long it is.
@@ -64,10 +76,7 @@ void write_output(std::span<const std::uint8_t> bytes) {
 
 int answer() {
   try {
-    const ReaderAnswer answer = answer_to(read_input());
-    write_output(answer.bytes);
-    for (const auto& image : answer.images)
-      if (image) write_output(image->rgba);
+    server::answer_to(read_input()).each_part(write_output);
     return answered;
   } catch (const std::bad_alloc&) {
     return no_memory;
@@ -89,22 +98,34 @@ bool confined(const Confinement& confinement) {
 
 }  // namespace
 
-KeptModel ModelReader::read(const ModelFiles& files, const ModelLimits& limits,
-                            const std::stop_token& stop) const {
-  const std::string head = request_head(files, limits);
-  std::vector<std::span<const std::uint8_t>> input{
-      {reinterpret_cast<const std::uint8_t*>(head.data()), head.size()}};
-  for (const ModelFile& each : files.all) input.push_back(each.bytes);
-  const ChildEnd end = run_child(
+std::vector<std::uint8_t> ModelReader::answer_to(const std::string& head,
+                                                 std::vector<ModelBytes> pieces,
+                                                 std::size_t longest,
+                                                 const std::stop_token& stop) const {
+  pieces.insert(pieces.begin(), {reinterpret_cast<const std::uint8_t*>(head.data()), head.size()});
+  ChildEnd end = run_child(
       program_,
       {"read-model", std::to_string(confinement_.memory_bytes), std::to_string(confinement_.cpu_s)},
-      input, confinement_.memory_bytes, stop);
+      pieces, longest, stop);
   judge(end.status, confinement_);
-  try {
-    return model_of(end.output, limits);
-  } catch (const NoAnswer& error) {
-    throw ReaderDied(std::string("the reader answered ") + error.what());
-  }
+  return std::move(end.output);
+}
+
+KeptModel ModelReader::read(const ModelFiles& files, const ModelLimits& limits,
+                            const std::stop_token& stop) const {
+  std::vector<ModelBytes> pieces;
+  for (const ModelFile& each : files.all) pieces.push_back(each.bytes);
+  const auto answer =
+      answer_to(request_head(files, limits), std::move(pieces), confinement_.memory_bytes, stop);
+  return believed([&] { return model_of(answer, limits); });
+}
+
+ModelReader::Unpacked ModelReader::unpack(ModelBytes archive, const ZipLimits& limits,
+                                          const std::stop_token& stop) const {
+  Unpacked unpacked;
+  unpacked.bytes = answer_to(unpack_head(limits), {archive}, longest_unpacked(limits), stop);
+  unpacked.files = believed([&] { return unpacked_files(unpacked.bytes, limits); });
+  return unpacked;
 }
 
 void answer_as_reader(const Confinement& confinement) {

@@ -4,9 +4,12 @@
 #include <stdexcept>
 #include <stop_token>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "core/models/formats.h"
 #include "core/models/kept_model.h"
+#include "core/models/zip.h"
 #include "server/operation/confined.h"
 
 namespace tia::server {
@@ -32,7 +35,19 @@ class ModelReader {
   KeptModel read(const ModelFiles& files, const ModelLimits& limits,
                  const std::stop_token& stop = {}) const;
 
+  /// Unpacked: the files of an archive, as views into the bytes beside them.
+  struct Unpacked {
+    std::vector<std::uint8_t> bytes;
+    std::vector<ModelFile> files;
+  };
+  /// Unpacks an archive. Cost, Errors: as read()'s, with unpack_zip's faults.
+  Unpacked unpack(ModelBytes archive, const ZipLimits& limits,
+                  const std::stop_token& stop = {}) const;
+
  private:
+  std::vector<std::uint8_t> answer_to(const std::string& head, std::vector<ModelBytes> pieces,
+                                      std::size_t longest, const std::stop_token& stop) const;
+
   Confinement confinement_;
   std::string program_;
 };

@@ -61,6 +61,21 @@ KnownModel ModelStore::look_into(const ModelUpload& upload, const Requester& req
   return read(upload, requester);
 }
 
+ModelReader::Unpacked ModelStore::unpack(ModelBytes archive, const ZipLimits& limits,
+                                         const std::stop_token& stop) {
+  const std::string id =
+      sha256_hex({reinterpret_cast<const char*>(archive.data()), archive.size()});
+  check_rest(id);
+  const Time start = std::chrono::steady_clock::now();
+  try {
+    return reader_.unpack(archive, limits, stop);
+  } catch (const ReaderDied&) {
+    metrics_.count("zip", ModelReading::died, seconds_since(start));
+    remember_death(id);
+    throw;
+  }
+}
+
 bool ModelStore::contains(const std::string& name) {
   return gallery_model(name) != nullptr || (is_model_id(name) && uploads_.contains(name));
 }

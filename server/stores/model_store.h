@@ -54,6 +54,11 @@ class ModelStore {
   /// its faults, UploadStore::keep.
   Kept keep(const ModelUpload& upload, const Requester& requester);
 
+  /// The files of an archive that is sent; of one that a reader has died of, nothing for an hour.
+  /// Domain: in a place of long texts. Errors: ReaderDied; as ModelReader::unpack.
+  ModelReader::Unpacked unpack(ModelBytes archive, const ZipLimits& limits,
+                               const std::stop_token& stop);
+
   /// What is in one that is not to be kept, read unless it is in memory. Errors: as keep(), but for
   /// UploadStore's.
   KnownModel look_into(const ModelUpload& upload, const Requester& requester);

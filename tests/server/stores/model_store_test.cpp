@@ -175,5 +175,22 @@ TEST(ModelStore, ReadsNothingForAnHourOfWhatAReaderHasDied) {
   EXPECT_EQ(models->counts().kept, 0U);
 }
 
+TEST(ModelStore, UnpacksNothingForAnHourThatAReaderHasDiedOf) {
+  const Folder folder;
+  const BadReader dying("echo >> " + folder.file("tries") + "; kill -SEGV $$");
+  const auto tries = [&] { return file_bytes(folder.file("tries")).size(); };
+  Models models(1 << 20, "", dying.program());
+  const std::vector<std::uint8_t> archive{'P', 'K', 3, 4};
+  EXPECT_THROW(models->unpack(archive, {}, {}), ReaderDied);
+  EXPECT_EQ(models.deaths(), 1);
+  EXPECT_EQ(models.reads("died"), 1);
+  models.pass(std::chrono::seconds(3599));
+  EXPECT_THROW(models->unpack(archive, {}, {}), ReaderDied);
+  EXPECT_EQ(tries(), 1U);
+  models.pass(std::chrono::seconds(1));
+  EXPECT_THROW(models->unpack(archive, {}, {}), ReaderDied);
+  EXPECT_EQ(tries(), 2U);
+}
+
 }  // namespace
 }  // namespace tia::test
