@@ -30,4 +30,14 @@ void write_file(const std::string& name, const std::string& bytes) {
   throw std::runtime_error("cannot write " + name);
 }
 
+void replace_file(const std::string& name, const std::string& bytes) {
+  const std::string part = name + ".part";
+  write_file(part, bytes);
+  std::error_code error;
+  std::filesystem::rename(part, name, error);
+  if (!error) return;
+  std::filesystem::remove(part, error);
+  throw std::runtime_error("cannot write " + name);
+}
+
 }  // namespace tia::server

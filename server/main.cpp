@@ -9,6 +9,7 @@
 #include "server/model_command.h"
 #include "server/operation/config.h"
 #include "server/picture_file.h"
+#include "server/progress.h"
 #include "server/render_command.h"
 #include "server/requests/picture_request.h"
 #include "server/requests/still_query.h"
@@ -29,6 +30,7 @@ struct Asked {
   std::vector<std::string> model_files = {};
   Confinement confinement = {};
   bool healthcheck = false, print_config = false, plain = false;
+  Watching watching = {};
 };
 
 // Every row of the options' table as a flag; what is given goes to `settings`.
@@ -102,6 +104,16 @@ CLI::App* add_render(CLI::App& app, Asked& asked) {
       ->required()
       ->type_name("");
   add_picture(*render, asked);
+  render->add_flag("--progress", asked.watching.shows_progress,
+                   "show a bar with samples, noise and the time left on standard error");
+  render
+      ->add_option_function<std::string>(
+          "--every",
+          [&asked](const std::string& text) {
+            asked.watching.every = time_from_text("--every", text);
+          },
+          "write the file anew as often, with what is drawn by then: 5s, 500ms, 2min")
+      ->type_name("");
   PictureRequest::fields(ParameterFlags{*render, asked.parameters});
   return render;
 }
@@ -157,7 +169,7 @@ int run(int argc, char** argv) {
   for (const std::string& warning : unknown_variables()) std::cerr << "tia: " << warning << '\n';
   if (asked.print_config) std::cout << env_file(config) << std::flush;
   else if (render->parsed())
-    render_to_file(asked.scene, asked.file, asked.parameters, asked.plain, config);
+    render_to_file(asked.scene, asked.file, asked.parameters, asked.plain, asked.watching, config);
   else if (still->parsed())
     still_to_file(asked.model_files, asked.file, asked.parameters, asked.plain, config);
   else serve(config);

@@ -1,6 +1,7 @@
 #include "server/picture_file.h"
 
 #include <algorithm>
+#include <chrono>
 #include <filesystem>
 #include <iostream>
 #include <stdexcept>
@@ -60,16 +61,49 @@ Workshop::Workshop(const Config& config)
       context_{gallery_, none_kept_, none_shared_,    none_pressed_,
                pool_,    long_work_, config.limits(), &models_} {}
 
-void Workshop::draw_to(const std::string& file, const PictureRequest& request, bool plain) {
+// The picture; until it is there a bar is drawn on, and the file written anew, as is wanted.
+Picture Workshop::watched(const std::string& file, Plan& plan, const Watching& watching) const {
+  using Clock = std::chrono::steady_clock;
+  constexpr std::chrono::milliseconds between{1000};  // of the bar's own looks at the noise
+  ProgressBar bar(plan.options.samples);
+  Clock::time_point seen = Clock::now(), written = seen;
+  const auto is_due = [&] { return watching.every && Clock::now() - written >= *watching.every; };
+  const Onlooker onlooker{
+      [&] { return is_due() || (watching.shows_progress && Clock::now() - seen >= between); },
+      [&](const SeenPicture& now) {
+        const Picture& picture = *now.picture;
+        if (watching.shows_progress)
+          bar.has_reached(*picture.reached, picture.tells_noise, picture.rays.all());
+        if (is_due()) {
+          replace_file(file, picture.bytes);
+          written = Clock::now();
+        }
+        seen = Clock::now();
+      }};
+  if (watching.shows_progress)
+    plan.options.spent = [&](std::int64_t rays, std::int64_t) { bar.has_traced(rays); };
+  Picture picture = draw(plan, context_, {}, &onlooker);
+  if (!watching.shows_progress) return picture;
+  if (picture.reached) bar.has_reached(*picture.reached, picture.tells_noise, picture.rays.all());
+  bar.end();
+  return picture;
+}
+
+void Workshop::draw_to(const std::string& file, const PictureRequest& request, bool plain,
+                       const Watching& watching) {
   const FormatRow* const named = row_named_by(file);
   if (named != nullptr && named->format != request.format)
     throw std::invalid_argument("--format " + std::string(name_of(request.format)) +
                                 " does not go with the file's name " + file);
   Plan plan = plan_of(request, context_, {});
   if (plain) plan.options.scalar = Scalar::narrow;
-  const Picture picture = draw(plan, context_, {});
+  if (watching.every && file == "-")
+    throw std::invalid_argument("--every needs a file: standard output is written once");
+  const Picture picture =
+      watching.is_any() ? watched(file, plan, watching) : draw(plan, context_, {});
   tell(picture, plan);
-  write_file(file, picture.bytes);
+  if (watching.every) replace_file(file, picture.bytes);
+  else write_file(file, picture.bytes);
 }
 
 }  // namespace tia::server

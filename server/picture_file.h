@@ -8,8 +8,11 @@
 #include "server/operation/config.h"
 #include "server/operation/cost_memory.h"
 #include "server/operation/metrics.h"
+#include "server/progress.h"
 #include "server/requests/picture_request.h"
+#include "server/requests/plan.h"
 #include "server/requests/render_context.h"
+#include "server/stores/picture.h"
 
 namespace tia::server {
 
@@ -36,14 +39,18 @@ class Workshop {
   explicit Workshop(const Config& config);
 
   /// Draws it to a file (or "-", standard output) and says on standard error what it is not.
-  /// `plain`: one ray and one thing at a time, which is slow and gives the same bytes.
+  /// `plain`: one ray and one thing at a time, which is slow and gives the same bytes; `watching`:
+  /// what is seen of it until then, which changes none either.
   /// Errors: InputError; std::invalid_argument where the file's name says another format;
   /// std::runtime_error for files.
-  void draw_to(const std::string& file, const PictureRequest& request, bool plain);
+  void draw_to(const std::string& file, const PictureRequest& request, bool plain,
+               const Watching& watching = {});
 
   ModelStore& models() { return models_; }
 
  private:
+  Picture watched(const std::string& file, Plan& plan, const Watching& watching) const;
+
   const Gallery gallery_;
   Pool pool_;
   SceneStore none_kept_{0};

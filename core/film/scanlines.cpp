@@ -1,5 +1,6 @@
 #include "core/film/scanlines.h"
 
+#include <algorithm>
 #include <array>
 
 namespace tia {
@@ -21,6 +22,20 @@ void Scanlines::filter(int y) {
   }
   for (; end > pixel; --end)
     row[end - 1] = static_cast<std::uint8_t>(row[end - 1] - row[end - 1 - pixel]);
+}
+
+Scanlines scanlines_of(const Image8& image, const Workers& workers) {
+  constexpr int share = 64;
+  Scanlines scanlines(image.width, image.height);
+  const std::size_t codes = 3 * static_cast<std::size_t>(image.width);
+  workers.for_each((image.height + share - 1) / share, [&](int i) {
+    for (int y = i * share; y < std::min((i + 1) * share, image.height); ++y) {
+      const auto row = static_cast<std::size_t>(y);
+      std::copy_n(image.rgb.data() + row * codes, codes, scanlines.at(0, y));
+      scanlines.filter(y);
+    }
+  });
+  return scanlines;
 }
 
 }  // namespace tia

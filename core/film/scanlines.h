@@ -5,6 +5,9 @@
 #include <cstdint>
 #include <memory>
 
+#include "core/film/image.h"
+#include "core/parallel/workers.h"
+
 namespace tia {
 
 /// Scanlines: the rows of a picture of 8-bit codes, each behind a byte that names its filter.
@@ -35,5 +38,8 @@ class Scanlines {
   int width_, height_;
   std::unique_ptr<std::uint8_t[]> bytes_;
 };
+
+/// The filtered rows of a picture. Errors: what the workers throw.
+Scanlines scanlines_of(const Image8& image, const Workers& workers);
 
 }  // namespace tia

@@ -2,46 +2,18 @@
 
 #include <algorithm>
 
+#include "core/render/out_of_budget.h"
 #include "core/render/rounds.h"
 
 namespace tia {
 namespace {
 
 constexpr std::int64_t no_limit = std::numeric_limits<std::int64_t>::max();
-
-/// OutOfBudget: thrown within a round, which then does not count.
-struct OutOfBudget {
-  enum { time, rays, limit_of_rays, limit_of_work } what;
-};
-
-// Ends a round that goes beyond the budget. What the host allows at most is one, too, where there
-// is one: who asks for as much as there is time for is given that.
-Spent spent_of(const RenderOptions& options) {
-  if (!options.budget) return options.spent;
-  return [&options](std::int64_t rays, std::int64_t tests) {
-    if (options.spent) options.spent(rays, tests);
-    if (rays > options.budget->max_rays) throw OutOfBudget{OutOfBudget::rays};
-    if (rays > options.max_rays) throw OutOfBudget{OutOfBudget::limit_of_rays};
-    if (tests > options.max_work) throw OutOfBudget{OutOfBudget::limit_of_work};
-    if (!options.budget->has_time(0)) throw OutOfBudget{OutOfBudget::time};
-  };
-}
-
-[[noreturn]] void refuse(const OutOfBudget& end, const RenderOptions& options) {
-  switch (end.what) {
-    case OutOfBudget::time: throw BudgetSpent(BudgetSpent::Of::time);
-    case OutOfBudget::rays: throw BudgetSpent(BudgetSpent::Of::rays);
-    case OutOfBudget::limit_of_rays: throw too_many_rays("a first round of more", options.max_rays);
-    case OutOfBudget::limit_of_work: break;
-  }
-  throw too_much_work(options.max_work);
-}
+HostLimits limits_of(const RenderOptions& options) { return {options.max_rays, options.max_work}; }
 
 /// Render: one picture.
 class Render {
  public:
-  using Develop = std::function<void(const FilmTile&)>;
-
   Render(const World& world, const View& view, const Window& window, const RenderOptions& options,
          Pool& pool, const std::stop_token& stop)
       : options_(options),
@@ -53,12 +25,32 @@ class Render {
                   .threshold = options.threshold,
                   .seed = options.seed,
                   .is_chance = row_of(options.integrator).is_chance(),
-                  .in_rounds = options.noise > 0 || options.budget}),
-        convergence_({options.threshold, options.noise, options.budget.has_value(), options.tone}),
+                  .in_rounds = options.noise > 0 || options.budget,
+                  .is_watched = is_watched()}),
+        convergence_({options.threshold, options.noise, tells_errors(), options.tone}),
         meter_(options.budget ? no_limit : options.max_rays,
-               options.budget ? no_limit : options.max_work, stop, spent_of(options)),
+               options.budget ? no_limit : options.max_work, stop,
+               spent_within(options.budget, options.spent, limits_of(options))),
         shot_{world,        in_world_, options.integrator, rules_of(options), sampler_,
               convergence_, meter_,    options.layers} {}
+
+  Rendered picture(const Develop& develop) {
+    const bool has_rounds = is_watched() && sampler_.rounds() > 1;
+    // Of few pixels it would be no less than the first round, or than the picture.
+    if (is_watched() && (block() > 1 || (!has_rounds && !sampler_.centered())))
+      options_.watch({.is_preview = true, .show = coarsely()});
+    // A centred picture has none.
+    const bool by_rounds = !sampler_.centered() && (options_.budget || has_rounds);
+    return by_rounds ? round_by_round(develop) : tile_by_tile(develop);
+  }
+
+ private:
+  bool is_watched() const { return options_.watch != nullptr; }
+  bool tells_errors() const {
+    const bool known = is_watched() && options_.threshold == 0 && options_.samples > 1 &&
+                       row_of(options_.integrator).is_chance();
+    return known || options_.budget;
+  }
 
   Rendered tile_by_tile(const Develop& develop) {
     try {
@@ -70,37 +62,29 @@ class Render {
         develop(tile);
       });
     } catch (const OutOfBudget& end) {
-      refuse(end, options_);
+      refuse(end, limits_of(options_));
     }
-    return told(meter_.counts(), options_.samples);
+    return told(meter_.counts(), tally_, options_.samples);
   }
 
-  // With a budget. A centred picture has no rounds.
-  Rendered by_rounds(const Develop& develop) {
-    if (sampler_.centered()) return tile_by_tile(develop);
+  // With a budget, or for who watches.
+  Rendered round_by_round(const Develop& develop) {
     std::vector<RoundsOfTile> all;
     all.reserve(static_cast<std::size_t>(tiles()));
     for (int i = 0; i < tiles(); ++i) all.emplace_back(pixels_of(i));
     int rounds = 0;
     RayCounts rays;
-    while (trace_round(all, rounds)) {
+    for (Open open = open_of(all); goes_on(open, rounds); open = open_of(all)) {
+      if (rounds > 0 && is_watched()) show(all, rounds);
+      if (!trace_round(open, rounds)) break;
       ++rounds;
       rays = meter_.counts();
     }
-    for_each(tiles(), [&](int i) {
-      FilmTile tile;
-      place(i, tile);
-      const ShownTile& shown = all[static_cast<std::size_t>(i)].after(rounds, options_.layers);
-      tally_.add(shown.pixels);
-      fill(tile, shown);
-      lay_under(tile);
-      develop(tile);
-    });
+    develop_all(all, rounds, tally_, develop);
     const bool ended = std::ranges::all_of(all, &RoundsOfTile::settled);
-    return told(rays, ended ? options_.samples : sampler_.before(rounds));
+    return told(rays, tally_, ended ? options_.samples : sampler_.before(rounds));
   }
 
- private:
   int columns() const { return (window_.width() + options_.tile - 1) / options_.tile; }
   int tiles() const { return columns() * ((window_.height() + options_.tile - 1) / options_.tile); }
   void place(int i, FilmTile& tile) const {
@@ -127,7 +111,7 @@ class Render {
     TilePixels pixels = pixels_of(tile);
     trace_rounds(shot_, options_.scalar, 0, sampler_.rounds(), pixels);
     ShownTile shown = shown_of(pixels, options_.layers);
-    if (convergence_.shows()) tally_.add(shown.pixels);
+    if (convergence_.shows() || is_watched()) tally_.add(shown.pixels);
     fill(tile, std::move(shown));
   }
 
@@ -136,43 +120,109 @@ class Render {
     const World& world = shot_.world;
     if (!world.ground || world.backdrop->is_transparent() || !gathers_light(shot_.integrator))
       return;
-    const Vec3f color = lift<float>(rgb_of(*world.backdrop->color));
-    for (int y = 0; y < tile.height; ++y)
-      for (int x = 0; x < tile.width; ++x) {
-        const std::size_t i = FilmTile::index(x, y);
-        const float free = 1 - tile.alpha[i];
-        tile.r[i] += color.x * free, tile.g[i] += color.y * free, tile.b[i] += color.z * free;
-      }
+    tia::lay_under(lift<float>(rgb_of(*world.backdrop->color)), tile);
   }
 
-  // Returns: whether there was a round to be traced, and it came to its end.
-  bool trace_round(std::vector<RoundsOfTile>& all, int round) {
-    std::vector<RoundsOfTile*> open;
+  // ---- by rounds ------------------------------------------------------------------------------
+
+  /// Open: the tiles that have pixels which need more samples, and how many those are.
+  struct Open {
+    std::vector<RoundsOfTile*> tiles;
     std::int64_t pixels = 0;
+  };
+  static Open open_of(std::vector<RoundsOfTile>& all) {
+    Open open;
     for (RoundsOfTile& tile : all) {
       if (tile.settled()) continue;
-      open.push_back(&tile);
-      pixels += tile.unsettled();
+      open.tiles.push_back(&tile);
+      open.pixels += tile.unsettled();
     }
-    if (open.empty() || round == sampler_.rounds()) return false;
-    const double more = static_cast<double>(pixels * sampler_.count(round)) /
+    return open;
+  }
+
+  // Whether there is a further round, and time for it.
+  bool goes_on(const Open& open, int rounds) const {
+    if (open.tiles.empty() || rounds == sampler_.rounds()) return false;
+    if (!options_.budget || !sampler_.may_end_after(rounds)) return true;
+    const double more = static_cast<double>(open.pixels * sampler_.count(rounds)) /
                         static_cast<double>(std::max<std::int64_t>(meter_.counts().primary, 1));
-    if (round > 0 && !options_.budget->has_time(more)) return false;
+    return options_.budget->has_time(more);
+  }
+
+  // Returns: whether it came to its end.
+  bool trace_round(const Open& open, int round) {
     try {
-      for_each(static_cast<int>(open.size()), [&](int i) {
-        open[static_cast<std::size_t>(i)]->trace(shot_, options_.scalar, round);
+      for_each(static_cast<int>(open.tiles.size()), [&](int i) {
+        open.tiles[static_cast<std::size_t>(i)]->trace(shot_, options_.scalar, round);
       });
     } catch (const OutOfBudget& end) {
-      if (round == 0) refuse(end, options_);
+      if (!sampler_.may_end_after(round)) refuse(end, limits_of(options_));
       return false;
     }
     return true;
   }
 
-  Rendered told(const RayCounts& rays, int samples) {
-    if (!convergence_.shows()) return {rays};
+  // Hands over all tiles, as `pixels` says that they are shown.
+  template <class Pixels>
+  void hand_over(const Develop& develop, const Pixels& pixels) {
+    for_each(tiles(), [&](int i) {
+      FilmTile tile;
+      place(i, tile);
+      fill(tile, pixels(i));
+      lay_under(tile);
+      develop(tile);
+    });
+  }
+
+  void develop_all(std::vector<RoundsOfTile>& all, int rounds, Tally& tally,
+                   const Develop& develop) {
+    hand_over(develop, [&](int i) -> const ShownTile& {
+      const ShownTile& shown = all[static_cast<std::size_t>(i)].after(rounds, options_.layers);
+      tally.add(shown.pixels);
+      return shown;
+    });
+  }
+
+  void show(std::vector<RoundsOfTile>& all, int rounds) {
+    const int samples = sampler_.before(rounds);
+    options_.watch({samples == 1, meter_.counts(), [&](const Develop& develop) {
+                      Tally tally;
+                      develop_all(all, rounds, tally, develop);
+                      return tally.reached(samples);
+                    }});
+  }
+
+  // ---- the preview ----------------------------------------------------------------------------
+
+  // The side of the blocks that one ray each is traced for: so large that they are few.
+  int block() const {
+    constexpr std::int64_t most = 8192;
+    int side = 1;
+    while (std::int64_t{window_.width()} * window_.height() > most * side * side) side *= 2;
+    return std::min(side, options_.tile);
+  }
+
+  // Rays through the middles of blocks; they count nowhere.
+  std::function<Reached(const Develop&)> coarsely() {
+    return [this](const Develop& develop) {
+      const Sampler centers(1, 0, options_.seed);
+      const Convergence none({});
+      RayMeter meter(no_limit, no_limit, stop_, options_.spent);
+      const Shot shot{shot_.world, in_world_, options_.integrator, shot_.rules, centers,
+                      none,        meter,     options_.layers};
+      hand_over(develop, [&](int i) {
+        TilePixels pixels = pixels_of(i);
+        return blocks_of(shot, options_.scalar, block(), pixels);
+      });
+      const int of = block() * block();
+      return Reached{of > 1 ? 0 : 1, 1, 1.0 / of, 1, 1};
+    };
+  }
+
+  Rendered told(const RayCounts& rays, const Tally& tally, int samples) const {
+    if (!convergence_.shows() && !is_watched()) return {rays};
     if (sampler_.centered()) return {rays, Reached{1, 1, 1, 1, 1}};
-    return {rays, tally_.reached(samples)};
+    return {rays, tally.reached(samples)};
   }
 
   const RenderOptions& options_;
@@ -192,9 +242,8 @@ class Render {
 
 Rendered render(const World& world, const View& view, const Window& window,
                 const RenderOptions& options, Pool& pool, const std::stop_token& stop,
-                const std::function<void(const FilmTile&)>& develop) {
-  Render render(world, view, window, options, pool, stop);
-  return options.budget ? render.by_rounds(develop) : render.tile_by_tile(develop);
+                const Develop& develop) {
+  return Render(world, view, window, options, pool, stop).picture(develop);
 }
 
 }  // namespace tia

@@ -25,6 +25,24 @@ struct Window {
   bool operator==(const Window&) const = default;
 };
 
+/// Takes finished tiles, in window coordinates, from several threads at once, each pixel in exactly
+/// one tile.
+using Develop = std::function<void(const FilmTile&)>;
+
+/// Glimpse: what there is of a picture that is not done yet.
+struct Glimpse {
+  /// One ray for each block of pixels, or one sample a pixel: less than any picture's rounds.
+  bool is_preview = false;
+  RayCounts rays = {};  ///< without those of the preview by blocks
+  /// Hands over all tiles; of the preview by blocks, layers beside its light are 0.
+  /// Returns: how far they have come. Errors: as render().
+  std::function<Reached(const Develop&)> show;
+};
+
+/// Told between rounds, by the thread that renders, of what there is by then: at first of a coarse
+/// preview, which is traced once it is shown.
+using Watch = std::function<void(const Glimpse&)>;
+
 struct RenderOptions {
   IntegratorName integrator = IntegratorName::thesis;
   int max_depth = row_of(IntegratorName::whitted).max_depth;
@@ -43,6 +61,7 @@ struct RenderOptions {
   LayerSet layers = {};  ///< what else tiles are to tell, by FilmTile::more (planes_of)
   std::optional<Budget> budget = {};  ///< ends it after a whole round. Domain: of chance
   Spent spent = {};
+  Watch watch = {};      ///< changes no pixel of the picture, only the order of work; none: nobody
   Flow* flow = nullptr;  ///< the request that it is drawn for; null: one of its own
 };
 
@@ -55,16 +74,15 @@ inline Rules rules_of(const RenderOptions& options) {
 
 struct Rendered {
   RayCounts rays;                       ///< of whole rounds
-  std::optional<Reached> reached = {};  ///< where noise or a budget is given
+  std::optional<Reached> reached = {};  ///< where noise or a budget is given, or somebody watches
 };
 
-/// Traces the window and hands each finished tile, in window coordinates, to `develop`, from
-/// several threads at once, each pixel in exactly one tile.
+/// Traces the window and hands each finished tile to `develop`.
 /// Errors: Stopped when `stop` is requested; InputError of one `limit` fault, at /samples when more
 /// than max_rays are traced, at /scene when more than max_work is done. They come between tiles, or
 /// within one that takes long. BudgetSpent. What options.spent throws.
 Rendered render(const World& world, const View& view, const Window& window,
                 const RenderOptions& options, Pool& pool, const std::stop_token& stop,
-                const std::function<void(const FilmTile&)>& develop);
+                const Develop& develop);
 
 }  // namespace tia

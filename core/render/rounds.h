@@ -77,6 +77,35 @@ inline void fill(FilmTile& tile, ShownTile shown) {
   tile.more = std::move(shown.more);
 }
 
+/// Lays a colour under all that a tile's pixels show.
+inline void lay_under(const Vec3f& color, FilmTile& tile) {
+  for (int y = 0; y < tile.height; ++y)
+    for (int x = 0; x < tile.width; ++x) {
+      const std::size_t i = FilmTile::index(x, y);
+      const float free = 1 - tile.alpha[i];
+      tile.r[i] += color.x * free, tile.g[i] += color.y * free, tile.b[i] += color.z * free;
+    }
+}
+
+/// What the tile's pixels are where one ray through the middle of each block of them tells all, but
+/// for layers, which are 0. The tile is spent. Domain: a centred sampler.
+inline ShownTile blocks_of(const Shot& shot, Scalar scalar, int side, TilePixels& pixels) {
+  const auto middle_of = [&](int pixel) {
+    const auto middle = [side](int i, int end) {
+      return std::min(i / side * side + side / 2, end - 1);
+    };
+    return middle(pixel / pixels.width, pixels.height) * pixels.width +
+           middle(pixel % pixels.width, pixels.width);
+  };
+  std::erase_if(pixels.unsettled, [&](int pixel) { return pixel != middle_of(pixel); });
+  trace_rounds(shot, scalar, 0, 1, pixels);
+  ShownTile shown;
+  for (int i = 0; i < pixels.width * pixels.height; ++i)
+    shown.pixels.push_back(shown_of(pixels.estimates[static_cast<std::size_t>(middle_of(i))]));
+  shown.more = planes_of({0, 0, 0, 0, false}, shot.layers);
+  return shown;
+}
+
 /// RoundsOfTile: a tile while rounds go over the whole picture.
 class RoundsOfTile {
  public:

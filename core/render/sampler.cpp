@@ -8,7 +8,10 @@ Sampler::Sampler(const Sampling& sampling) : key_(sampling.seed), is_chance_(sam
   const bool adaptive = sampling.threshold > 0;
   const int all =
       adaptive ? 16 * least_samples(sampling.samples, sampling.threshold) : sampling.samples;
-  const int first = adaptive ? all / 16 : sampling.in_rounds ? std::min(first_round, all) : all;
+  const int first = adaptive                                    ? all / 16
+                    : sampling.is_watched && sampling.is_chance ? 1
+                    : sampling.in_rounds                        ? std::min(first_round, all)
+                                                                : all;
   for (int end = first; ends_.empty() || ends_.back() < all; end *= 2)
     ends_.push_back(std::min(end, all));
   if (is_chance_) return;

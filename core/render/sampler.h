@@ -18,12 +18,14 @@ struct Sampling {
   int samples = 1;       ///< 1 .. 65536; 1 goes through the centres
   double threshold = 0;  ///< 0 .. 1; 0: none
   std::int64_t seed = 0;
-  bool is_chance = false;  ///< whether what a ray finds is chance
-  bool in_rounds = false;  ///< whether pixels may stop, or the picture, before all samples
+  bool is_chance = false;   ///< whether what a ray finds is chance
+  bool in_rounds = false;   ///< whether pixels may stop, or the picture, before all samples
+  bool is_watched = false;  ///< whether somebody looks at the picture after each round
 };
 
 /// Sampler: the rays of each pixel, in rounds. Without a threshold there are `samples`: in rounds
-/// of 16, then of as many as there are already, if they are wanted so, else in one. With a
+/// of 16, then of as many as there are already, if they are wanted so, else in one; where chance is
+/// watched, the first 16 in rounds of 1, 1, 2, 4 and 8. With a
 /// threshold there are at least 4 in the first round, and further rounds, each of as many as all
 /// before it together, up to 16 times the first.
 ///
@@ -42,6 +44,10 @@ class Sampler {
   /// One ray a pixel, through its centre and the lens': nothing is random.
   bool centered() const { return ends_.back() == 1; }
   bool is_chance() const { return is_chance_; }
+  /// Whether a picture may end after so many rounds.
+  bool may_end_after(int rounds) const {
+    return rounds == this->rounds() || before(rounds) >= first_round;
+  }
   int rounds() const { return static_cast<int>(ends_.size()); }
   /// The number of samples before a round, and of it. Domain: before() also of the one after all.
   int before(int round) const {

@@ -41,6 +41,7 @@ const std::vector<HeaderRow>& header_rows() {
        "^[0-9a-f]{32}$", false},
       {"Vary", "the request's fields on which the answer depends", "^[A-Za-z-]+(, [A-Za-z-]+)*$",
        false},
+      {"X-Accel-Buffering", "of streams: that no proxy is to hold parts back", "^no$", false},
       {"X-Request-Id",
        "the request's id: the client's own, where it is fit for a log, or a new one",
        "^[A-Za-z0-9._-]{1,64}$"},

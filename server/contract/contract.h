@@ -26,6 +26,8 @@ struct Content {
   std::string_view type;
   MakeSchema schema = nullptr;  ///< null where the type says it all
   std::vector<Example> examples = {};
+  /// Headers that an answer always has with this type, and not with each of its others.
+  std::vector<std::string_view> headers = {};
 };
 
 /// Answer: what a route may say, problems aside.

@@ -27,12 +27,29 @@ Value reference(const char* to, std::string_view name) {
 
 using HeaderNames = std::vector<std::string_view>;
 
-// Every answer carries the request's ids and, where CORS knows origins, varies with them.
-Value headers_object(HeaderNames names) {
+Value header_object(const HeaderRow& row, bool is_always) {
+  return Value::Object{{"description", row.about},
+                       {"required", is_always},
+                       {"schema", Value::Object{{"type", "string"}, {"pattern", row.pattern}}}};
+}
+
+bool is_of_types(std::string_view header, const std::vector<Content>& contents) {
+  return std::ranges::any_of(
+      contents, [&](const Content& each) { return std::ranges::count(each.headers, header) > 0; });
+}
+
+// Every answer carries the request's ids and, where CORS knows origins, varies with them. Those
+// that not each type of its body has are required by the types (x-required-headers).
+Value headers_object(HeaderNames names, const std::vector<Content>& contents = {}) {
   for (const char* any : {"Vary", "X-Request-Id", "traceparent"}) names.emplace_back(any);
   Value::Object headers;
-  for (const std::string_view name : names)
-    if (find(headers, name) == nullptr) headers.emplace_back(name, reference("headers", name));
+  for (const std::string_view name : names) {
+    if (find(headers, name) != nullptr) continue;
+    const auto row = std::ranges::find(header_rows(), name, &HeaderRow::name);
+    headers.emplace_back(name, row->always && is_of_types(name, contents)
+                                   ? header_object(*row, false)
+                                   : reference("headers", name));
+  }
   return headers;
 }
 
@@ -44,6 +61,9 @@ Value media_object(const Content& content, Definitions& named) {
     examples.emplace_back(std::to_string(examples.size() + 1),
                           Value::Object{{"summary", each.about}, {"value", parse_json(each.text)}});
   if (!examples.empty()) media.emplace_back("examples", std::move(examples));
+  if (!content.headers.empty())
+    media.emplace_back("x-required-headers",
+                       Value::Array(content.headers.begin(), content.headers.end()));
   return media;
 }
 
@@ -77,7 +97,8 @@ Value::Object answer_object(const Answer& answer, bool or_problem, Definitions& 
       content.as<Value::Object>()->push_back(std::move(each));
     for (const std::string_view name : problem_headers(answer.status)) headers.push_back(name);
   }
-  Value::Object object{{"description", answer.about}, {"headers", headers_object(headers)}};
+  Value::Object object{{"description", answer.about},
+                       {"headers", headers_object(headers, answer.contents)}};
   if (!content.as<Value::Object>()->empty()) object.emplace_back("content", std::move(content));
   return object;
 }
@@ -179,11 +200,7 @@ Value::Object problem_answers(Definitions& named) {
 Value::Object header_components() {
   Value::Object headers;
   for (const HeaderRow& row : header_rows())
-    headers.emplace_back(
-        row.name,
-        Value::Object{{"description", row.about},
-                      {"required", row.always},
-                      {"schema", Value::Object{{"type", "string"}, {"pattern", row.pattern}}}});
+    headers.emplace_back(row.name, header_object(row, row.always));
   return headers;
 }
 

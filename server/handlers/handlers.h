@@ -16,6 +16,7 @@ namespace tia::server {
 
 // The routes that each group answers, in the file of its name.
 std::vector<Route> render_routes();
+std::vector<Route> picture_routes();
 std::vector<Route> verify_routes();
 std::vector<Route> explain_routes();
 std::vector<Route> scene_routes();
@@ -36,8 +37,13 @@ Response rendered_form(const Request& request, std::string_view boundary, Stopwa
                        Service& service);
 
 /// The picture of a plan, from the cache or with a ticket to draw it.
+/// Who sees it meanwhile has it drawn as heavy work, however few its rays are.
 /// Errors: Stopped; InputError; HttpError (busy, too-large).
 PictureStore::Found picture_of(Plan& plan, const std::string& etag, const Requester& requester,
-                               Service& service);
+                               Service& service, const Showing::See& see = nullptr);
+
+/// What who waits for what others draw brings: a place in the queue.
+PictureStore::Wish waiting_wish(const Requester& requester, const Showing::See& see,
+                                Service& service);
 
 }  // namespace tia::server

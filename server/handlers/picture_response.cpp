@@ -45,7 +45,7 @@ Response picture_response(const PictureStore::Found& found, double parse_ms, dou
                                 {"Tia-Rays", ray_counts(picture.rays)},
                                 {"Cache-Status", cache_status(found)}},
                     .shared = {found.picture, &picture.bytes}};
-  if (picture.reached) tell_reached(*picture.reached, response.headers);
+  if (picture.reached && picture.tells_reached) tell_reached(*picture.reached, response.headers);
   for (const auto& [name, value] : response.headers) response.log.emplace_back(name, value);
   // What a client need not know, but whoever runs the server may.
   if (picture.degenerate > 0)

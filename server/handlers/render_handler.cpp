@@ -15,14 +15,28 @@
 namespace tia::server {
 namespace {
 
-// Where no format is asked for, Accept chooses it. The JSON tree is freed
-// here, before the picture takes memory.
-AskedPicture asked_in(Value parameters, const Request& request) {
-  const bool accepted = choose_format(parameters, request);
-  return {read_described<PictureRequest>(parameters, {}, request.stop), accepted};
+/// AskedRender: what is asked for, and whether Accept has chosen the format.
+struct AskedRender {
+  RenderRequest picture;
+  bool accepted = false;
+};
+
+// Where no format is asked for, Accept chooses it, but for streams, which have one. The JSON tree
+// is freed here, before the picture takes memory.
+AskedRender asked_in(Value parameters, const Request& request) {
+  const auto* object = parameters.as<Value::Object>();
+  const bool is_stream = object != nullptr && find(*object, "stream") != nullptr;
+  const bool accepted = !is_stream && choose_format(parameters, request);
+  return {read_described<RenderRequest>(parameters, {}, request.stop), accepted};
 }
 
-AskedPicture asked_in_picture(const Request& request, Service& service) {
+Response answered(AskedRender asked, const Stopwatch& watch, const Request& request,
+                  Service& service) {
+  if (asked.picture.stream) return shown_while_drawn(std::move(asked.picture), request, service);
+  return rendered({std::move(asked.picture), asked.accepted}, watch, request, service);
+}
+
+AskedRender asked_in_picture(const Request& request, Service& service) {
   refuse_query(request);
   return read_recipe_of_body(request, service, [&](Recipe recipe) {
     check_version(recipe);
@@ -30,7 +44,7 @@ AskedPicture asked_in_picture(const Request& request, Service& service) {
   });
 }
 
-AskedPicture asked_in_body(const Request& request, Service& service) {
+AskedRender asked_in_body(const Request& request, Service& service) {
   if (is_png(request.body)) return asked_in_picture(request, service);
   return read_body(request, service, [&] {
     return asked_in(body_json(request,
@@ -43,22 +57,20 @@ AskedPicture asked_in_body(const Request& request, Service& service) {
 
 Response get_render(const Request& request, const std::string&, Service& service) {
   const Stopwatch watch;
-  const auto read = [&] {
-    return asked_in(query_object<PictureRequest>(request.query()), request);
-  };
-  return rendered(read_query(request, service, read), watch, request, service);
+  const auto read = [&] { return asked_in(query_object<RenderRequest>(request.query()), request); };
+  return answered(read_query(request, service, read), watch, request, service);
 }
 
 Response post_render(const Request& request, const std::string&, Service& service) {
   const Stopwatch watch;
   if (const auto boundary = boundary_of(request.header("Content-Type")))
     return rendered_form(request, *boundary, watch, service);
-  return rendered(asked_in_body(request, service), watch, request, service);
+  return answered(asked_in_body(request, service), watch, request, service);
 }
 
 std::vector<Content> picture_body() {
   return {{media::json,
-           schema_for<PictureRequest>,
+           schema_for<RenderRequest>,
            {{"the first picture, lit from the left", R"({"key": "a"})"},
             {"a scene of one's own", R"({"width": 320, "height": 240, "scene": {
   "background": [0.1, 0.2, 0.4],
@@ -78,11 +90,12 @@ std::vector<Route> render_routes() {
        .about = "a picture; no parameter is required",
        .pace = Pace::in_turn,
        .handler = get_render,
-       .answers = {picture_answer(), picture_unchanged()},
+       .answers = {shown_answer(picture_answer()), picture_unchanged()},
        .chooses = true,
-       .query = query_parameters<PictureRequest>,
+       .query = query_parameters<RenderRequest>,
        .examples = {"/render", "/render?key=a&width=320&height=240",
-                    "/render?light=-5,12,-8&format=pfm"}},
+                    "/render?light=-5,12,-8&format=pfm",
+                    "/render?scene=cornell-light&width=64&height=64&stream=events"}},
       {.method = "POST",
        .path = "/render",
        .name = "post_render",
@@ -91,7 +104,7 @@ std::vector<Route> render_routes() {
                 "which alone parameters may stand in the query",
        .pace = Pace::in_turn,
        .handler = post_render,
-       .answers = {picture_answer()},
+       .answers = {shown_answer(picture_answer())},
        .chooses = true,
        .query = query_parameters<DrakeQuery>,
        .body = picture_body(),

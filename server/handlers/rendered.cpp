@@ -5,6 +5,7 @@
 #include "server/handlers/bodies.h"
 #include "server/handlers/handlers.h"
 #include "server/handlers/picture_response.h"
+#include "server/handlers/stream_response.h"
 #include "server/http/headers.h"
 #include "server/requests/draw.h"
 #include "server/requests/etag.h"
@@ -46,6 +47,12 @@ Response with(Response response, const Headers& headers) {
   return response;
 }
 
+// What a picture with a budget goes by while it is drawn.
+std::string wish_of(const PictureRequest& asked, const Plan& plan) {
+  return etag_of(plan.recipe + " " + std::to_string(asked.budget_ms.value_or(0)) + " " +
+                 std::to_string(asked.max_rays.value_or(0)));
+}
+
 // What a picture with a budget is called is known once it is there.
 Response rendered_within(const AskedPicture& asked, Plan& plan, double parse_ms, Stopwatch watch,
                          const Request& request, Service& service) {
@@ -57,11 +64,7 @@ Response rendered_within(const AskedPicture& asked, Plan& plan, double parse_ms,
     if (asked.accepted) add_vary(response.headers, "Accept");
     return response;
   }
-  const PictureRequest& picture = asked.picture;
-  const std::string wish =
-      etag_of(plan.recipe + " " + std::to_string(picture.budget_ms.value_or(0)) + " " +
-              std::to_string(picture.max_rays.value_or(0)));
-  const auto found = picture_of(plan, wish, requester_of(request), service);
+  const auto found = picture_of(plan, wish_of(asked.picture, plan), requester_of(request), service);
   Headers headers = validators(found.picture->etag, asked);
   if (std::string to = address_of_reached(request, found.picture->reached->samples); !to.empty())
     headers.emplace_back("Content-Location", std::move(to));
@@ -112,12 +115,39 @@ std::optional<Response> known_picture(const Request& request, Service& service) 
   return with(with(picture_response(*found, 0, 0), known->validators), known->beside);
 }
 
+Response shown_while_drawn(RenderRequest asked, const Request& request, Service& service) {
+  const Stream stream = *asked.stream;
+  check_stream(stream, request, asked.format);
+  /// Kept: what the drawing needs of its request, which has been read.
+  struct Kept {
+    RenderRequest asked;
+    Plan plan;
+  };
+  const Requester requester = requester_of(request);
+  const auto kept = std::make_shared<Kept>(Kept{std::move(asked), {}});
+  kept->plan = plan_of(kept->asked, service.rendering, requester);
+  const std::string tag = etag_of(kept->plan.recipe);
+  const std::string wish = kept->asked.has_budget() ? wish_of(kept->asked, kept->plan) : tag;
+  const auto drawing = [kept, wish, requester, &service](const Showing::See& see) {
+    return picture_of(kept->plan, wish, requester, service, see);
+  };
+  return with(streamed(stream, tag, drawing, request, service), told_of(kept->plan));
+}
+
 Answer picture_answer() {
   Answer answer{.about = "the picture"};
   for (const FormatRow& row : formats) answer.contents.push_back({row.media_type});
   answer.headers = {"Server-Timing", "Tia-Rays",         "Cache-Control", "ETag",
                     "Cache-Status",  "Content-Location", "Tia-Samples",   "Tia-Noise",
                     "Tia-Biased",    "Tia-Ignored"};
+  return answer;
+}
+
+Answer shown_answer(Answer answer) {
+  for (Content& each : answer.contents)
+    each.headers = {"Server-Timing", "Tia-Rays", "ETag", "Cache-Status"};
+  for (Content& each : stream_contents()) answer.contents.push_back(std::move(each));
+  answer.headers.push_back("X-Accel-Buffering");
   return answer;
 }
 

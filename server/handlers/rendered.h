@@ -5,7 +5,7 @@
 #include "server/handlers/service.h"
 #include "server/http/message.h"
 #include "server/operation/timing.h"
-#include "server/requests/picture_request.h"
+#include "server/requests/render_request.h"
 
 namespace tia::server {
 
@@ -21,8 +21,13 @@ struct AskedPicture {
 Response rendered(const AskedPicture& asked, Stopwatch watch, const Request& request,
                   Service& service);
 
+/// The picture while it is drawn. Errors: as plan_of; check_stream.
+Response shown_while_drawn(RenderRequest asked, const Request& request, Service& service);
+
 /// What such an answer is, as the documents have it; and that the client has it already.
 Answer picture_answer();
 Answer picture_unchanged();
+/// The same of an answer that may be a stream.
+Answer shown_answer(Answer answer);
 
 }  // namespace tia::server

@@ -1,5 +1,6 @@
 // Pictures drawn once for all who ask for them: by turns, within what memory allows.
 #include <algorithm>
+#include <chrono>
 #include <memory>
 #include <new>
 
@@ -32,20 +33,58 @@ Picture with_memory_for(const Attempt& attempt, const std::stop_token& stop) {
 }
 
 // What threads are foreseen to take.
-Cost cost_of(const Plan& plan, Service& service) {
+Cost cost_of(const Plan& plan, bool is_watched, Service& service) {
   Cost cost = service.costs.of(plan.cost_key, plan.rays());
   if (plan.asked->budget_ms)
     cost.seconds = std::min(cost.seconds, *plan.asked->budget_ms * 1e-3 * plan.options.threads);
+  if (is_watched) cost.seconds = std::max(cost.seconds, 2 * Cost::most_light_seconds);
   return cost;
 }
 
-Picture drawn(Plan& plan, const Requester& requester, SharedFlow& shared,
+/// WhenShown: when a drawing is shown: at most every 100 ms, and for no more than a twentieth of
+/// its time, but for its first pictures.
+class WhenShown {
+ public:
+  bool is_due() {
+    const auto now = Clock::now();
+    if (now < next_ || spent_ > between + (now - start_) / 20) return false;
+    begun_ = now;
+    return true;
+  }
+  void has_shown() {
+    const auto now = Clock::now();
+    spent_ += now - begun_;
+    next_ = now + between;
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  static constexpr std::chrono::milliseconds between{100};
+  const Clock::time_point start_ = Clock::now();
+  Clock::time_point begun_{}, next_{};
+  Clock::duration spent_{};
+};
+
+// Shows what a drawing comes to, and keeps it.
+Onlooker onlooker_of(Showing& showing, Service& service) {
+  const auto when = std::make_shared<WhenShown>();
+  return {[when] { return when->is_due(); },
+          [when, &showing, &service](SeenPicture seen) {
+            service.pictures.add(seen.picture->etag, seen.picture);
+            service.metrics.count_shown();
+            showing.show(std::move(seen));
+            when->has_shown();
+          }};
+}
+
+Picture drawn(Plan& plan, const Requester& requester, SharedFlow& shared, Showing& showing,
               const std::stop_token& stop, Service& service) {
+  const bool is_watched = showing.is_watched();
   const double rays = plan.rays();
   Stopwatch watch;
   // It begins once admission has given a ticket, and gives it back at its end.
-  auto ticket =
-      service.admission.enter(cost_of(plan, service), requester.client, stop, &shared.place);
+  auto ticket = service.admission.enter(cost_of(plan, is_watched, service), requester.client, stop,
+                                        &shared.place);
   Flow flow{Requester{ticket.client(), stop}.number()};
   const double queue_ms = watch.lap_ms();
   plan.options.flow = &flow;
@@ -56,8 +95,10 @@ Picture drawn(Plan& plan, const Requester& requester, SharedFlow& shared,
   flow.became_long = [&] { ticket.turn_heavy(); };
   const SharedFlow::Going going(shared, flow);
   MemoryClaim* const claim = MemoryClaim::current();
+  const Onlooker onlooker = onlooker_of(showing, service);
   const auto attempt = [&] {
-    Picture picture = draw(plan, service.rendering, stop);
+    Picture picture =
+        draw(plan, service.rendering, stop, showing.is_watched() ? &onlooker : nullptr);
     if (!plan.asked->has_budget())
       service.costs.learn(plan.cost_key, rays, picture.trace_seconds, true);
     picture.timing.queue = queue_ms;
@@ -75,18 +116,28 @@ Picture drawn(Plan& plan, const Requester& requester, SharedFlow& shared,
 
 }  // namespace
 
-PictureStore::Found picture_of(Plan& plan, const std::string& etag, const Requester& requester,
-                               Service& service) {
-  const auto shared = std::make_shared<SharedFlow>(service.rendering.pool);
+PictureStore::Wish waiting_wish(const Requester& requester, const Showing::See& see,
+                                Service& service) {
   PictureStore::Wish wish;
-  wish.draw = [&](const std::stop_token& given_up) {
-    return drawn(plan, requester, *shared, given_up, service);
-  };
   wish.stop = requester.stop;
   wish.client = requester.client;
-  wish.wait = [&] {
-    return std::make_shared<Admission::QueuePlace>(
-        service.admission.wait_for_others(requester.client));
+  wish.see = see;
+  wish.wait = [client = requester.client, &service] {
+    return std::make_shared<Admission::QueuePlace>(service.admission.wait_for_others(client));
+  };
+  return wish;
+}
+
+PictureStore::Found picture_of(Plan& plan, const std::string& etag, const Requester& requester,
+                               Service& service, const Showing::See& see) {
+  const auto shared = std::make_shared<SharedFlow>(service.rendering.pool);
+  const auto showing = std::make_shared<Showing>();
+  std::optional<Showing::Seat> seat;
+  if (see) seat.emplace(*showing, see);
+  PictureStore::Wish wish = waiting_wish(requester, see, service);
+  wish.showing = showing;
+  wish.draw = [&](const std::stop_token& given_up) {
+    return drawn(plan, requester, *shared, *showing, given_up, service);
   };
   wish.joined_by = [shared](const std::string& client) { shared->also_for(client); };
   return service.pictures.get(etag, wish);

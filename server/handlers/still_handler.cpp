@@ -32,7 +32,8 @@ AskedStill<Query> asked_in_query(const Request& request, Service& service) {
     const Value* as = find(*parameters.template as<Value::Object>(), "as");
     const bool as_scene = as != nullptr && *as == Value(name_of(StillAs::scene));
     if (as_scene) static_cast<void>(preferred_type(request, {media::json}));
-    const bool accepted = !as_scene && choose_format(parameters, request);
+    const bool is_stream = find(*parameters.template as<Value::Object>(), "stream") != nullptr;
+    const bool accepted = !as_scene && !is_stream && choose_format(parameters, request);
     return AskedStill<Query>{read_described<Query>(parameters, {}, request.stop), accepted};
   });
 }
@@ -56,6 +57,13 @@ Response shown(const AskedStill<Query>& asked, const SharedModel& model, const S
   Scene scene = service.rendering.go_through(
       bytes_of(*model), requester, [&] { return still_of(asked.query, model, requester.stop); });
   if (asked.query.as == StillAs::scene) return scene_response(scene, watch);
+  if (asked.query.stream) {
+    RenderRequest drawn;
+    static_cast<PictureRequest&>(drawn) = asked.query;
+    drawn.scene = std::move(scene);
+    drawn.stream = asked.query.stream;
+    return shown_while_drawn(std::move(drawn), request, service);
+  }
   AskedPicture picture{asked.query, asked.accepted};
   picture.picture.scene = std::move(scene);
   return rendered(picture, watch, request, service);
@@ -75,7 +83,8 @@ Response get_still(const Request& request, const std::string&, Service& service)
 
 // Where the same is without sending the model; none where that would be too long.
 void tell_address(const std::string& id, const Request& request, Response& response) {
-  std::string address = "/still?" + query_without(request.query(), {"main"}) + "model=" + id;
+  std::string address =
+      "/still?" + query_without(request.query(), {"main", "stream"}) + "model=" + id;
   if (address.size() < longest_target)
     response.headers.emplace_back("Content-Location", std::move(address));
 }
@@ -92,9 +101,11 @@ Response post_still(const Request& request, const std::string&, Service& service
 }
 
 Answer still_answer() {
-  Answer answer = picture_answer();
+  Answer answer = shown_answer(picture_answer());
   answer.about = "the picture; with as=scene its scene";
-  answer.contents.push_back({media::json, schema_for<Scene>});
+  Content scene{media::json, schema_for<Scene>};
+  scene.headers = answer.contents.front().headers;
+  answer.contents.push_back(std::move(scene));
   return answer;
 }
 

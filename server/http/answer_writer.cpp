@@ -2,6 +2,7 @@
 
 #include <httplib.h>
 
+#include <cstdio>
 #include <ctime>
 #include <exception>
 #include <utility>
@@ -25,7 +26,7 @@ class Memory : public httplib::Stream {
     return static_cast<ssize_t>(n);
   }
   ssize_t write(const char* from, std::size_t size) override {
-    return take_({from, size}) ? static_cast<ssize_t>(size) : -1;
+    return take_({from, size}, Part::next) ? static_cast<ssize_t>(size) : -1;
   }
   void get_remote_ip_and_port(std::string&, int&) const override {}
   void get_local_ip_and_port(std::string&, int&) const override {}
@@ -65,11 +66,10 @@ class Writer : httplib::Server {
   }
   void write(Response& response, bool is_head, bool keep_alive, const TakeBytes& take) {
     from_ = &response;
+    take_ = &take;
     failure_ = nullptr;
-    refused_ = false;
-    const TakeBytes take_more = [&](std::string_view bytes) {
-      if (failure_) return false;
-      return !(refused_ = !take(bytes));
+    const TakeBytes take_more = [&](std::string_view bytes, Part part) {
+      return !failure_ && take(bytes, part);
     };
     Memory memory(is_head ? "HEAD / HTTP/1.1\r\n\r\n" : "GET / HTTP/1.1\r\n\r\n", take_more);
     bool closed = false;
@@ -103,14 +103,16 @@ class Writer : httplib::Server {
                             [](std::size_t, std::size_t, httplib::DataSink&) { return false; });
   }
 
+  // Parts go past the library, whose sink knows one thread only and no parts that are replaced.
   void fill_parts(httplib::Response& to) {
     to.set_chunked_content_provider(
         from_->content_type, [this](std::size_t, httplib::DataSink& sink) {
           try {
-            from_->parts([&](std::string_view part) {
-              if (!part.empty()) sink.write(part.data(), part.size());  // an empty one ends it
-              if (refused_) throw Stopped();
-            });
+            from_->parts({[&](std::string_view part) {
+                            if (part.empty()) return;  // which would end it
+                            if (!(*take_)(chunk_of(part), Part::next)) throw Stopped();
+                          },
+                          [&](std::string_view part) { (*take_)(chunk_of(part), Part::latest); }});
             sink.done();
             return true;
           } catch (...) {
@@ -121,8 +123,8 @@ class Writer : httplib::Server {
   }
 
   Response* from_ = nullptr;
+  const TakeBytes* take_ = nullptr;
   std::exception_ptr failure_;  // of what makes the answer, or its parts
-  bool refused_ = false;        // nobody takes the bytes any more
 };
 
 // The library says that there are 0 bytes, which would be the length of what a 304 spares, and has
@@ -139,10 +141,18 @@ void write_answer(Response& response, bool is_head, bool keep_alive, const TakeB
   per_thread<Writer, struct OfAllAnswers>().write(response, head_only, keep_alive, take);
 }
 
+std::string chunk_of(std::string_view part) {
+  char size[20];
+  const int digits = std::snprintf(size, sizeof size, "%zx\r\n", part.size());
+  std::string chunk;
+  chunk.reserve(part.size() + sizeof size);
+  return chunk.append(size, static_cast<std::size_t>(digits)).append(part).append("\r\n");
+}
+
 std::string answer_bytes(Response& response, bool is_head, bool keep_alive) {
   std::string bytes;
   bytes.reserve(response.body.size() + 1024);
-  write_answer(response, is_head, keep_alive, [&](std::string_view part) {
+  write_answer(response, is_head, keep_alive, [&](std::string_view part, Part) {
     bytes.append(part);
     return true;
   });

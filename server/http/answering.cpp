@@ -77,7 +77,6 @@ void Connection::finish(const std::shared_ptr<RequestTask>& task) {
   if (--own->second == 0) context_.at_work.erase(own);
   context_.last_work = Clock::now();
   if (task != task_ || phase_ != Phase::answering) return;  // nobody waits for it any more
-  if (task->is_cut) return leave();
   hand_over(*task);
   proceed();
 }
@@ -107,7 +106,8 @@ void Connection::deliver(RequestTask& task) {
   gone_at_ = since_;
 }
 
-// Answers the request in work with a problem, unless there is no memory even for that.
+// Answers the request in work with a problem, or ends its answer with one, unless there is no
+// memory even for that.
 void Connection::fail_turn(const std::exception_ptr& failure) {
   try {
     tell_failure(failure);
@@ -120,7 +120,8 @@ void Connection::fail_turn(const std::exception_ptr& failure) {
 void Connection::tell_failure(const std::exception_ptr& failure) {
   const std::shared_ptr<RequestTask> task = task_;
   task->abandon();
-  if (task->has_parts()) return leave();  // its head has gone out: all that is left is to break off
+  // Its head has gone out: what is left is to break off, with a word where that is possible.
+  if (task->has_parts()) return task->response.problem_part ? end_with(failure) : leave();
   RequestTask instead(without_body(task->request));
   instead.keep_alive = keep_alive_ && !context_.closing;
   instead.make(
@@ -128,6 +129,23 @@ void Connection::tell_failure(const std::exception_ptr& failure) {
       context_.closing, [] {});
   if (instead.failure) std::rethrow_exception(instead.failure);
   deliver(instead);
+}
+
+// Ends an answer in parts with what went wrong, and the connection with it: its worker may be at it
+// yet, and is not heard any more.
+void Connection::end_with(const std::exception_ptr& failure) {
+  const std::shared_ptr<RequestTask> task = task_;
+  const Response refusal = context_.application.refuse(failure, task->request);
+  std::string end = task->take_parts();
+  end += chunk_of(task->response.problem_part(refusal.body));
+  outbox_.put(end.append(last_chunk));
+  context_.application.answered(
+      {task->request, task->response, task->body_bytes, ms_since(task->request.arrived)});
+  keep_alive_ = false;
+  task_.reset();
+  account();
+  outbox_.begin();
+  enter(Phase::writing, timeouts::answer);
 }
 
 // Answers bytes that are no request. Where the next one begins is unknown: so the connection ends.

@@ -66,6 +66,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
   void refuse(const std::exception_ptr& failure);
   void fail_turn(const std::exception_ptr& failure);
   void tell_failure(const std::exception_ptr& failure);
+  void end_with(const std::exception_ptr& failure);
   void cut_off(Clock::time_point now);
   void watch_taking(Clock::time_point now);
   void leave();

@@ -20,6 +20,11 @@ bool is_document(std::string_view type) {
   return type.starts_with("text/html") || type == "image/svg+xml";
 }
 
+// What pages show in an <img>.
+bool is_shown_picture(std::string_view type) {
+  return type.starts_with("image/") || type.starts_with("multipart/x-mixed-replace");
+}
+
 bool allows_any(const std::vector<Origin>& origins) {
   return std::any_of(origins.begin(), origins.end(), [](const Origin& o) { return o.is_any(); });
 }
@@ -40,7 +45,7 @@ void guard(Response& response) {
   if (is_document(type)) headers.emplace_back("Content-Security-Policy", page_policy);
   if (!type.empty())  // a 304 says nothing new of what the client has
     headers.emplace_back("Cross-Origin-Resource-Policy",
-                         type.starts_with("image/") ? "cross-origin" : "same-origin");
+                         is_shown_picture(type) ? "cross-origin" : "same-origin");
 }
 
 void share(Response& response, const Request& request, const std::vector<Origin>& origins) {

@@ -65,9 +65,17 @@ struct Request {
   std::size_t body_bytes() const { return long_body ? long_body->size() : body.size(); }
 };
 
-/// Sends the next part of an answer; waits while the client is slow. Errors: Stopped once the
-/// client has left or the request's time is up.
-using SendPart = std::function<void(std::string_view)>;
+/// SendPart: sends parts of an answer, none of them empty.
+struct SendPart {
+  /// The next one; waits while the client is slow. Errors: Stopped once the client has left or the
+  /// request's time is up.
+  std::function<void(std::string_view)> next;
+  /// One that takes the place of the last such one, unless that is on its way; never waits. Any
+  /// thread may call, while no other sends. Nobody hears it where the client has left.
+  std::function<void(std::string_view)> latest = [](std::string_view) {};
+
+  void operator()(std::string_view part) const { next(part); }
+};
 
 struct Response {
   int status = 200;
@@ -77,8 +85,12 @@ struct Response {
   /// Bytes that others have too, in the body's place: they are sent, not copied.
   std::shared_ptr<const std::string> shared = nullptr;
   bool unsized = false;  ///< HEAD of something that would have to be made to be measured
-  /// Makes the body in parts while they are sent, in the body's place.
+  /// Makes the body in parts while they are sent, in the body's place. The head goes with the first
+  /// one: until then what fails is answered as ever.
   std::function<void(const SendPart&)> parts = nullptr;
+  /// The part that tells of a problem, by its document, where the others have to end with it; null:
+  /// the body is cut.
+  std::string (*problem_part)(const std::string& document) = nullptr;
   std::string_view problem = {};  ///< the type of the problem that it tells, for the log; "" = none
   Value::Object log = {};         ///< what the log says of it besides
   std::string failure = {};       ///< what went wrong and is for the log alone; "" = nothing did

@@ -26,29 +26,46 @@ void RequestTask::make_answer(const Answer& answer, const std::atomic<bool>& clo
     bytes = answer_bytes(response, request.is_head(), keep_alive);
     return;
   }
-  try {
-    const TakeBytes take = [&](std::string_view part) { return put(part, more); };
-    write_answer(response, request.is_head(), keep_alive, take);
-  } catch (...) {  // its head has been sent: all that is left is to break off
-    is_cut = true;
-  }
+  send_parts(more);
 }
 
 // HTTP/1.0 knows no chunks.
 void RequestTask::gather_parts() {
-  std::exchange(response.parts, nullptr)([&](std::string_view part) { response.body += part; });
+  std::size_t to_stay = 0;
+  const auto next = [&](std::string_view part) { to_stay = response.body.append(part).size(); };
+  const auto latest = [&](std::string_view part) {
+    response.body.resize(to_stay);
+    response.body += part;
+  };
+  std::exchange(response.parts, nullptr)({next, latest});
 }
 
-bool RequestTask::put(std::string_view part, const std::function<void()>& more) {
+void RequestTask::send_parts(const std::function<void()>& more) {
+  bool has_head = false;
+  const TakeBytes take = [&](std::string_view bytes, Part part) {
+    if (std::exchange(has_head, true)) return put(bytes, part, more);
+    head_ = bytes;
+    return true;
+  };
+  write_answer(response, request.is_head(), keep_alive, take);
+  bytes = std::exchange(head_, {});  // of HEAD, whose parts nobody makes
+}
+
+bool RequestTask::put(std::string_view bytes, Part part, const std::function<void()>& more) {
   {
     std::unique_lock lock(mutex_);
-    taken_.wait(lock, [&] {
-      return parts_.size() < timeouts::most_parts || request.stop.stop_requested();
-    });
+    const auto may_go_on = [&] {
+      return part == Part::latest || parts_.size() - to_be_replaced_ < timeouts::most_parts ||
+             request.stop.stop_requested();
+    };
+    taken_.wait(lock, may_go_on);
     if (request.stop.stop_requested()) return false;
+    if (part == Part::latest) parts_.resize(parts_.size() - to_be_replaced_);
     in_parts_ = true;
-    parts_.append(part);
-    body_bytes += part.size();
+    parts_.append(head_).append(bytes);
+    body_bytes += head_.size() + bytes.size();
+    to_be_replaced_ = part == Part::latest ? bytes.size() : 0;
+    head_.clear();
   }
   more();
   return true;
@@ -58,6 +75,7 @@ std::string RequestTask::take_parts() {
   std::string parts;
   const std::lock_guard lock(mutex_);
   parts.swap(parts_);
+  to_be_replaced_ = 0;
   taken_.notify_one();
   return parts;
 }

@@ -9,6 +9,7 @@
 #include <stop_token>
 #include <string>
 
+#include "server/http/answer_writer.h"
 #include "server/http/message.h"
 
 namespace tia::server {
@@ -29,8 +30,7 @@ class RequestTask {
   std::size_t body_bytes = 0;
   /// The whole answer, but for a body that others have too, or the rest of one that goes in parts.
   std::string bytes;
-  bool is_cut = false;         ///< the parts broke off: the client must see that
-  std::exception_ptr failure;  ///< what was thrown in the answer's place
+  std::exception_ptr failure;  ///< what was thrown in the answer's place, or among its parts
 
   using Answer = std::function<Response(const Request&)>;
   /// Worker: makes the answer, or says what failed. `more` is called whenever a part waits to be
@@ -48,11 +48,14 @@ class RequestTask {
   void make_answer(const Answer& answer, const std::atomic<bool>& closing,
                    const std::function<void()>& more);
   void gather_parts();
-  bool put(std::string_view part, const std::function<void()>& more);
+  void send_parts(const std::function<void()>& more);
+  bool put(std::string_view bytes, Part part, const std::function<void()>& more);
 
   std::mutex mutex_;
   std::condition_variable taken_;
-  std::string parts_;
+  std::string head_;                // until the first part is there
+  std::string parts_;               // that wait to be sent
+  std::size_t to_be_replaced_ = 0;  // of these, at their end
   bool in_parts_ = false;
 };
 

@@ -32,7 +32,7 @@ inline constexpr MemoryCost alpha{"alpha", "pixel", 18, "the same of one with al
 inline constexpr MemoryCost linear{"linear", "pixel", 26, "its light in floats, and the file"};
 inline constexpr MemoryCost layers{"layers", "number of a layer", 18,
                                    "it in floats, the sum over its samples, and the file"};
-inline constexpr MemoryCost rounds{"rounds", "pixel of a picture with a budget", 160,
+inline constexpr MemoryCost rounds{"rounds", "pixel of a picture with a budget, or a stream", 160,
                                    "the sums over its samples, and what it was a round ago"};
 inline constexpr MemoryCost model{"model", "byte of a model's files", 4,
                                   "what its reader answers, and what that comes to"};

@@ -36,6 +36,9 @@ struct Metrics::Families {
                                               "Bytes of requests' and answers' bodies.", registry);
   prometheus::Family<Counter>& rays =
       family(prometheus::BuildCounter(), "tia_rays_total", "Rays traced, by kind.", registry);
+  Counter& shown = family(prometheus::BuildCounter(), "tia_shown_pictures_total",
+                          "Pictures that streams were shown before they were done.", registry)
+                       .Add({});
   prometheus::Family<Histogram>& seconds =
       family(prometheus::BuildHistogram(), "tia_picture_phase_seconds",
              "Where pictures' time went, by phase.", registry);
@@ -175,6 +178,8 @@ void Metrics::count(const RayCounts& rays, const Timing& ms) {
   families_->phase("trace").Observe(ms.trace / 1000);
   families_->phase("encode").Observe(ms.encode / 1000);
 }
+
+void Metrics::count_shown() { families_->shown.Increment(); }
 
 void Metrics::count(std::string_view format, ModelReading result, double seconds) {
   families_->reads_of(format, result).Increment();

@@ -38,6 +38,8 @@ class Metrics {
   void count(const Exchange& exchange, std::string_view route);
   /// Counts a picture's rays and where its time went.
   void count(const RayCounts& rays, const Timing& ms);
+  /// Counts a picture that was shown before it was done.
+  void count_shown();
   /// Counts a model of that format that was read, or was not.
   void count(std::string_view format, ModelReading result, double seconds);
   /// Prometheus' text format 0.0.4.

@@ -1,22 +1,15 @@
 #include "server/requests/draw.h"
 
 #include <algorithm>
-#include <chrono>
 #include <tuple>
 #include <utility>
-#include <vector>
 
-#include "core/film/film.h"
-#include "core/film/png.h"
-#include "core/film/png_text.h"
 #include "core/input/json.h"
-#include "server/http/error.h"
-#include "server/operation/memory_costs.h"
-#include "server/operation/timing.h"
 #include "server/requests/exr_picture.h"
 #include "server/requests/linear_file.h"
 #include "server/requests/parts.h"
 #include "server/requests/recipe.h"
+#include "server/requests/studio.h"
 #include "server/stores/digest.h"
 
 namespace tia::server {
@@ -121,131 +114,9 @@ Plan plan_of(const PictureRequest& asked, const RenderContext& context,
   return plan;
 }
 
-namespace {
-
-std::int64_t memory_of_pixels(const Plan& plan, std::size_t pixels) {
-  if (plan.format == Format::exr)
-    return memory_for(memory_cost::layers, pixels * static_cast<std::size_t>(plan.layers.planes()));
-  if (plan.format != Format::png) return memory_for(memory_cost::linear, pixels);
-  const bool alpha = is_transparent(*plan.scene, plan.options.integrator);
-  return memory_for(alpha ? memory_cost::alpha : memory_cost::png, pixels);
-}
-std::int64_t memory_of(const Plan& plan) {
-  const auto pixels = static_cast<std::size_t>(plan.window.width()) *
-                      static_cast<std::size_t>(plan.window.height());
-  return memory_for(memory_cost::request, 1) + memory_of_pixels(plan, pixels) +
-         (plan.asked->has_budget() ? memory_for(memory_cost::rounds, pixels) : 0);
-}
-
-// From now on. Errors: as render(); HttpError (budget) where there is no time for one round;
-// InputError where there are no rays for it.
-class BudgetOfRequest {
- public:
-  explicit BudgetOfRequest(const PictureRequest& asked) : asked_(asked) {}
-
-  RenderOptions options_of(const Plan& plan) const {
-    RenderOptions options = plan.options;
-    if (!asked_.has_budget()) return options;
-    Budget& budget = options.budget.emplace();
-    if (asked_.max_rays) budget.max_rays = *asked_.max_rays;
-    if (asked_.budget_ms)
-      budget.has_time = [start = Clock::now(), ms = *asked_.budget_ms](double more) {
-        const std::chrono::duration<double, std::milli> taken = Clock::now() - start;
-        return taken.count() * (1 + more) < ms;
-      };
-    return options;
-  }
-  [[noreturn]] void refuse(const BudgetSpent& spent) const {
-    if (spent.of() == BudgetSpent::Of::rays)
-      throw InputError(
-          {FaultKind::limit, "/max_rays", write_value(*asked_.max_rays),
-           "more than a first round of 16 samples a pixel takes: from the eye alone " +
-               std::to_string(16LL * asked_.window().width() * asked_.window().height())});
-    throw HttpError("budget",
-                    "budget_ms of " + std::to_string(*asked_.budget_ms) +
-                        " was over before each pixel had the 16 samples of a first round; ask for "
-                        "more time or fewer pixels",
-                    {{"Retry-After", "1"}});
-  }
-
- private:
-  using Clock = std::chrono::steady_clock;
-  const PictureRequest& asked_;
-};
-
-// The recipe of what has been drawn where the budget's end has decided that.
-std::string recipe_of_reached(const Plan& plan, int samples) {
-  Plan reached = plan;
-  reached.in_effect.samples = samples;
-  if (samples == reached.in_effect.usual_samples()) reached.in_effect.samples = std::nullopt;
-  return recipe_of(*plan.asked, reached);
-}
-
-}  // namespace
-
-Picture draw(const Plan& plan, const RenderContext& context, const std::stop_token& stop) {
-  Picture picture;
-  Stopwatch watch;
-  Flow own;
-  Flow& flow = plan.options.flow != nullptr ? *plan.options.flow : own;
-  const Workers workers = context.pool.workers(plan.options.threads, stop, &flow);
-  const World world = context.geometries.compile(plan.scene, workers);
-  reserve_memory(memory_of(plan), "this picture", stop);
-  picture.degenerate = world.degenerate;
-  if (plan.options.integrator == IntegratorName::path)
-    picture.unasked = world.of_objects->unasked.count;
-  picture.timing.build = watch.lap_ms();
-
-  const int width = plan.window.width(), height = plan.window.height();
-  const Nanoseconds before = flow.attained;
-  std::string recipe = plan.recipe;
-  const auto trace_onto = [&](auto& film) {
-    const BudgetOfRequest budget(*plan.asked);
-    Rendered all;
-    try {
-      all = trace_parts({plan, budget.options_of(plan), context.pool, workers, stop}, world, film);
-    } catch (const BudgetSpent& spent) {
-      budget.refuse(spent);
-    }
-    picture.rays = all.rays;
-    picture.reached = all.reached;
-    if constexpr (std::is_same_v<decltype(film), ExrPicture&>)
-      picture.rays += film.draw_features(picture.reached, world, context.pool, stop);
-    if (plan.asked->has_budget())
-      workers.alone([&] {
-        recipe = recipe_of_reached(plan, picture.reached->samples);
-        picture.etag = etag_of(recipe);
-      });
-    picture.timing.trace = watch.lap_ms();
-    picture.trace_seconds = static_cast<double>(flow.attained - before) * 1e-9;
-  };
-  if (plan.format == Format::exr) {
-    ExrPicture film(plan);
-    trace_onto(film);
-    picture.bytes = film.encode(recipe, workers);
-  } else if (plan.format != Format::png) {
-    LinearFilm film(width, height);
-    trace_onto(film);
-    workers.alone([&] { picture.bytes = linear_file(plan, std::move(film).image(), stop); });
-  } else if (is_transparent(*plan.scene, plan.options.integrator)) {
-    AlphaFilm film(width, height, plan.display);
-    trace_onto(film);
-    workers.alone([&] { picture.bytes = encode_png(film.image(), stop); });
-  } else if (is_cut_in_strips(width, height)) {
-    ScanlineFilm film(width, height, plan.display);
-    trace_onto(film);
-    picture.bytes = encode_png(film.scanlines(), workers);
-  } else {
-    DisplayFilm film(width, height, plan.display);
-    trace_onto(film);
-    workers.alone([&] { picture.bytes = encode_png(film.image(), stop); });
-  }
-  if (plan.format == Format::png)
-    workers.alone(
-        [&] { picture.bytes = with_text(std::move(picture.bytes), recipe_keyword, recipe); });
-  picture.media_type = media_type_of(plan.format);
-  picture.timing.encode = watch.lap_ms();
-  return picture;
+Picture draw(const Plan& plan, const RenderContext& context, const std::stop_token& stop,
+             const Onlooker* onlooker) {
+  return Studio(plan, context, stop, onlooker).picture();
 }
 
 }  // namespace tia::server

@@ -5,6 +5,7 @@
 #include <stop_token>
 
 #include "server/operation/requester.h"
+#include "server/requests/onlooker.h"
 #include "server/requests/plan.h"
 #include "server/requests/render_context.h"
 #include "server/stores/picture.h"
@@ -15,7 +16,9 @@ namespace tia::server {
 Plan plan_of(const PictureRequest& asked, const RenderContext& context, const Requester& requester);
 
 /// Makes the picture, which carries its recipe if it is a PNG. Before each step it reserves the
-/// memory that it may take. Errors: InputError; Stopped; as MemoryClaim::reserve.
-Picture draw(const Plan& plan, const RenderContext& context, const std::stop_token& stop);
+/// memory that it may take. Errors: InputError; Stopped; as MemoryClaim::reserve;
+/// what the onlooker throws.
+Picture draw(const Plan& plan, const RenderContext& context, const std::stop_token& stop,
+             const Onlooker* onlooker = nullptr);
 
 }  // namespace tia::server

@@ -39,16 +39,29 @@ Vec3f nothing_in(const Plan& plan) {
 }
 
 void add(Rendered& all, const Rendered& more, int before) {
-  RayCounts& rays = all.rays;
-  rays.primary += more.rays.primary, rays.shadow += more.rays.shadow;
-  rays.reflection += more.rays.reflection, rays.refraction += more.rays.refraction;
-  rays.cut += more.rays.cut;
+  all.rays += more.rays;
   if (!all.reached || !more.reached) return void(all.reached = more.reached);
   Reached& reached = *all.reached;
   reached.least = std::min(reached.least, more.reached->least);
   reached.most = std::max(reached.most, more.reached->most);
   reached.mean = (reached.mean * before + more.reached->mean) / (before + 1);
   reached.noise = std::max(reached.noise, more.reached->noise);
+}
+
+Glimpse of_sheet(const Glimpse& of_part, const Part& part, const Rendered& before, int number,
+                 const Sheet& sheet) {
+  Rendered all = before;
+  all.rays += of_part.rays;
+  const auto show = [&of_part, &part, before, number, &sheet](const Develop& develop) {
+    const auto moving = [&](const FilmTile& tile) { develop(moved(tile, part)); };
+    Rendered shown = before;
+    add(shown, {{}, of_part.show(moving)}, number);
+    const auto views = static_cast<int>(sheet.views.size());
+    shown.reached->mean *= static_cast<double>(number + 1) / views;
+    if (number + 1 < views) shown.reached->least = 0;
+    return *shown.reached;
+  };
+  return {true, all.rays, show};
 }
 
 }  // namespace tia::server

@@ -28,15 +28,24 @@ Vec3f nothing_in(const Plan& plan);
 /// Adds what has been drawn of one more part; `before`: of how many it is already.
 void add(Rendered& all, const Rendered& more, int before);
 
+/// A part's tile, where it is in the picture.
+inline FilmTile moved(FilmTile tile, const Part& part) {
+  tile.x += part.x;
+  tile.y += part.y;
+  return tile;
+}
+
 /// Puts a part's tile on the film of the picture.
 template <class Film>
 void put(const FilmTile& tile, const Part& part, Film& film) {
   if (part.x == 0 && part.y == 0) return film.put(tile);
-  FilmTile moved = tile;
-  moved.x += part.x;
-  moved.y += part.y;
-  film.put(moved);
+  film.put(moved(tile, part));
 }
+
+/// What there is of a sheet while one of its views is drawn, of which so many are done; a preview,
+/// for others are not. All that is given outlives it.
+Glimpse of_sheet(const Glimpse& of_part, const Part& part, const Rendered& before, int number,
+                 const Sheet& sheet);
 
 /// Fills up the last row of a sheet.
 template <class Film>
@@ -69,14 +78,19 @@ template <class Film>
 Rendered trace_parts(PartTracing by, const World& world, Film& film) {
   Rendered all;
   const std::vector<Part> parts = parts_of(by.plan);
+  const auto& sheet = by.plan.scene->sheet;
+  const Watch watch = by.options.watch;
   for (const Part& part : parts) {
+    const int number = static_cast<int>(&part - parts.data());
     World own;
-    if (by.plan.scene->sheet)
-      by.workers.alone([&] { own = compile(*part.scene, world.of_objects, by.workers); });
-    const Rendered drawn =
-        render(by.plan.scene->sheet ? own : world, part.view, part.window, by.options, by.pool,
-               by.stop, [&](const FilmTile& tile) { put(tile, part, film); });
-    add(all, drawn, static_cast<int>(&part - parts.data()));
+    if (sheet) by.workers.alone([&] { own = compile(*part.scene, world.of_objects, by.workers); });
+    if (sheet && watch)
+      by.options.watch = [&](const Glimpse& glimpse) {
+        watch(of_sheet(glimpse, part, all, number, *sheet));
+      };
+    const Rendered drawn = render(sheet ? own : world, part.view, part.window, by.options, by.pool,
+                                  by.stop, [&](const FilmTile& tile) { put(tile, part, film); });
+    add(all, drawn, number);
     by.options.max_rays -= drawn.rays.all();
   }
   fill_up(by.plan, parts.back(), film);

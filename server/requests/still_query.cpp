@@ -82,6 +82,13 @@ void StillParameters::check(const Place& at, Faults& faults) const {
                 alpha_formats() + ", which have alpha, or a background that is a colour"});
 }
 
+void ShownStill::check(const Place& at, Faults& faults) const {
+  StillParameters::check(at, faults);
+  if (stream && as == StillAs::scene)
+    faults.add({FaultKind::conflict, at.at("stream").pointer(), write_value(*stream),
+                "as=picture, which is drawn"});
+}
+
 Scene still_of(const StillParameters& asked, const SharedModel& model,
                const std::stop_token& stop) {
   const double aspect = static_cast<double>(asked.width) / asked.height;

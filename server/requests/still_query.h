@@ -12,7 +12,7 @@
 #include "core/models/paths.h"
 #include "core/scene/still.h"
 #include "server/contract/text_form.h"
-#include "server/requests/picture_request.h"
+#include "server/requests/render_request.h"
 
 namespace tia::server {
 
@@ -95,8 +95,21 @@ void StillParameters::fields(Visitor&& visit) {
                       "given the same width, height, crop and format"});
 }
 
+/// ShownStill: the same over HTTP, where it may be shown while it is drawn.
+struct ShownStill : StillParameters {
+  std::optional<Stream> stream;
+
+  template <class Visitor>
+  static void fields(Visitor&& visit) {
+    StillParameters::fields(visit);
+    visit("stream", &ShownStill::stream, Spec{.about = "as of /render"});
+  }
+  /// As theirs; and a stream of what is not drawn.
+  void check(const Place& at, Faults& faults) const;
+};
+
 /// StillQuery: the same of a model that is kept.
-struct StillQuery : StillParameters {
+struct StillQuery : ShownStill {
   static constexpr std::string_view schema_name = "still_query";
 
   template <class Visitor>
@@ -105,12 +118,12 @@ struct StillQuery : StillParameters {
           Spec{.about = "a name of the gallery's models, or the id that POST /models has answered",
                .required = true,
                .max_bytes = longest_name});
-    StillParameters::fields(visit);
+    ShownStill::fields(visit);
   }
 };
 
 /// SentStillQuery: the same of a model that comes as the body.
-struct SentStillQuery : StillParameters {
+struct SentStillQuery : ShownStill {
   static constexpr std::string_view schema_name = "sent_still_query";
   std::string main;
 
@@ -119,7 +132,7 @@ struct SentStillQuery : StillParameters {
     visit("main", &SentStillQuery::main,
           Spec{.about = "the path of the file that is the model, where several could be meant",
                .max_bytes = longest_path});
-    StillParameters::fields(visit);
+    ShownStill::fields(visit);
   }
 };
 

@@ -17,7 +17,9 @@ struct Picture {
   std::string_view media_type;
   RayCounts rays;
   Timing timing;
-  std::optional<Reached> reached = {};  ///< of rounds, where noise or a budget was asked for
+  std::optional<Reached> reached = {};  ///< of rounds, where somebody wanted to know
+  bool tells_reached = false;  ///< whether answers tell: where noise or a budget was asked for
+  bool tells_noise = false;    ///< whether `reached` has the noise, too
   std::string etag = {};  ///< its tag, where only its drawing could tell; else it was known before
   std::size_t degenerate = 0;  ///< triangles without area, which were left out
   std::size_t unasked = 0;     ///< luminous objects whose light is met by chance alone

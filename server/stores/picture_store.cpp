@@ -29,11 +29,12 @@ bool is_busy(const std::exception_ptr& failure) {
 
 /// Flight: one thread draws, others may wait. All but `stop` is guarded by the store's mutex.
 struct PictureStore::Flight {
-  explicit Flight(std::function<void(const std::string&)> told) : joined_by(std::move(told)) {}
+  explicit Flight(const Wish& wish) : joined_by(wish.joined_by), showing(wish.showing) {}
 
   std::stop_source stop;
   const std::function<void(const std::string&)> joined_by;
-  int waiting = 1;  // who still wants it
+  const std::shared_ptr<Showing> showing;  // null: nothing is shown
+  int waiting = 1;                         // who still wants it
   bool landed = false, kept = false;
   SharedPicture picture;
   std::exception_ptr failure;
@@ -49,7 +50,7 @@ PictureStore::Found PictureStore::get(const std::string& etag, const Wish& wish)
     }
     const auto known = flights_.find(etag);
     if (known == flights_.end()) {
-      const auto flight = std::make_shared<Flight>(wish.joined_by);
+      const auto flight = std::make_shared<Flight>(wish);
       flights_.emplace(etag, flight);
       ++counts_.drawn;
       lock.unlock();
@@ -58,6 +59,25 @@ PictureStore::Found PictureStore::get(const std::string& etag, const Wish& wish)
     const std::shared_ptr<void> place = wish.wait();
     if (auto found = join(etag, known->second, std::move(lock), wish)) return *found;
   }
+}
+
+std::optional<PictureStore::Found> PictureStore::find_or_join(const std::string& etag,
+                                                              const Wish& wish) {
+  std::unique_lock lock(mutex_);
+  if (const SharedPicture* stored = pictures_.find(etag)) {
+    ++counts_.stored;
+    return Found{*stored, Source::stored, true};
+  }
+  const auto known = flights_.find(etag);
+  if (known == flights_.end()) return std::nullopt;
+  const std::shared_ptr<void> place = wish.wait();
+  return join(etag, known->second, std::move(lock), wish);
+}
+
+bool PictureStore::add(const std::string& etag, const SharedPicture& picture) {
+  Pictures::Entries surplus;
+  const std::lock_guard lock(mutex_);
+  return pictures_.contains(etag) || keep(etag, picture, surplus);
 }
 
 std::optional<PictureStore::Found> PictureStore::find(const std::string& etag) {
@@ -90,6 +110,8 @@ std::optional<PictureStore::Found> PictureStore::join(const std::string& etag,
                                                       const Wish& wish) {
   const SharedFlight mine = flight;
   mine->joined_by(wish.client);
+  std::optional<Showing::Seat> seat;
+  if (mine->showing && wish.see) seat.emplace(*mine->showing, wish.see);
   ++mine->waiting;
   ++counts_.joined;
   if (!mine->has_landed.wait(lock, wish.stop, [&] { return mine->landed; })) {

@@ -17,6 +17,7 @@
 #include "server/operation/memory_account.h"
 #include "server/operation/store_counts.h"
 #include "server/stores/picture.h"
+#include "server/stores/showing.h"
 
 namespace tia::server {
 
@@ -47,6 +48,10 @@ class PictureStore {
     std::function<std::shared_ptr<void>()> wait = [] { return nullptr; };
     /// Told of every other client that waits for this one's drawing.
     std::function<void(const std::string& client)> joined_by = [](const std::string&) {};
+    /// Where its own drawing shows what there is by then; null: nowhere.
+    std::shared_ptr<Showing> showing = nullptr;
+    /// Sees what another's drawing shows; null: it does not care.
+    Showing::See see = nullptr;
   };
 
   /// The picture of that tag, which the wish draws where nobody has; one that has a tag of its own
@@ -57,6 +62,10 @@ class PictureStore {
   Found get(const std::string& etag, const Wish& wish);
   /// The picture of that tag if it is there, at once; else none.
   std::optional<Found> find(const std::string& etag);
+  /// The same, or one that another is drawing: waits for it as get() does. Errors: as get().
+  std::optional<Found> find_or_join(const std::string& etag, const Wish& wish);
+  /// Keeps one that is there already. Returns: whether there is room.
+  bool add(const std::string& etag, const SharedPicture& picture);
 
   PictureCounts counts() const;
   /// Lets go of those that nobody has asked for longest. Returns: how many bytes.

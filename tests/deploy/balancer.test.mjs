@@ -87,6 +87,26 @@ test('what names a kept scene or model goes to the replica that keeps it', withR
   }
 }));
 
+test('what a stream shows is asked where the stream is, by GET and by POST', withStandIns(
+  async (balancer, replicas) => {
+    const streams = new Set();
+    const askedOf = (url) => replicas.findIndex(({ asked }) => asked.some((one) => one.url === url));
+    for (let seed = 0; seed < 12; ++seed) {
+      for (const replica of replicas) replica.asked = [];
+      const body = JSON.stringify({ seed, stream: 'multipart' });
+      const answer = await (seed % 2
+        ? post(balancer, '/render', body) : get(balancer, `/render?seed=${seed}&stream=events`));
+      assert.equal(answer.status, 200);
+      const stream = replicas.findIndex(({ asked }) => asked.length > 0);
+      streams.add(stream);
+      for (let i = 0; i < 4; ++i) {
+        await get(balancer, `/pictures/${seed}-${i}`);
+        assert.equal(askedOf(`/pictures/${seed}-${i}`), stream);
+      }
+    }
+    assert.equal(streams.size, 2);
+  }));
+
 // What the replicas have been asked, once `next` was their first answer to each.
 async function askedAfter(replicas, next, asking) {
   for (const replica of replicas) Object.assign(replica, { next: [next], asked: [] });

@@ -157,5 +157,33 @@ TEST_F(RenderCommand, AFileThatCannotBeWrittenExits2NamingIt) {
   EXPECT_EQ(run({"render", "thesis", "-o", "/dev/full"}).status, 2);
 }
 
+TEST_F(RenderCommand, ShowsWhatItDoesAndDrawsTheSame) {
+  const Process::Words words{"cornell-light", "--width", "64", "--height", "48", "--samples", "64"};
+  const std::string plain = drawn(words);
+  Process::Words watched = words;
+  watched.insert(watched.begin(), "render");
+  for (const char* word : {"--progress", "--every", "1ms", "-o"}) watched.emplace_back(word);
+  watched.push_back(folder_.file("watched.png"));
+  const Finished end = run(watched);
+  EXPECT_EQ(end.status, 0) << end.err;
+  EXPECT_TRUE(file_bytes(folder_.file("watched.png")) == plain);
+  EXPECT_FALSE(std::filesystem::exists(folder_.file("watched.png.part")));
+  EXPECT_THAT(end.err, HasSubstr("[########################] 100 %, 64 of 64 samples, noise 0."));
+}
+
+TEST_F(RenderCommand, WritesTheFileAsOftenAsItMay) {
+  const std::string file = folder_.file("soon.png");
+  Process long_one({"render", "cornell-light", "--width", "64", "--height", "48", "--samples",
+                    "65536", "--progress", "--every", "10ms", "-o", file});
+  EXPECT_TRUE(eventually([&] { return std::filesystem::exists(file); }));
+  EXPECT_THAT(file_bytes(file), testing::StartsWith("\x89PNG"));
+  EXPECT_TRUE(eventually([&] { return long_one.err().find(" s left") != std::string::npos; }));
+  long_one.signal(SIGKILL);
+  long_one.wait();
+  for (const char* time : {"5", "s", "0s", "-1s", "1h", "1.5s", "1234567ms"})
+    EXPECT_THAT(refused({"thesis", "--every", time}), HasSubstr("option --every: got ")) << time;
+  EXPECT_EQ(run({"render", "thesis", "--every", "1s", "-o", "-"}).status, 2);
+}
+
 }  // namespace
 }  // namespace tia::test

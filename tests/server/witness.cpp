@@ -5,6 +5,7 @@
 #include <set>
 
 #include "server/contract/problem.h"
+#include "server/http/chunks.h"
 #include "tests/server/contract/contract.h"
 
 namespace tia::test {
@@ -66,6 +67,13 @@ std::optional<Response> take_answer(std::string& bytes, bool to_head) {
   response.status = std::stoi(std::string(head.substr(head.find(' '))));
   response.content_type = field(response.headers, "Content-Type");
   const std::size_t from = end + head_end.size();
+  if (!to_head && field(response.headers, "Transfer-Encoding") == "chunked") {
+    server::ChunkDecoder decoder({1 << 30});
+    std::string_view chunks = std::string_view(bytes).substr(from);
+    if (!decoder.decode(chunks, response.body)) return std::nullopt;
+    bytes.erase(0, bytes.size() - chunks.size());
+    return response;
+  }
   const std::size_t length = to_head ? 0 : length_of(response.headers);
   if (bytes.size() < from + length) return std::nullopt;
   response.body = bytes.substr(from, length);

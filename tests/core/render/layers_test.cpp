@@ -63,6 +63,22 @@ TEST(LayersOfRender, AreTheSameBytesForAllThreadsTilesAndLanes) {
   }
 }
 
+// Each round is the file of as many samples.
+TEST(LayersOfRender, AreTheSameWhoeverWatches) {
+  const Scene scene = foggy_room();
+  RenderOptions options = with_layers(16);
+  std::vector<std::string> seen;
+  options.watch = [&](const Glimpse& glimpse) {
+    LayerFilm film(37, 34, of_samples, false);
+    glimpse.show([&](const FilmTile& tile) { film.put(tile); });
+    seen.push_back(
+        film.encode({.width = 37, .height = 34, .channels = {}, .texts = {}}, ExrType::real, {}));
+  };
+  EXPECT_EQ(layers_of(scene, options, 37, 34), layers_of(scene, with_layers(16), 37, 34));
+  ASSERT_EQ(seen.size(), 4U);  // of 1, 2, 4, 8
+  EXPECT_EQ(seen[2], layers_of(scene, with_layers(4), 37, 34));
+}
+
 TEST(LayersOfRender, ThoseOfOneRayThroughTheCentreAreItsOwn) {
   const ExrFile file = read_exr(layers_of(foggy_room(), with_layers(1), 16, 12));
   RenderOptions plain = with_layers(1);

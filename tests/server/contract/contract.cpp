@@ -85,6 +85,8 @@ struct Judge {
     }
     const Value* media = member(*content, response.content_type);
     if (media == nullptr) return faults.push_back("content type \"" + response.content_type + "\"");
+    if (const Value* required = member(*media, "x-required-headers"))
+      for (const Value& name : as_array(*required)) expect_header(as_text(name), response);
     const Value* schema = member(*media, "schema");
     if (schema == nullptr || request.is_head() || !is_json(response.content_type)) return;
     if (has(response, "Content-Encoding")) return;
@@ -101,15 +103,17 @@ struct Judge {
   }
 
   // Of HEAD the document says that it is like GET, but what costs work may be missing.
+  void expect_header(const std::string& name, const Response& response) {
+    if (!request.is_head() && !has(response, name)) faults.push_back("no header " + name);
+  }
+
   void check_headers(const Value& answer, const Response& response) {
     const Value* described = member(answer, "headers");
     static const Value nothing = Value::Object{};
     const Value& headers = described != nullptr ? *described : nothing;
     for (const auto& [name, reference] : as_object(headers)) {
       const Value* required = member(document.resolved(reference), "required");
-      if (required != nullptr && *required == Value(true) && !request.is_head() &&
-          !has(response, name))
-        faults.push_back("no header " + name);
+      if (required != nullptr && *required == Value(true)) expect_header(name, response);
     }
     for (const auto& [name, value] : response.headers) {
       if (unsaid.contains(name)) continue;

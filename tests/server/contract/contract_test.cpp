@@ -24,7 +24,7 @@ const Contract& small() {
             "headers": {"Tag": {"$ref": "#/components/headers/Tag"},
                         "Hint": {"required": false, "schema": {"pattern": "^h"}}},
             "content": {"application/json": {"schema": {"$ref": "#/components/schemas/thing"}},
-                        "image/png": {}}},
+                        "image/png": {"x-required-headers": ["Hint"]}}},
           "304": {"headers": {"Tag": {"$ref": "#/components/headers/Tag"}}},
           "default": {"$ref": "#/components/responses/default"}}}},
       "/things/{name}": {"post": {
@@ -70,6 +70,7 @@ TEST(Contract, AllowsWhatTheDocumentDoes) {
               IsEmpty());
   Response picture = thing_answer("\x89PNG");
   picture.content_type = "image/png";
+  picture.headers.emplace_back("Hint", "h");
   EXPECT_THAT(small().faults(asking("/thing"), picture), IsEmpty());
   EXPECT_THAT(small().faults(asking("/thing"), problem_answer(400, R"({"status":400})")),
               IsEmpty());
@@ -128,6 +129,13 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"AMissingHeader", asking("/thing"),
               with_headers(thing_answer(right_body), {{"Hint", "h"}}),
               "GET /thing -> 200: no header Tag"},
+        Wrong{"AMissingHeaderOfAType", asking("/thing"),
+              [] {
+                Response response = thing_answer(right_body);
+                response.content_type = "image/png";
+                return response;
+              }(),
+              "GET /thing -> 200: no header Hint"},
         Wrong{"AHeaderOfAnotherForm", asking("/thing"),
               with_headers(thing_answer(right_body), {{"Tag", "t12"}}), "header Tag: t12"},
         Wrong{"AHeaderThatIsNotDescribed", asking("/thing"),

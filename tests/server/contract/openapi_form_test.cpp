@@ -95,5 +95,29 @@ TEST(OpenApi, EveryComponentHasANameThatToolsTake) {
       EXPECT_THAT(name, testing::MatchesRegex("[a-zA-Z0-9._-]+")) << group;
 }
 
+// A stream has not all headers of a picture: so these are required by the types that are none.
+TEST(OpenApi, PicturesRequireTheirHeadersWhereThereAreStreams) {
+  const std::set<std::string> of_pictures{"Cache-Control", "Cache-Status",  "ETag",
+                                          "Tia-Rays",      "Server-Timing", "X-Request-Id"};
+  int pictures = 0;
+  for (const Operation& each : operations()) {
+    const Value* answer = find(as_object(at(each.is, "responses")), "200");
+    if (answer == nullptr || find(as_object(*answer), "content") == nullptr) continue;
+    std::set<std::string> of_all;
+    for (const auto& [name, header] : as_object(at(*answer, "headers")))
+      if (at(openapi().resolved(header), "required") == Value(true)) of_all.insert(name);
+    for (const auto& [type, media] : as_object(at(*answer, "content"))) {
+      const Value* own = find(as_object(media), "x-required-headers");
+      if (own == nullptr) continue;
+      std::set<std::string> names = of_all;
+      for (const Value& name : as_array(*own)) names.insert(as_text(name));
+      const bool is_stream = type == "text/event-stream" || type.starts_with("multipart/");
+      EXPECT_EQ(names == of_pictures, !is_stream) << each.path << ' ' << type;
+      pictures += is_stream ? 0 : 1;
+    }
+  }
+  EXPECT_GE(pictures, 5 * 5);  // five formats of /render, /still, both by GET and POST, /pictures
+}
+
 }  // namespace
 }  // namespace tia::test

@@ -1,9 +1,7 @@
 // Answers that are made in parts: sent while they are made, and only as fast as they are read.
-#include "server/http/request_reader.h"
-
 #include <atomic>
 
-#include "tests/server/http/wire.h"
+#include "tests/server/http/parts_support.h"
 
 namespace tia::test {
 namespace {
@@ -11,26 +9,6 @@ namespace {
 using testing::EndsWith;
 using testing::HasSubstr;
 using testing::Not;
-
-const std::string plain_get_1_0 = "GET / HTTP/1.0\r\n\r\n";
-
-using MakesParts = std::function<void(const SendPart&)>;
-
-Application in_parts(const MakesParts& parts) {
-  return answering([parts](const Request&) {
-    Response response{.status = 200, .content_type = "text/plain", .body = ""};
-    response.parts = parts;
-    return response;
-  });
-}
-
-// A chunked body's data; nothing where it is cut. Read as a request's would be.
-std::optional<std::string> data_of(const std::string& chunks) {
-  RequestReader reader(1 << 30);
-  reader.feed(forms::chunks(chunks));
-  if (reader.read() != RequestReader::State::whole) return std::nullopt;
-  return reader.take().body;
-}
 
 TEST(Parts, AreSentWhileTheNextIsMade) {
   Latch second;

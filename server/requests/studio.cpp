@@ -1,0 +1,227 @@
+#include "server/requests/studio.h"
+
+#include <chrono>
+#include <utility>
+
+#include "core/film/film.h"
+#include "core/film/png.h"
+#include "core/film/png_text.h"
+#include "server/http/error.h"
+#include "server/operation/memory_costs.h"
+#include "server/requests/exr_picture.h"
+#include "server/requests/linear_file.h"
+#include "server/requests/parts.h"
+#include "server/requests/recipe.h"
+
+namespace tia::server {
+namespace {
+
+std::int64_t memory_of_pixels(const Plan& plan, std::size_t pixels) {
+  if (plan.format == Format::exr)
+    return memory_for(memory_cost::layers, pixels * static_cast<std::size_t>(plan.layers.planes()));
+  if (plan.format != Format::png) return memory_for(memory_cost::linear, pixels);
+  const bool alpha = is_transparent(*plan.scene, plan.options.integrator);
+  return memory_for(alpha ? memory_cost::alpha : memory_cost::png, pixels);
+}
+// For who watches files are made while the film stays.
+std::int64_t memory_of(const Plan& plan, bool is_watched) {
+  const auto pixels = static_cast<std::size_t>(plan.window.width()) *
+                      static_cast<std::size_t>(plan.window.height());
+  return memory_for(memory_cost::request, 1) +
+         memory_of_pixels(plan, pixels) * (is_watched ? 2 : 1) +
+         (plan.asked->has_budget() || is_watched ? memory_for(memory_cost::rounds, pixels) : 0);
+}
+
+// From now on. Errors: as render(); HttpError (budget) where there is no time for one round;
+// InputError where there are no rays for it.
+class BudgetOfRequest {
+ public:
+  explicit BudgetOfRequest(const PictureRequest& asked) : asked_(asked) {}
+
+  RenderOptions options_of(const Plan& plan) const {
+    RenderOptions options = plan.options;
+    if (!asked_.has_budget()) return options;
+    Budget& budget = options.budget.emplace();
+    if (asked_.max_rays) budget.max_rays = *asked_.max_rays;
+    if (asked_.budget_ms)
+      budget.has_time = [start = Clock::now(), ms = *asked_.budget_ms](double more) {
+        const std::chrono::duration<double, std::milli> taken = Clock::now() - start;
+        return taken.count() * (1 + more) < ms;
+      };
+    return options;
+  }
+  [[noreturn]] void refuse(const BudgetSpent& spent) const {
+    if (spent.of() == BudgetSpent::Of::rays)
+      throw InputError(
+          {FaultKind::limit, "/max_rays", write_value(*asked_.max_rays),
+           "more than a first round of 16 samples a pixel takes: from the eye alone " +
+               std::to_string(16LL * asked_.window().width() * asked_.window().height())});
+    throw HttpError("budget",
+                    "budget_ms of " + std::to_string(*asked_.budget_ms) +
+                        " was over before each pixel had the 16 samples of a first round; ask for "
+                        "more time or fewer pixels",
+                    {{"Retry-After", "1"}});
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  const PictureRequest& asked_;
+};
+
+// The recipe of what has been drawn where the budget's end has decided that.
+std::string recipe_of_reached(const Plan& plan, int samples) {
+  Plan reached = plan;
+  reached.in_effect.samples = samples;
+  if (samples == reached.in_effect.usual_samples()) reached.in_effect.samples = std::nullopt;
+  return recipe_of(*plan.asked, reached);
+}
+
+// The file of a film, each kind in its own way.
+class Encoding {
+ public:
+  Encoding(const Plan& plan, const Workers& workers, const std::stop_token& stop,
+           const std::string& recipe)
+      : plan_(plan), workers_(workers), stop_(stop), recipe_(recipe) {}
+
+  std::string operator()(const ExrPicture& film) const { return film.encode(recipe_, workers_); }
+  std::string operator()(LinearFilm film) const {
+    return alone([&] { return linear_file(plan_, std::move(film).image(), stop_); });
+  }
+  std::string operator()(const ScanlineFilm& film) const {
+    return with_recipe(encode_png(film.scanlines(), workers_));
+  }
+  std::string operator()(const DisplayFilm& film) const {
+    if (is_cut_in_strips(film.image().width, film.image().height))
+      return with_recipe(encode_png(scanlines_of(film.image(), workers_), workers_));
+    return with_recipe(alone([&] { return encode_png(film.image(), stop_); }));
+  }
+  std::string operator()(const AlphaFilm& film) const {
+    return with_recipe(alone([&] { return encode_png(film.image(), stop_); }));
+  }
+
+ private:
+  template <class Work>
+  std::string alone(const Work& work) const {
+    std::string bytes;
+    workers_.alone([&] { bytes = work(); });
+    return bytes;
+  }
+  std::string with_recipe(std::string png) const {
+    if (recipe_.empty()) return png;
+    return alone([&] { return with_text(std::move(png), recipe_keyword, recipe_); });
+  }
+
+  const Plan& plan_;
+  const Workers& workers_;
+  const std::stop_token& stop_;
+  const std::string& recipe_;
+};
+
+}  // namespace
+
+Studio::Studio(const Plan& plan, const RenderContext& context, const std::stop_token& stop,
+               const Onlooker* onlooker)
+    : plan_(plan),
+      context_(context),
+      stop_(stop),
+      onlooker_(onlooker),
+      flow_(plan.options.flow != nullptr ? *plan.options.flow : own_),
+      workers_(context.pool.workers(plan.options.threads, stop, &flow_)) {}
+
+template <class Film>
+void Studio::draw_on(Film film, const World& world, Picture& picture) {
+  const Nanoseconds before = flow_.attained;
+  trace(film, world, picture);
+  if constexpr (std::is_same_v<Film, ExrPicture>)
+    picture.rays += film.draw_features(picture.reached, world, context_.pool, stop_);
+  std::string recipe = plan_.recipe;
+  if (plan_.asked->has_budget())
+    workers_.alone([&] {
+      recipe = recipe_of_reached(plan_, picture.reached->samples);
+      picture.etag = etag_of(recipe);
+    });
+  tell_errors(picture);
+  picture.timing.trace = watch_.lap_ms();
+  picture.trace_seconds = static_cast<double>(flow_.attained - before) * 1e-9;
+  make_file(std::move(film), recipe, picture);
+}
+
+template <class Film>
+void Studio::trace(Film& film, const World& world, Picture& picture) {
+  const BudgetOfRequest budget(*plan_.asked);
+  PartTracing by{plan_, budget.options_of(plan_), context_.pool, workers_, stop_};
+  if constexpr (!std::is_same_v<Film, ScanlineFilm>)
+    if (onlooker_ != nullptr)
+      by.options.watch = [&](const Glimpse& glimpse) { show(glimpse, film); };
+  try {
+    const Rendered drawn = trace_parts(by, world, film);
+    picture.rays = drawn.rays;
+    picture.reached = drawn.reached;
+  } catch (const BudgetSpent& spent) {
+    budget.refuse(spent);
+  }
+}
+
+template <class Film>
+void Studio::make_file(Film&& film, const std::string& recipe, Picture& picture) const {
+  picture.bytes = Encoding(plan_, workers_, stop_, recipe)(std::forward<Film>(film));
+  picture.media_type = media_type_of(plan_.format);
+}
+
+void Studio::tell_errors(Picture& picture) const {
+  picture.tells_reached = plan_.options.noise > 0 || plan_.asked->has_budget();
+  picture.tells_noise = row_of(plan_.options.integrator).is_chance() &&
+                        plan_.options.threshold == 0 && plan_.options.samples > 1;
+}
+
+// What there is after some rounds is the picture of as many samples, unless each pixel may have
+// had more or fewer, or one sample would go elsewhere: then it is nothing that can be asked for.
+// The film is that of the picture, which later tiles are put on, too.
+template <class Film>
+void Studio::show(const Glimpse& glimpse, Film& film) {
+  const int round = seen_++;
+  if (!onlooker_->wants()) return;
+  Picture picture;
+  picture.reached = glimpse.show([&](const FilmTile& tile) { film.put(tile); });
+  picture.rays = glimpse.rays;
+  Stopwatch so_far = watch_;
+  picture.timing.trace = so_far.lap_ms();
+  tell_errors(picture);
+  std::string recipe;
+  workers_.alone([&] {
+    if (!glimpse.is_preview && plan_.options.threshold == 0)
+      recipe = recipe_of_reached(plan_, picture.reached->samples);
+    picture.etag =
+        etag_of(recipe.empty() ? plan_.recipe + " seen " + std::to_string(round) : recipe);
+  });
+  make_file(std::as_const(film), recipe, picture);
+  onlooker_->takes(
+      {std::make_shared<const Picture>(std::move(picture)), round, glimpse.is_preview});
+}
+
+// ScanlineFilm takes each tile once.
+void Studio::draw_on_a_film(const World& world, Picture& picture) {
+  const int width = plan_.window.width(), height = plan_.window.height();
+  if (plan_.format == Format::exr) return draw_on(ExrPicture(plan_), world, picture);
+  if (plan_.format != Format::png) return draw_on(LinearFilm(width, height), world, picture);
+  if (is_transparent(*plan_.scene, plan_.options.integrator))
+    return draw_on(AlphaFilm(width, height, plan_.display), world, picture);
+  if (is_cut_in_strips(width, height) && onlooker_ == nullptr)
+    return draw_on(ScanlineFilm(width, height, plan_.display), world, picture);
+  draw_on(DisplayFilm(width, height, plan_.display), world, picture);
+}
+
+Picture Studio::picture() {
+  Picture picture;
+  const World world = context_.geometries.compile(plan_.scene, workers_);
+  reserve_memory(memory_of(plan_, onlooker_ != nullptr), "this picture", stop_);
+  picture.degenerate = world.degenerate;
+  if (plan_.options.integrator == IntegratorName::path)
+    picture.unasked = world.of_objects->unasked.count;
+  picture.timing.build = watch_.lap_ms();
+  draw_on_a_film(world, picture);
+  picture.timing.encode = watch_.lap_ms();
+  return picture;
+}
+
+}  // namespace tia::server
