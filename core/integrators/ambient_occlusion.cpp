@@ -16,7 +16,9 @@ template <class Real>
 Vec3<Real> Integrator<IntegratorName::ambient_occlusion>::radiance(
     WorldView& world_view, const Ray<Real>& ray, Mask<Real> active,
     const SamplerState<Real>& sampler_state) {
-  const auto isect = surfaces(world_view, ray, first_hit(world_view, ray, active), active);
+  const Hit<Real> hit = first_hit(world_view, ray, active);
+  const auto isect = surfaces(world_view, ray, hit, active);
+  if (world_view.guides != nullptr) world_view.guides->take(isect, hit.t, false);
   if (!any(isect.here)) return {Real(1), Real(1), Real(1)};
   constexpr std::uint32_t block = 0x40000000;  // of dimensions: no other integrator's
   const auto words =

@@ -79,23 +79,45 @@ Vec3<Real> Integrator<IntegratorName::object>::radiance(WorldView& world_view, c
   return {number, number, number};
 }
 
-// The share of the lights that the point sees; 1 where nothing is hit or nothing shines.
+namespace {
+
+// 1 where nothing is hit or nothing shines.
+template <class Real>
+Real share_of_lights(WorldView& world_view, const Ray<Real>& ray,
+                     const SurfaceInteraction<SurfacePoint<Real>, Real>& isect) {
+  const std::vector<WorldLight>& lights = world_view.world.lights;
+  if (lights.empty() || !any(isect.here)) return Real(1);
+  Real lit(0);
+  for (const WorldLight& light : lights) {
+    const auto middle = world_view.sample_middle(light, isect.at.p);
+    lit = lit + estimate_direct(world_view, light, middle, isect, ray.direction, {}).visible;
+  }
+  return select(isect.here, lit / Real(static_cast<float>(lights.size())), Real(1));
+}
+
+}  // namespace
+
+// The share of the lights that the point sees.
 template <>
 template <class Real>
 Vec3<Real> Integrator<IntegratorName::shadow>::radiance(WorldView& world_view, const Ray<Real>& ray,
                                                         Mask<Real> active,
                                                         const SamplerState<Real>&) {
   const auto isect = surfaces(world_view, ray, first_hit(world_view, ray, active), active);
-  const std::vector<WorldLight>& lights = world_view.world.lights;
-  if (lights.empty() || !any(isect.here)) return {Real(1), Real(1), Real(1)};
-  Real lit(0);
-  for (const WorldLight& light : lights) {
-    const auto middle = world_view.sample_middle(light, isect.at.p);
-    lit = lit + estimate_direct(world_view, light, middle, isect, ray.direction, {}).visible;
-  }
-  const Real share = select(isect.here, lit / Real(static_cast<float>(lights.size())), Real(1));
+  const Real share = share_of_lights(world_view, ray, isect);
   return {share, share, share};
 }
+
+template <class Real>
+void find_guides(WorldView& world_view, const Ray<Real>& ray, Mask<Real> active) {
+  const Hit<Real> hit = first_hit(world_view, ray, active);
+  const auto isect = surfaces(world_view, ray, hit, active);
+  world_view.guides->take(isect, hit.t);
+  world_view.guides->see(isect.here, share_of_lights(world_view, ray, isect));
+}
+template void find_guides(WorldView&, const Ray<Wide>&, Mask<Wide>);
+template void find_guides(WorldView&, const Ray<float>&, Mask<float>);
+template void find_guides(WorldView&, const Ray<double>&, Mask<double>);
 
 // Tests of boxes and surfaces that the ray costs when it goes alone.
 template <>

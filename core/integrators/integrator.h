@@ -46,4 +46,12 @@ Vec3<Real> radiance(IntegratorName name, WorldView& world_view, const Ray<Real>&
   return all[static_cast<std::size_t>(name)](world_view, ray, active, sampler_state);
 }
 
+/// Tells world_view.guides what camera rays find, by a search of their own: for integrators that do
+/// not tell it themselves. Seen is the share of the lights' middles.
+template <class Real>
+void find_guides(WorldView& world_view, const Ray<Real>& ray, Mask<Real> active);
+
+/// Whether radiance() tells the guides by itself.
+constexpr bool tells_guides(IntegratorName name) { return row_of(name).is_chance(); }
+
 }  // namespace tia

@@ -119,6 +119,7 @@ class LightGatherer {
     if (!any(lit)) return;
     const Ray<Real> ray = isect.ray_off(draw.wi, below);
     const Real passing = passing_to(draw, isect.at.p, ray, isect.offset, lit);
+    if (world_view_.guides != nullptr) world_view_.guides->see(lit, passing);
     add_asked(lit && passing > Real(0),
               scattered * (asked_weight(draw, at.pdf) *
                            fog_between(isect.at.p, draw, between.density) * passing));

@@ -33,6 +33,7 @@ class PathTracer {
       count_rays(depth, active);
       const Hit<Real> hit = hit_of(ray, active, depth);
       Surface isect = surfaces(world_view_, ray, hit, active, state_.travelled);
+      if (world_view_.guides != nullptr) guide(depth, isect, hit);
       state_.beta = state_.beta * transmittance_of(state_.medium.absorption, hit.t);
       const FogSpan<Real> span = span_of(ray, hit.t, active);
       lights_.add_emitted(ray, hit, isect, span, active);
@@ -72,6 +73,10 @@ class PathTracer {
     const Hit<Real> hit = world_view_.stop_of(ray, active, sight, depth == 0);
     if (depth == 0) world_view_.met = bits(active && hit.t < Real(infinity));
     return hit;
+  }
+  [[gnu::noinline]] void guide(int depth, const Surface& isect, const Hit<Real>& hit) const {
+    if (depth == 0) world_view_.guides->take(isect, hit.t);
+    else world_view_.guides->close();
   }
   // Where all light ends that does not come from there to the camera.
   Mask<Real> on_floor(const Hit<Real>& hit) const {

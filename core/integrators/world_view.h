@@ -6,6 +6,7 @@
 
 #include "core/accel/world/trace.h"
 #include "core/accel/world/winners.h"
+#include "core/integrators/guides.h"
 #include "core/integrators/path_parts.h"
 #include "core/integrators/ray_path.h"
 #include "core/scene/pixel_cone.h"
@@ -25,6 +26,7 @@ struct WorldView {
   PixelCone cone{};             ///< of the camera's rays
   const View* view = nullptr;   ///< whose rays they are, in the world's space; null: nobody's
   LightParts* parts = nullptr;  ///< where path tells what its light consists of; null: nowhere
+  Guides* guides = nullptr;     ///< where camera rays tell what they find; null: nowhere
 
   template <class Real>
   Hit<Real> closest(const Ray<Real>& ray, Mask<Real> active) {

@@ -1,7 +1,10 @@
 // The sums over a pixel's samples, and when they tell its light well enough.
 #pragma once
 
+#include <array>
+
 #include "core/film/tone.h"
+#include "core/integrators/guides.h"
 #include "core/math/vec3.h"
 
 namespace tia {
@@ -34,6 +37,15 @@ struct Estimate {
 /// PartSums: of a pixel's samples, by how their light came; only where they are asked for.
 struct PartSums {
   Vec3d direct{}, indirect{}, emission{};
+};
+
+/// GuidedSums: of a pixel that is going to be denoised: of all samples what their camera rays find
+/// (Guides), and of the first half of each round the same, their light, and how many there are. Of
+/// Sobol's points such halves are as even as the whole.
+struct GuidedSums {
+  std::array<double, Guides::numbers> found{}, half_found{};
+  Vec3d half_light{};
+  int half_count = 0;
 };
 
 /// Convergence: how far a pixel may yet be from what it will be, and when that is near enough.

@@ -18,7 +18,8 @@ struct Pixels {
   static constexpr auto size = static_cast<std::size_t>(lanes<Real>);
   std::size_t count = 0;
   std::array<Estimate*, size> estimates{};
-  std::array<PartSums*, size> parts{};  ///< where they are asked for
+  std::array<PartSums*, size> parts{};     ///< where they are asked for
+  std::array<GuidedSums*, size> guided{};  ///< the same
   typename Aims<Real>::Pixels x{}, y{};
 
   Mask<Real> active() const { return iota<Real>() < Real(static_cast<float>(count)); }
@@ -44,6 +45,27 @@ struct Pixels {
   Vec3<Real> center(const View& view) const {
     return view.column(lanes_of([&](std::size_t i) { return static_cast<float>(x[i]); })) +
            view.row(lanes_of([&](std::size_t i) { return static_cast<float>(y[i]); }));
+  }
+  // Not inlined into what traces without.
+  [[gnu::noinline]] void add(const Guides& guides, bool first_half) const {
+    for (std::size_t i = 0; i < count; ++i)
+      for (std::size_t k = 0; k < Guides::numbers; ++k) {
+        const auto found = static_cast<double>(guides.at(k, i));
+        guided[i]->found[k] += found;
+        if (first_half) guided[i]->half_found[k] += found;
+      }
+  }
+  // What the sums of light have grown by since the round's begin, after so many samples.
+  [[gnu::noinline]] void end_half(const Vec3<Precise<Real>>& sums, int samples) const {
+    std::array<double, size> r, g, b;
+    store(sums.x, r.data());
+    store(sums.y, g.data());
+    store(sums.z, b.data());
+    for (std::size_t i = 0; i < count; ++i) {
+      Vec3d& light = guided[i]->half_light;
+      light = light + (Vec3d{r[i], g[i], b[i]} - estimates[i]->light);
+      guided[i]->half_count += samples;
+    }
   }
   // A sample's. Not inlined into what draws without.
   [[gnu::noinline]] void add(const LightParts& sample) const {

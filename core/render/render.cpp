@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/render/denoised_window.h"
 #include "core/render/out_of_budget.h"
 #include "core/render/rounds.h"
 
@@ -15,7 +16,7 @@ HostLimits limits_of(const RenderOptions& options) { return {options.max_rays, o
 class Render {
  public:
   Render(const World& world, const View& view, const Window& window, const RenderOptions& options,
-         Pool& pool, const std::stop_token& stop)
+         Pool& pool, const std::stop_token& stop, HalfBuffers* halves = nullptr)
       : options_(options),
         window_(window),
         pool_(pool),
@@ -31,20 +32,31 @@ class Render {
         meter_(options.budget ? no_limit : options.max_rays,
                options.budget ? no_limit : options.max_work, stop,
                spent_within(options.budget, options.spent, limits_of(options))),
+        halves_(halves),
         shot_{world,        in_world_, options.integrator, rules_of(options), sampler_,
-              convergence_, meter_,    options.layers} {}
+              convergence_, meter_,    options.layers,     halves != nullptr} {}
 
   Rendered picture(const Develop& develop) {
-    const bool has_rounds = is_watched() && sampler_.rounds() > 1;
-    // Of few pixels it would be no less than the first round, or than the picture.
-    if (is_watched() && (block() > 1 || (!has_rounds && !sampler_.centered())))
-      options_.watch({.is_preview = true, .show = coarsely()});
-    // A centred picture has none.
-    const bool by_rounds = !sampler_.centered() && (options_.budget || has_rounds);
+    show_preview();
+    // A centred picture has no rounds.
+    const bool by_rounds = !sampler_.centered() && (options_.budget || has_rounds());
     return by_rounds ? round_by_round(develop) : tile_by_tile(develop);
+  }
+  /// To who watches. Of few pixels it would be no less than the first round, or than the picture.
+  void show_preview() {
+    if (is_watched() && (block() > 1 || (!has_rounds() && !sampler_.centered())))
+      options_.watch({.is_preview = true, .show = coarsely()});
+  }
+  /// The colour of a backdrop that shadows fall on.
+  void lay_under(FilmTile& tile) const {
+    const World& world = shot_.world;
+    if (!world.ground || world.backdrop->is_transparent() || !gathers_light(shot_.integrator))
+      return;
+    tia::lay_under(lift<float>(rgb_of(*world.backdrop->color)), tile);
   }
 
  private:
+  bool has_rounds() const { return is_watched() && sampler_.rounds() > 1; }
   bool is_watched() const { return options_.watch != nullptr; }
   bool tells_errors() const {
     const bool known = is_watched() && options_.threshold == 0 && options_.samples > 1 &&
@@ -94,7 +106,8 @@ class Render {
     tile.height = std::min(options_.tile, window_.height() - tile.y);
   }
   TilePixels pixels_of(const FilmTile& tile) const {
-    return {window_.x0 + tile.x, window_.y0 + tile.y, tile.width, tile.height, shot_.parts_light()};
+    return {window_.x0 + tile.x, window_.y0 + tile.y, tile.width,
+            tile.height,         shot_.parts_light(), shot_.guided};
   }
   TilePixels pixels_of(int i) const {
     FilmTile tile;
@@ -113,14 +126,18 @@ class Render {
     ShownTile shown = shown_of(pixels, options_.layers);
     if (convergence_.shows() || is_watched()) tally_.add(shown.pixels);
     fill(tile, std::move(shown));
+    if (halves_ != nullptr) put_halves(tile, halves_of(pixels));
   }
-
-  // The colour of a backdrop that shadows fall on.
-  void lay_under(FilmTile& tile) const {
-    const World& world = shot_.world;
-    if (!world.ground || world.backdrop->is_transparent() || !gathers_light(shot_.integrator))
-      return;
-    tia::lay_under(lift<float>(rgb_of(*world.backdrop->color)), tile);
+  void put_halves(const FilmTile& tile, const std::vector<Halves>& pixels) {
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+      const int number = static_cast<int>(i);
+      const int x = tile.x + number % tile.width, y = tile.y + number / tile.width;
+      const std::size_t at = static_cast<std::size_t>(y * window_.width() + x);
+      for (std::size_t plane = 0; plane < PixelPlanes::count; ++plane) {
+        halves_->a.planes[plane][at] = pixels[i].a[plane];
+        halves_->b.planes[plane][at] = pixels[i].b[plane];
+      }
+    }
   }
 
   // ---- by rounds ------------------------------------------------------------------------------
@@ -168,7 +185,7 @@ class Render {
     for_each(tiles(), [&](int i) {
       FilmTile tile;
       place(i, tile);
-      fill(tile, pixels(i));
+      fill(tile, pixels(tile, i));
       lay_under(tile);
       develop(tile);
     });
@@ -176,9 +193,11 @@ class Render {
 
   void develop_all(std::vector<RoundsOfTile>& all, int rounds, Tally& tally,
                    const Develop& develop) {
-    hand_over(develop, [&](int i) -> const ShownTile& {
-      const ShownTile& shown = all[static_cast<std::size_t>(i)].after(rounds, options_.layers);
+    hand_over(develop, [&](const FilmTile& tile, int i) -> const ShownTile& {
+      RoundsOfTile& of_tile = all[static_cast<std::size_t>(i)];
+      const ShownTile& shown = of_tile.after(rounds, options_.layers);
       tally.add(shown.pixels);
+      if (halves_ != nullptr) put_halves(tile, of_tile.halves());
       return shown;
     });
   }
@@ -210,8 +229,8 @@ class Render {
       RayMeter meter(no_limit, no_limit, stop_, options_.spent);
       const Shot shot{shot_.world, in_world_, options_.integrator, shot_.rules, centers,
                       none,        meter,     options_.layers};
-      hand_over(develop, [&](int i) {
-        TilePixels pixels = pixels_of(i);
+      hand_over(develop, [&](const FilmTile& tile, int) {
+        TilePixels pixels = pixels_of(tile);
         return blocks_of(shot, options_.scalar, block(), pixels);
       });
       const int of = block() * block();
@@ -234,15 +253,34 @@ class Render {
   const Convergence convergence_;
   RayMeter meter_;
   Tally tally_;
+  HalfBuffers* const halves_;  // to be denoised; null: as it is
   const Shot shot_;
   const bool tells_more_ = options_.layers.any([](const LayerRow& row) { return row.is_beside(); });
 };
+
+// Of what is watched only the preview is seen before the end: rounds have a margin, and noise.
+Rendered render_denoised(const World& world, const View& view, const Window& window,
+                         const RenderOptions& options, Pool& pool, const std::stop_token& stop,
+                         const Develop& develop) {
+  if (options.watch) Render(world, view, window, options, pool, stop).show_preview();
+  RenderOptions unseen = options;
+  unseen.watch = nullptr;
+  DenoisedWindow denoised(window, view.width, view.height);
+  Render render(world, view, denoised.traced(), unseen, pool, stop, &denoised.halves());
+  const Rendered drawn = render.picture([&](const FilmTile& tile) { denoised.put_alpha(tile); });
+  denoised.develop(pool.workers(options.threads, stop, options.flow), [&](FilmTile& tile) {
+    render.lay_under(tile);
+    develop(tile);
+  });
+  return drawn;
+}
 
 }  // namespace
 
 Rendered render(const World& world, const View& view, const Window& window,
                 const RenderOptions& options, Pool& pool, const std::stop_token& stop,
                 const Develop& develop) {
+  if (options.denoise) return render_denoised(world, view, window, options, pool, stop, develop);
   return Render(world, view, window, options, pool, stop).picture(develop);
 }
 

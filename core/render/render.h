@@ -13,17 +13,10 @@
 #include "core/render/budget.h"
 #include "core/render/reached.h"
 #include "core/render/trace_tile.h"
+#include "core/render/window.h"
 #include "core/scene/limits.h"
 
 namespace tia {
-
-/// Window: the pixels x0 <= x < x1, y0 <= y < y1 of a picture.
-struct Window {
-  int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
-  int width() const { return x1 - x0; }
-  int height() const { return y1 - y0; }
-  bool operator==(const Window&) const = default;
-};
 
 /// Takes finished tiles, in window coordinates, from several threads at once, each pixel in exactly
 /// one tile.
@@ -58,6 +51,10 @@ struct RenderOptions {
   std::int64_t seed = 0;
   std::int64_t max_rays = Limits{}.max_rays;  ///< of all kinds, of the whole window
   std::int64_t max_work = Limits{}.max_work;  ///< of the whole window
+  /// Whether noise is taken off it (core/film/denoise.h), for which denoise_margin more pixels are
+  /// traced on every side where the picture goes on. Domain: an integrator that gathers light, and
+  /// more than one sample
+  bool denoise = false;
   LayerSet layers = {};  ///< what else tiles are to tell, by FilmTile::more (planes_of)
   std::optional<Budget> budget = {};  ///< ends it after a whole round. Domain: of chance
   Spent spent = {};

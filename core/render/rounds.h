@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <mutex>
 #include <utility>
@@ -102,8 +103,33 @@ inline ShownTile blocks_of(const Shot& shot, Scalar scalar, int side, TilePixels
   ShownTile shown;
   for (int i = 0; i < pixels.width * pixels.height; ++i)
     shown.pixels.push_back(shown_of(pixels.estimates[static_cast<std::size_t>(middle_of(i))]));
-  shown.more = planes_of({0, 0, 0, 0, false}, shot.layers);
+  shown.more = planes_of(TilePixels(0, 0, 0, 0, false, false), shot.layers);
   return shown;
+}
+
+/// Halves: a pixel's two half buffers after some rounds, in the order of PixelPlanes.
+struct Halves {
+  std::array<float, PixelPlanes::count> a, b;
+};
+inline Halves halves_of(const Estimate& estimate, const GuidedSums& sums) {
+  Halves halves{};
+  const double a = sums.half_count, b = estimate.count - sums.half_count;
+  const auto put = [&](std::size_t plane, double half, double all) {
+    halves.a[plane] = static_cast<float>(half / a);
+    halves.b[plane] = static_cast<float>((all - half) / b);
+  };
+  put(0, sums.half_light.x, estimate.light.x);
+  put(1, sums.half_light.y, estimate.light.y);
+  put(2, sums.half_light.z, estimate.light.z);
+  for (std::size_t k = 0; k < Guides::numbers; ++k)
+    put(PixelPlanes::albedo + k, sums.half_found[k], sums.found[k]);
+  return halves;
+}
+inline std::vector<Halves> halves_of(const TilePixels& tile) {
+  std::vector<Halves> halves(tile.guided.size());
+  for (std::size_t i = 0; i < halves.size(); ++i)
+    halves[i] = halves_of(tile.estimates[i], tile.guided[i]);
+  return halves;
 }
 
 /// RoundsOfTile: a tile while rounds go over the whole picture.
@@ -124,14 +150,19 @@ class RoundsOfTile {
     keep(rounds, layers);
     return shown_;
   }
+  /// Domain: as after(), called before; of pixels with guides.
+  const std::vector<Halves>& halves() const { return halves_; }
 
  private:
   void keep(int rounds, LayerSet layers) {
-    if (begun_ <= rounds) shown_ = shown_of(pixels_, layers);
+    if (begun_ > rounds) return;
+    shown_ = shown_of(pixels_, layers);
+    halves_ = halves_of(pixels_);
   }
 
   TilePixels pixels_;
   ShownTile shown_;
+  std::vector<Halves> halves_;
   int begun_ = 0;  // how many rounds
 };
 

@@ -23,6 +23,7 @@ class Tracer {
         ground_.emplace(shot.world, shot.integrator, shot.rules, cone_of(shot.view),
                         [this](std::int64_t work) { spent(work); });
       if (shot.parts_light()) world_view_.parts = &parts_;
+      if (shot.guided) world_view_.guides = &guides_;
     }
   }
 
@@ -58,6 +59,12 @@ class Tracer {
   RayCounts& rays() { return world_view_.rays; }
   /// What the last rays' light consists of, where that is asked for.
   const LightParts& parts() const { return parts_; }
+  /// What the last rays have found, which are these. Domain: a shot that is guided.
+  const Guides& guides(const Ray<Real>& ray, Mask<Real> active) {
+    if constexpr (may_have_backdrop)
+      if (!tells_guides(shot_.integrator)) find_guides(world_view_, ray, active);
+    return guides_;
+  }
 
   Eye<Real> eye;
 
@@ -87,6 +94,7 @@ class Tracer {
   }
 
   const Shot& shot_;
+  Guides guides_;
   AnyWorldView world_view_;
   const bool hides_beyond_ = has_backdrop() && gathers_light(shot_.integrator);
   const Color beyond_ = beyond();
@@ -148,6 +156,7 @@ template <class Real, class AnyWorldView>
   const Vec3<Real> center = pixels.center(shot.view);
   const Mask<Real> active = pixels.active();
   const int count = shot.sampler.count(round), before = shot.sampler.before(round);
+  const int half = (count + 1) / 2;
   const bool watches = shot.watches(), clamps = shot.convergence.clamps();
   const bool has_backdrop = tracer.has_backdrop(), has_ground = tracer.has_ground();
   Vec3<Real> first = pixels.first_light();
@@ -156,12 +165,17 @@ template <class Real, class AnyWorldView>
   if (has_ground) sums.begin_ground(pixels);
   for (int i = 0; i < count; ++i) {
     sampler_state.sample = static_cast<std::uint32_t>(before + i);
-    const Vec3<Real> light = tracer.light(tracer.eye.ray(center, aims(i)), active, sampler_state);
+    const Ray<Real> ray = tracer.eye.ray(center, aims(i));
+    const Vec3<Real> light = tracer.light(ray, active, sampler_state);
     sums.add(light);
     if (pixels.parts[0] != nullptr) pixels.add(tracer.parts());
     if constexpr (Tracer<Real, AnyWorldView>::may_have_backdrop)
       if (has_backdrop) sums.add_met(tracer.met());
     if (has_ground) sums.add_ground(tracer.on_ground());
+    if (shot.guided) {
+      pixels.add(tracer.guides(ray, active), i < half);
+      if (i == half - 1) pixels.end_half(sums.light, half);
+    }
     if (watches) {
       const Vec3<Real> shown = has_ground ? tracer.shown(light) : light;
       const Vec3<Real> watched = clamps ? clamped(shown) : shown;
@@ -185,6 +199,7 @@ void trace_round(const Shot& shot, int round, Tracer<Real, AnyWorldView>& tracer
       const int pixel = unsettled[begin + (i < pixels.count ? i : 0)];
       pixels.estimates[i] = &tile.estimates[static_cast<std::size_t>(pixel)];
       if (!tile.parts.empty()) pixels.parts[i] = &tile.parts[static_cast<std::size_t>(pixel)];
+      if (shot.guided) pixels.guided[i] = &tile.guided[static_cast<std::size_t>(pixel)];
       pixels.x[i] = static_cast<std::uint32_t>(tile.x0 + pixel % tile.width);
       pixels.y[i] = static_cast<std::uint32_t>(tile.y0 + pixel / tile.width);
     }
@@ -211,7 +226,8 @@ void trace_rounds_in(const Shot& shot, int begin, int end, TilePixels& tile) {
 template <class Trace>
 void with_types(const Shot& shot, Scalar scalar, const Trace& trace) {
   const auto by_view = [&]<class Real>(std::type_identity<Real>) {
-    if (shot.world.few_balls && row_of(shot.integrator).is_whitted && !shot.view.is_clipped())
+    if (shot.world.few_balls && row_of(shot.integrator).is_whitted && !shot.view.is_clipped() &&
+        !shot.guided)
       return trace.template operator()<Real, FewBallsView>();
     return trace.template operator()<Real, WorldView>();
   };
@@ -237,13 +253,14 @@ std::vector<int> in_patches(int width, int height) {
 
 }  // namespace
 
-TilePixels::TilePixels(int x, int y, int w, int h, bool has_parts)
+TilePixels::TilePixels(int x, int y, int w, int h, bool has_parts, bool has_guides)
     : x0(x),
       y0(y),
       width(w),
       height(h),
       estimates(static_cast<std::size_t>(w * h)),
       parts(has_parts ? estimates.size() : 0),
+      guided(has_guides ? estimates.size() : 0),
       unsettled(in_patches(w, h)) {}
 
 void trace_rounds(const Shot& shot, Scalar scalar, int first, int last, TilePixels& tile) {

@@ -23,6 +23,7 @@ struct Shot {
   const Convergence& convergence;
   RayMeter& meter;
   LayerSet layers = {};  ///< what is to be known besides the light
+  bool guided = false;   ///< whether pixels' guides are summed, too
 
   bool parts_light() const {
     return layers.any([](const LayerRow& row) { return row.of_paths; });
@@ -35,10 +36,11 @@ struct TilePixels {
   int x0 = 0, y0 = 0;  ///< the corner's place in the picture
   int width = 0, height = 0;
   std::vector<Estimate> estimates;
-  std::vector<PartSums> parts;  ///< where they are asked for, else none
-  std::vector<int> unsettled;   ///< the numbers of those that need more samples
+  std::vector<PartSums> parts;     ///< where they are asked for, else none
+  std::vector<GuidedSums> guided;  ///< the same
+  std::vector<int> unsettled;      ///< the numbers of those that need more samples
 
-  TilePixels(int x, int y, int w, int h, bool has_parts);
+  TilePixels(int x, int y, int w, int h, bool has_parts, bool has_guides);
 };
 
 /// Traces rounds first .. last - 1 of the tile's unsettled pixels, and counts their rays.

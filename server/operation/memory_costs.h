@@ -34,6 +34,11 @@ inline constexpr MemoryCost layers{"layers", "number of a layer", 18,
                                    "it in floats, the sum over its samples, and the file"};
 inline constexpr MemoryCost rounds{"rounds", "pixel of a picture with a budget, or a stream", 160,
                                    "the sums over its samples, and what it was a round ago"};
+inline constexpr MemoryCost denoise{"denoise", "pixel that is denoised, and of the room around",
+                                    320,
+                                    "its half buffers, what is fitted to them, and what that says"};
+inline constexpr MemoryCost denoise_thread{"denoise_thread", "thread that denoises", 1 << 20,
+                                           "the weights and the fits of a tile"};
 inline constexpr MemoryCost model{"model", "byte of a model's files", 4,
                                   "what its reader answers, and what that comes to"};
 inline constexpr MemoryCost request{"request", "request", 1 << 20, "all else"};

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/input/json.h"
+#include "server/requests/denoise_check.h"
 #include "server/requests/exr_picture.h"
 #include "server/requests/linear_file.h"
 #include "server/requests/parts.h"
@@ -20,9 +21,9 @@ namespace {
 std::string cost_key_of(const Plan& plan) {
   std::string key = hex(plan.scene.objects.digest);
   const auto add = [&](const auto&... parts) { ((key += ' ' + std::to_string(parts)), ...); };
-  add(static_cast<int>(plan.options.integrator), plan.options.max_depth, plan.options.ao_radius,
-      plan.options.threshold, plan.options.noise, plan.scene->options.transparent_shadows,
-      plan.layers.bits());
+  add(plan.options.denoise, static_cast<int>(plan.options.integrator), plan.options.max_depth,
+      plan.options.ao_radius, plan.options.threshold, plan.options.noise,
+      plan.scene->options.transparent_shadows, plan.layers.bits());
   if (plan.scene->fog) add(plan.scene->fog->density);
   for (const Light& light : plan.scene->lights) {
     const Value written = write_value(light);
@@ -91,10 +92,9 @@ Plan plan_of(const PictureRequest& asked, const RenderContext& context,
   RenderOptions options = options_of(in_effect, context.limits);
   options.threads =
       std::min(asked.threads.value_or(context.pool.threads()), context.pool.threads());
+  options.denoise = asked.denoise;
   const Window window = whole_window(asked, *scene);
   check_size(window.x1, window.y1, context.limits);
-  check_rays(static_cast<std::int64_t>(window.width()) * window.height(),
-             fewest_samples(asked, options), context.limits);
   Plan plan{.scene = scene,
             .view = view_of(scene->camera, asked.width, asked.height),
             .window = window,
@@ -107,6 +107,10 @@ Plan plan_of(const PictureRequest& asked, const RenderContext& context,
     plan.layers = plan.options.layers = asked.layers_in_effect();
     check_layers(plan, context.limits);
   }
+  check_denoise(plan);
+  const Window traced = plan.traced();
+  check_rays(static_cast<std::int64_t>(traced.width()) * traced.height(),
+             fewest_samples(asked, options), context.limits);
   const std::size_t objects = scene.objects.bytes <= most_told_bytes ? scene.objects.bytes : 0;
   std::tie(plan.recipe, plan.cost_key) = context.go_through(scene.others + objects, requester, [&] {
     return std::pair(recipe_of(asked, plan), cost_key_of(plan));

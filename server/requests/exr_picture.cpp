@@ -31,6 +31,7 @@ RenderOptions options_of_feature(const Plan& plan, IntegratorName feature, int s
   RenderOptions options = plan.options;
   options.integrator = feature;
   options.layers = {};
+  options.denoise = false;
   options.samples = options.noise > 0 ? std::min(samples, Sampler::first_round) : samples;
   options.noise = 0;
   if (!averages(feature)) options.samples = 1, options.threshold = 0;

@@ -59,6 +59,7 @@ struct PictureRequest : TraceRequest {
   std::optional<Transfer> transfer;
   std::optional<double> exposure, white_balance_kelvin;
   std::optional<double> noise;
+  bool denoise = false;
   std::optional<int> budget_ms;
   std::optional<std::int64_t> max_rays;
   Format format = Format::png;
@@ -99,6 +100,9 @@ struct PictureRequest : TraceRequest {
                       "else 4096; 0 is off; else as the scene says",
              .min = 0,
              .max = 1});
+    visit("denoise", &P::denoise,
+          Spec{.about = "whether noise is taken off the picture, which is then no longer the mean "
+                        "of its samples: of light, with more than one sample a pixel"});
     visit(
         "budget_ms", &P::budget_ms,
         Spec{.about = "where rays are chance: how long the picture may be traced; it is what the "

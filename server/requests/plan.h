@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "core/film/denoise.h"
 #include "core/render/render.h"
 #include "server/requests/picture_request.h"
 #include "server/stores/known_scene.h"
@@ -28,9 +29,14 @@ struct Plan {
   std::string recipe = {};    ///< what POST /render would draw the same picture from (recipe.h)
   std::string cost_key = {};  ///< what tells how much one of its rays takes (draw.h)
 
+  /// The pixels that are traced: with a margin where they are denoised and the picture goes on.
+  Window traced() const {
+    if (!options.denoise || scene->sheet) return window;
+    return window.grown(denoise_margin, view.width, view.height);
+  }
   /// The rays that the eye sends out: the fewest with a threshold, the most with noise.
   double rays() const {
-    return static_cast<double>(window.width()) * window.height() *
+    return static_cast<double>(traced().width()) * traced().height() *
            least_samples(options.samples, options.threshold);
   }
 };

@@ -108,6 +108,7 @@ std::string recipe_of(const PictureRequest& asked, const Plan& plan) {
   if (asked.height != usual.height) request.emplace_back("height", asked.height);
   if (!plan.scene->sheet && !(plan.window == Window{0, 0, asked.width, asked.height}))
     request.emplace_back("crop", write_value(asked.crop));
+  if (asked.denoise) request.emplace_back("denoise", true);
   if (asked.format != usual.format) request.emplace_back("format", name_of(asked.format));
   if (asked.depth_range) request.emplace_back("depth_range", write_value(*asked.depth_range));
   if (plan.format == Format::exr) {

@@ -7,7 +7,7 @@
 #include "core/film/png.h"
 #include "core/film/png_text.h"
 #include "server/http/error.h"
-#include "server/operation/memory_costs.h"
+#include "server/requests/draw_memory.h"
 #include "server/requests/exr_picture.h"
 #include "server/requests/linear_file.h"
 #include "server/requests/parts.h"
@@ -15,22 +15,6 @@
 
 namespace tia::server {
 namespace {
-
-std::int64_t memory_of_pixels(const Plan& plan, std::size_t pixels) {
-  if (plan.format == Format::exr)
-    return memory_for(memory_cost::layers, pixels * static_cast<std::size_t>(plan.layers.planes()));
-  if (plan.format != Format::png) return memory_for(memory_cost::linear, pixels);
-  const bool alpha = is_transparent(*plan.scene, plan.options.integrator);
-  return memory_for(alpha ? memory_cost::alpha : memory_cost::png, pixels);
-}
-// For who watches files are made while the film stays.
-std::int64_t memory_of(const Plan& plan, bool is_watched) {
-  const auto pixels = static_cast<std::size_t>(plan.window.width()) *
-                      static_cast<std::size_t>(plan.window.height());
-  return memory_for(memory_cost::request, 1) +
-         memory_of_pixels(plan, pixels) * (is_watched ? 2 : 1) +
-         (plan.asked->has_budget() || is_watched ? memory_for(memory_cost::rounds, pixels) : 0);
-}
 
 // From now on. Errors: as render(); HttpError (budget) where there is no time for one round;
 // InputError where there are no rays for it.

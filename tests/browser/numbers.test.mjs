@@ -152,7 +152,8 @@ test('rounds take a third of the time of the last, and are none of a budget', ()
     assert.ok([...before, samples].every((each, i, all) => i === 0 || each <= 8 * all[i - 1]));
   }
   const wish = { integrator: 'path', noise: 0.1, width: 64, height: 48 };
-  const round = (samples) => ({ ...wish, samples, threshold: 0, noise: null, budget_ms: null, max_rays: null });
+  const round = (samples) =>
+    ({ ...wish, samples, threshold: 0, noise: null, denoise: null, budget_ms: null, max_rays: null });
   assert.deepEqual(roundAfter({ ...round(1), width: 32, height: 24 }, wish, 4096, 0.1), round(2));
   assert.deepEqual(roundAfter(round(2), wish, 4096, 0.1), round(8));
   assert.equal(roundAfter(round(8), wish, 4096, 0.1), null);

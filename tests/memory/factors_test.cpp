@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "core/film/denoise.h"
 #include "core/film/film.h"
 #include "core/film/hdr.h"
 #include "core/film/pfm.h"
@@ -318,6 +319,28 @@ TEST(RoundsMemory, IsWithinItsRow) {
   EXPECT_LE(plain, memory_for(memory_cost::rounds, pixels));
   EXPECT_LE(layered,
             memory_for(memory_cost::rounds, pixels) + memory_for(memory_cost::layers, pixels * 12));
+}
+
+// The window and the room around it, of which there is most for small pictures.
+TEST(DenoiserMemory, IsWithinItsRows) {
+  for (const int size : {16, 200}) {
+    const std::size_t pixels =
+        std::size_t(size + 2 * denoise_margin) * std::size_t(size + 2 * denoise_margin);
+    RenderOptions options;
+    options.integrator = IntegratorName::ambient_occlusion;
+    options.samples = 2;
+    options.denoise = true;
+    const World world = compile(Scene{});
+    Pool pool(1);
+    const Use use = use_of<Rendered>([&] {
+      return render(world, view_of(Camera{}, size, size), {0, 0, size, size}, options, pool, {},
+                    [](const FilmTile&) {});
+    });
+    std::printf("denoise: %.1f bytes a pixel\n", static_cast<double>(use.peak) / double(pixels));
+    if (sanitized()) GTEST_SKIP() << "the sanitizer's pieces are larger";
+    EXPECT_LE(use.peak, memory_for(memory_cost::denoise, pixels) +
+                            memory_for(memory_cost::denoise_thread, 1));
+  }
 }
 
 // ---- explanations ---------------------------------------------------------------------------

@@ -9,10 +9,11 @@ const OF_STILLS = ['model', 'orbit', 'zoom', 'fov', 'studio', 'ground', 'backgro
 
 /** The parameters that the page knows, in the order in which a URL names them. */
 export const PARAMETERS = [...OF_STILLS, 'scene', 'key', 'light', 'camera', 'integrator', 'max_depth', 'ao_radius', 'seed',
-  'width', 'height', 'samples', 'threshold', 'noise', 'budget_ms', 'max_rays', 'crop', 'transfer', 'exposure', 'white_balance_kelvin'];
+  'width', 'height', 'samples', 'threshold', 'noise', 'denoise', 'budget_ms', 'max_rays', 'crop', 'transfer', 'exposure',
+  'white_balance_kelvin'];
 
 /** What asks for one ray a pixel, whatever else was asked for. */
-export const ONE_RAY = { samples: 1, threshold: 0, noise: null, budget_ms: null, max_rays: null };
+export const ONE_RAY = { samples: 1, threshold: 0, noise: null, denoise: null, budget_ms: null, max_rays: null };
 
 /** What the page opens with: the lamp is on, so that there is a shadow to ask about. */
 export const FIRST = { scene: 'thesis', key: 'a' };

@@ -57,6 +57,7 @@ TEST(Recipe, EveryParameterIsInIt) {
        {"key=w", "light=1,20,3", "samples=3&seed=9", "threshold=0.05", "integrator=depth",
         "integrator=object&samples=4", "max_depth=0&scene=whitted",
         "integrator=ambient_occlusion&ao_radius=2&threshold=0.1&scene=shapes", "crop=3,4,11,17",
+        "integrator=ambient_occlusion&samples=4&denoise=true&crop=2,3,9,8",
         "transfer=agx&exposure=1.5&white_balance_kelvin=3200",
         "camera=%7B%22fov_degrees%22:30%7D&key=a", "threads=2&v=0.4.2",
         "scene=%7B%22background%22:0.5,%22title%22:%22t%C3%ACa%22%7D"}) {
@@ -85,7 +86,8 @@ TEST(Recipe, ChangesWithEveryParameterThatChangesThePicture) {
       {"max_depth", "1"},      {"seed", "5"},     {"crop", "1,2,3,4"},
       {"transfer", "srgb"},    {"format", "pfm"}, {"ao_radius", "2"},
       {"exposure", "1"},       {"noise", "0.1"},  {"white_balance_kelvin", "3000"},
-      {"depth_range", "1,2"},  {"aov", "normal"}, {"depth", "32"}};
+      {"depth_range", "1,2"},  {"aov", "normal"}, {"depth", "32"},
+      {"denoise", "true"}};
   const std::set<std::string> of_no_byte{"threads", "v"};
   // What ends a picture early is not told, but what it came to (Rounds).
   const std::set<std::string> of_time{"budget_ms", "max_rays"};
@@ -95,7 +97,8 @@ TEST(Recipe, ChangesWithEveryParameterThatChangesThePicture) {
       {"noise", {{"integrator", "ambient_occlusion"}}},
       {"depth_range", {{"integrator", "planar_depth"}, {"format", "tiff"}}},
       {"aov", {{"format", "exr"}}},
-      {"depth", {{"format", "exr"}}}};
+      {"depth", {{"format", "exr"}}},
+      {"denoise", {{"integrator", "ambient_occlusion"}}}};
   FieldNames fields;
   PictureRequest::fields(fields);
   const auto tag = [](std::map<std::string, std::string> query) {

@@ -1,0 +1,44 @@
+#include "server/requests/draw_memory.h"
+
+#include "server/operation/memory_costs.h"
+
+namespace tia::server {
+
+namespace {
+
+std::int64_t memory_of_pixels(const Plan& plan, std::size_t pixels) {
+  if (plan.format == Format::exr)
+    return memory_for(memory_cost::layers, pixels * static_cast<std::size_t>(plan.layers.planes()));
+  if (plan.format != Format::png) return memory_for(memory_cost::linear, pixels);
+  const bool alpha = is_transparent(*plan.scene, plan.options.integrator);
+  return memory_for(alpha ? memory_cost::alpha : memory_cost::png, pixels);
+}
+// With what is found for the denoiser a pixel has three times as much.
+std::int64_t memory_of_rounds(const Plan& plan, bool is_watched) {
+  if (!plan.asked->has_budget() && !is_watched) return 0;
+  const Window traced = plan.traced();
+  return memory_for(memory_cost::rounds, static_cast<std::size_t>(traced.width()) *
+                                             static_cast<std::size_t>(traced.height())) *
+         (plan.options.denoise ? 3 : 1);
+}
+std::int64_t memory_of_denoiser(const Plan& plan) {
+  if (!plan.options.denoise) return 0;
+  const Window traced = plan.traced();
+  const int around = 2 * denoise_margin;
+  return memory_for(memory_cost::denoise, static_cast<std::size_t>(traced.width() + around) *
+                                              static_cast<std::size_t>(traced.height() + around)) +
+         memory_for(memory_cost::denoise_thread, static_cast<std::size_t>(plan.options.threads));
+}
+
+}  // namespace
+
+// For who watches files are made while the film stays.
+std::int64_t memory_of(const Plan& plan, bool is_watched) {
+  const auto pixels = static_cast<std::size_t>(plan.window.width()) *
+                      static_cast<std::size_t>(plan.window.height());
+  return memory_for(memory_cost::request, 1) +
+         memory_of_pixels(plan, pixels) * (is_watched ? 2 : 1) +
+         memory_of_rounds(plan, is_watched) + memory_of_denoiser(plan);
+}
+
+}  // namespace tia::server
