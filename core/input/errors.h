@@ -25,7 +25,8 @@ enum class FaultKind {
   out_of_range,
   missing,
   conflict,
-  limit
+  limit,
+  unreadable  ///< of a file that came whole, by its format
 };
 
 /// Fault: one thing wrong at one place. Those that are collected or thrown are short: their texts

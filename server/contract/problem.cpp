@@ -20,6 +20,7 @@ std::string_view type_of(FaultKind kind) {
     case FaultKind::missing: return "missing";
     case FaultKind::conflict: return "conflict";
     case FaultKind::limit: return "limit";
+    case FaultKind::unreadable: return "unreadable";
   }
   return "internal";
 }

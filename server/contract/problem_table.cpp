@@ -26,6 +26,9 @@ constexpr std::array table{
     ProblemRow{
         "limit", 422, "The request asks for more than this server gives", Met::by_input,
         "More pixels, rays, tests or JSON values than an option allows; the detail names it."},
+    ProblemRow{
+        "unreadable", 422, "A file cannot be read as what it is", Met::by_input,
+        "A model's, which ends too early, or has a word for a number; errors name its line."},
     ProblemRow{"forbidden", 403, "This is not for who asks", Met::by_write,
                "A page of another origin that writes, or a wrong Tia-Delete-Key."},
     ProblemRow{"not-found", 404, "Nothing is here", Met::by_name,

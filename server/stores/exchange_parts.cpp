@@ -17,7 +17,8 @@ Value fault_value(const Fault& fault) {
 
 Fault fault_of(const Value& value) {
   const double kind = member<double>(value, "kind");
-  if (kind < 0 || kind > static_cast<double>(FaultKind::limit)) throw NoAnswer("a kind of fault");
+  if (kind < 0 || kind > static_cast<double>(FaultKind::unreadable))
+    throw NoAnswer("a kind of fault");
   Fault fault{static_cast<FaultKind>(static_cast<int>(kind)), member<std::string>(value, "pointer"),
               std::nullopt, member<std::string>(value, "allowed"),
               member<std::string>(value, "nearest")};
@@ -25,6 +26,8 @@ Fault fault_of(const Value& value) {
   if (const Value* got = find(members, "got")) fault.got = *got;
   if (find(members, "line") != nullptr)
     fault.line = static_cast<std::size_t>(member<double>(value, "line"));
+  // The request was whole and well formed: it is the file in it that is not.
+  if (fault.kind == FaultKind::malformed) fault.kind = FaultKind::unreadable;
   return fault;
 }
 

@@ -138,7 +138,8 @@ TEST(PostModels, AllMissingFilesAreNamedAtOnce) {
 
 TEST(PostModels, FaultsHaveTheirLine) {
   const Response response = post_file(host(), "v 0 0 0\nv 1 0 0\nv 0 1 x\nf 1 2 3\n");
-  EXPECT_EQ(response.status, 400);
+  EXPECT_EQ(response.status, 422);
+  EXPECT_EQ(problem_of(response).type, "/problems/unreadable");
   EXPECT_EQ(number_at(at(parse_json(response.body), "errors").as<Value::Array>()->at(0), "line"),
             3);
 }
@@ -151,7 +152,7 @@ TEST(PostModels, WithoutATriangleOrAPointIs422) {
 
 TEST(PostModels, ABrokenArchiveOrFormIsRefused) {
   const std::string zip = zip_of_files(obj_and_mtl());
-  EXPECT_EQ(post_file(host(), zip.substr(0, zip.size() - 1)).status, 400);
+  EXPECT_EQ(post_file(host(), zip.substr(0, zip.size() - 1)).status, 422);
   EXPECT_EQ(post_file(host(), "--border\r\nnothing", form_type).status, 400);
 }
 

@@ -208,7 +208,7 @@ TEST_F(Stills, OfAModelThatIsNotKeptAre422) {
 
 TEST_F(Stills, OfABodyThatIsNoModelAreRefusedAsByPostModels) {
   EXPECT_EQ(own_.post("/still", "nothing").status, 415);
-  EXPECT_EQ(own_.post("/still", "v 0 0 0\nv 1 0 0\nv 0 1 x\nf 1 2 3\n").status, 400);
+  EXPECT_EQ(own_.post("/still", "v 0 0 0\nv 1 0 0\nv 0 1 x\nf 1 2 3\n").status, 422);
   EXPECT_EQ(own_.post("/still", R"({"asset":{"version":"2.0"}})").status, 422);
   EXPECT_EQ(own_.post("/still?model=" + id_, stl_text()).status, 422);
   Config config;

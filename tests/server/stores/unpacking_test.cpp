@@ -57,7 +57,9 @@ TEST(Unpacking, TellsTheFaultsThatTheSameCodeTells) {
     } catch (const InputError& error) {
       ASSERT_FALSE(here.list().empty());
       EXPECT_EQ(error.faults().front().pointer, here.list().front().pointer);
-      EXPECT_EQ(error.faults().front().kind, here.list().front().kind);
+      const FaultKind kind = here.list().front().kind;  // of the archive, not of the request
+      EXPECT_EQ(error.faults().front().kind,
+                kind == FaultKind::malformed ? FaultKind::unreadable : kind);
     }
   }
 }
