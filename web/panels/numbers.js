@@ -1,7 +1,7 @@
 // What the last picture took, and how fast they come. Nothing is drawn while nobody looks.
 
 import { isChance } from '../picture/integrators.js';
-import { median, Pace, rateOf, totalMs } from '../picture/timing.js';
+import { countOf, median, Pace, rateOf, totalMs } from '../picture/timing.js';
 import { ONE_RAY, queryOf } from '../state/request.js';
 import { pixelsOf, windowOf } from '../state/window.js';
 import { countWords, has, msWords, numberWords, t } from '../words/words.js';
@@ -52,7 +52,7 @@ export default function mountNumbers(studio, panel) {
 
   function keepRound({ request, rays, timing, blob }) {
     const pixels = pixelsOf(request);
-    const samples = (rays.find(({ name }) => name === 'primary')?.count ?? 0) / pixels;
+    const samples = countOf(rays, 'primary') / pixels;
     if (!isChance(request.integrator ?? model.source?.options?.integrator)) errors.replaceChildren();
     // One sample is through the pixel's centre: the mean of many is another picture.
     else if (samples > 1 && pixels === pixelsOf(model.request) && matterOf(request) === matterOf(model.request)) {

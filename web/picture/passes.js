@@ -1,7 +1,7 @@
 // How a wish becomes pictures: at once one that is quick enough for the hand, then the one that was
-// asked for, where rays are chance in rounds, then the same with smooth edges. One request at a time;
-// of wishes that come meanwhile only the newest counts, and it does not wait for a finer picture of an
-// older one.
+// asked for, where rays are chance in rounds, or in one answer that clears up where that takes long,
+// then the same with smooth edges. One request at a time; of wishes that come meanwhile only the newest
+// counts, and it does not wait for a finer picture of an older one.
 
 import { ONE_RAY } from '../state/request.js';
 import { pixelsOf, scaled } from '../state/window.js';
@@ -11,7 +11,9 @@ import { roundAfter } from './rounds.js';
 const FRAME_MS = 36; // for 30 pictures a second: while one is decoded the next is under way
 const LEAST_MS = 8; // that the server may draw for, however slow the way to it is
 const FIRST_GUESS = { perPixel: 1 / 5000, way: 0 }; // ms: begin small
+const CHANCE_MS = 1 / 1000; // of a sample where rays are chance, as a first guess
 const QUIET_MS = 120; // so long the hand must rest before a finer picture is begun
+const LONG_MS = 1000; // for a picture to be drawn: then it clears up
 const SCALES = [1, 1 / 2, 1 / 4, 1 / 8];
 
 /** The threshold with which edges are smooth. */
@@ -52,11 +54,19 @@ export function quickOf(request, options, { perPixel, way }) {
   return scale === 1 ? coarse : scaled(coarse, scale);
 }
 
+/** Whether a picture is to be seen while it is drawn: by chance, for long, and to no end of its own. */
+export function clearsUp(request, options, pace) {
+  const perPixel = pace === FIRST_GUESS ? CHANCE_MS : pace.perPixel;
+  const ends = ['budget_ms', 'max_rays'].some((name) => said(name, request, options));
+  return !ends && isChance(said('integrator', request, options))
+    && pixelsOf(request) * samplesOf(request, options) * perPixel > LONG_MS;
+}
+
 /** The next finer picture of a wish after `drawn`; null where that is the finest. */
-export function finerOf(drawn, request, options, smooth) {
+export function finerOf(drawn, request, options, smooth, pace = FIRST_GUESS) {
   const last = finest(request, options, smooth);
   if (same(drawn, last)) return null;
-  const round = isChance(said('integrator', request, options))
+  const round = isChance(said('integrator', request, options)) && !clearsUp(request, options, pace)
     ? roundAfter(drawn, request, samplesOf(request, options), said('noise', request, options)) : null;
   return round ?? (same(drawn, request) ? last : request);
 }
@@ -64,10 +74,10 @@ export function finerOf(drawn, request, options, smooth) {
 const same = (a, b) => a === b || JSON.stringify(a) === JSON.stringify(b);
 
 /**
- * Passes: `ask(request)` draws; `draw(request, signal)` fetches and shows, giving { ms, drawn, cached }, the
- * milliseconds in all and of the server's drawing, or throwing a Problem; `told(problem or null,
- * last, request)` hears how it went; `optionsOf(request)` gives a
- * scene's options as far as known.
+ * Passes: `ask(request)` draws; `draw(request, signal, clearing)` fetches and shows, also what there is until
+ * then where it is `clearing` up, giving { ms, drawn, cached }, the milliseconds in all and of the server's
+ * drawing, or throwing a Problem; `told(problem or null, last, request)` hears how it went;
+ * `optionsOf(request)` gives a scene's options as far as known.
  */
 export class Passes {
   still = false; // not for now: one ray a pixel is wanted
@@ -117,7 +127,7 @@ export class Passes {
       for (let finer = false; pass && !this.#waiting; finer = true) {
         await this.#drawPass(pass, finer);
         // How a scene that came by its name wants to be drawn may be known only now.
-        const next = finerOf(pass, wish, this.#optionsOf(wish), !this.still);
+        const next = finerOf(pass, wish, this.#optionsOf(wish), !this.still, this.#pace);
         this.#told(null, !next, pass);
         if (next && !finer) await this.#quiet();
         pass = next;
@@ -130,7 +140,8 @@ export class Passes {
   async #drawPass(request, finer) {
     this.#underWay = { abort: new AbortController(), finer };
     try {
-      const took = await this.#draw(request, this.#underWay.abort.signal);
+      const clearing = finer && clearsUp(request, this.#optionsOf(request), this.#pace);
+      const took = await this.#draw(request, this.#underWay.abort.signal, clearing);
       if (!finer && !took.cached) this.#learn(request, took);
     } finally {
       this.#underWay = null;

@@ -3,6 +3,7 @@
 import { fetchable, inScene, queryOf, routeOf } from '../state/request.js';
 import { t } from '../words/words.js';
 import { Problem, readProblem, unanswered } from './problem.js';
+import { partsOf } from './stream.js';
 import { readRays, readTiming } from './timing.js';
 
 const PATIENCE_MS = 120_000;
@@ -10,25 +11,44 @@ const PATIENCE_MS = 120_000;
 /**
  * A drawn picture as { blob, timing, rays, cached, copied, ms, path }; `ms` from the request to the
  * last byte, `cached` whether the server had it already, `copied` whether the browser itself had it
- * and the server only said that it still holds; `timing` is then that of the copy.
+ * and the server only said that it still holds; `timing` is then that of the copy. Where there is
+ * `shown`, it gets what comes before the picture while that is drawn: the same, of fewer samples.
  */
-export async function fetchPicture(request, signal) {
+export async function fetchPicture(request, signal, shown) {
   const start = performance.now();
-  const { path, init } = fetchable(routeOf(request), request);
-  const response = await get(path, init, signal);
-  const blob = await body(() => response.blob());
-  const header = (name) => response.headers.get(name);
+  const route = routeOf(request);
+  const { path } = fetchable(route, request);
+  const { path: from, init } = fetchable(route, shown ? { ...request, stream: 'multipart' } : request);
+  const response = await get(from, init, signal);
+  const told = (headers, blob) => ({ path, blob, ms: performance.now() - start, ...readHeaders(headers, response.headers) });
+  if (!shown) return told(response.headers, await body(() => response.blob()));
+  return body(async () => {
+    for await (const { headers, blob, last } of partsOf(response)) {
+      if (blob.type === 'application/problem+json') throw await toldProblem(blob);
+      if (last) return told(headers, blob);
+      await shown(told(headers, blob));
+    }
+  });
+}
+
+// The problem that ends a stream.
+async function toldProblem(blob) {
+  const { status } = JSON.parse(await blob.text());
+  return readProblem(new Response(blob, { status, headers: { 'Content-Type': blob.type } }));
+}
+
+// What is told of a picture; `all` are the headers of all parts.
+function readHeaders(headers, all) {
+  const header = (name) => headers.get(name);
   return {
-    blob, path,
     timing: readTiming(header('Server-Timing')),
     rays: readRays(header('Tia-Rays')),
     noise: header('Tia-Noise'),
-    biased: header('Tia-Biased'),
-    ignored: header('Tia-Ignored'),
+    biased: all.get('Tia-Biased'),
+    ignored: all.get('Tia-Ignored'),
     reached: Number(/&samples=(\d+)$/.exec(header('Content-Location'))?.[1]), // NaN: had no budget
     cached: /;\s*hit/.test(header('Cache-Status') ?? ''),
     copied: /detail=not-modified/.test(header('Cache-Status') ?? ''),
-    ms: performance.now() - start,
   };
 }
 
@@ -83,7 +103,7 @@ async function body(read) {
   try {
     return await read();
   } catch (error) {
-    throw error.name === 'AbortError' ? error : unanswered(error);
+    throw error.name === 'AbortError' || error instanceof Problem ? error : unanswered(error);
   }
 }
 

@@ -19,6 +19,9 @@ export function readRays(header) {
   });
 }
 
+/** How many rays of a kind there are. */
+export const countOf = (rays, kind) => rays.find(({ name }) => name === kind)?.count ?? 0;
+
 /** The server's whole time in ms: its `total` where it sends one, else the sum of the phases. */
 export function totalMs(timing) {
   const total = timing.find(({ name }) => name === 'total');

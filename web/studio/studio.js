@@ -5,12 +5,12 @@ import { isChance } from '../picture/integrators.js';
 import { finest, Passes, plain, SMOOTH } from '../picture/passes.js';
 import { readRecipe } from '../picture/png_text.js';
 import { fetchExplanation, fetchPicture, fetchScene, fetchStillScene } from '../picture/server.js';
-import { totalMs } from '../picture/timing.js';
+import { countOf, totalMs } from '../picture/timing.js';
 import { lightOf, pivotOf } from '../space/lamp.js';
 import { completeCamera, viewOf } from '../space/view.js';
 import { mergePatch } from '../state/merge_patch.js';
 import { inScene, ONE_RAY, queryOf, spelled } from '../state/request.js';
-import { middleOf, sizeOf } from '../state/window.js';
+import { middleOf, pixelsOf, sizeOf } from '../state/window.js';
 import { Model } from './model.js';
 
 export class Studio {
@@ -27,7 +27,7 @@ export class Studio {
 
   constructor() {
     this.#passes = new Passes({
-      draw: (request, signal) => this.#draw(request, signal),
+      draw: (...asked) => this.#draw(...asked),
       told: (problem, last, request) => this.#told(problem, last, request),
       optionsOf: () => this.model.source?.options,
     });
@@ -158,15 +158,23 @@ export class Studio {
     return source ? plain(request, source.options) : { ...request, ...ONE_RAY };
   }
 
-  async #draw(request, signal) {
+  async #draw(request, signal, clearing) {
     const start = performance.now();
-    const picture = await fetchPicture(request, signal);
+    const show = (picture, of) => this.#showNext(picture, of, start);
+    const picture = await fetchPicture(request, signal, clearing && ((round) => {
+      const samples = Math.floor(countOf(round.rays, 'primary') / pixelsOf(request));
+      return samples < 1 ? null : show(round, { ...request, samples }); // or it is coarser than what is there
+    }));
+    await show(picture, request);
+    return { ms: picture.ms, drawn: totalMs(picture.timing), cached: picture.cached };
+  }
+
+  // Where the hand has gone on, the next picture is fetched while this one is decoded.
+  async #showNext(picture, request, start) {
     await this.#showing?.catch(() => {}); // one that cannot be decoded is in nobody's way
     this.#showing = this.#show(picture, request, start);
-    // Where the hand has gone on, the next picture is fetched while this one is decoded.
     if (!this.#passes.behind) await this.#showing;
     else this.#showing.catch(() => {});
-    return { ms: picture.ms, drawn: totalMs(picture.timing), cached: picture.cached };
   }
 
   async #show(picture, request, start) {
