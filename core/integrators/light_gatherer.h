@@ -3,6 +3,7 @@
 
 #include "core/integrators/fog.h"
 #include "core/integrators/path_parts.h"
+#include "core/integrators/path_record.h"
 #include "core/integrators/path_state.h"
 #include "core/integrators/phase.h"
 #include "core/integrators/scatterers.h"
@@ -13,7 +14,7 @@ namespace tia {
 /// them. What both the path's own direction and a question for light can find is weighted by the
 /// power heuristic. Source: Veach, "Robust Monte Carlo methods for light transport simulation"
 /// (1997), ch. 9.
-template <class Real>
+template <class Real, class Recorder>
 class LightGatherer {
   using V = Vec3<Real>;
   using Surface = SurfaceInteraction<SurfacePoint<Real>, Real>;
@@ -21,10 +22,12 @@ class LightGatherer {
 
  public:
   /// `parts`: where it is told apart, too; may be null.
-  LightGatherer(WorldView& world_view, PathState<Real>& state, PathParts<Real>* parts)
+  LightGatherer(WorldView& world_view, PathState<Real>& state, PathParts<Real>* parts,
+                Recorder& recorder)
       : world_view_(world_view),
         state_(state),
         parts_(parts),
+        recorder_(recorder),
         lights_(world_view.world),
         fog_(world_view.world, lights_) {}
 
@@ -33,12 +36,13 @@ class LightGatherer {
                    const FogSpan<Real>& span, Mask<Real> active) {
     const Real passed = any(span.here) ? span.transmittance(state_.medium.density) : Real(1);
     if (const Mask<Real> missed = active && !isect.here; any(missed)) {
-      add_met(missed, lift<Real>(world_view_.world.background) * passed);
+      add_met(missed, lift<Real>(world_view_.world.background) * passed, Real(1),
+              GatheredLight::background);
       const Real chance = lights_.chance_beyond() * fog_.times_beyond(state_.fog_vertex);
       lights_.beyond(ray.direction, chance, missed,
-                     [&](const V& radiance, const Real& pdf, Mask<Real> here) {
+                     [&](const V& radiance, const Real& pdf, Mask<Real> here, int light) {
                        const Real weight = drawn_weight(here, [&](auto) { return pdf; });
-                       add_met(here, radiance * (weight * passed));
+                       add_met(here, radiance * (weight * passed), weight, light);
                      });
     }
     const Mask<Real> luminous = isect.here && shines(isect.emission);
@@ -50,7 +54,7 @@ class LightGatherer {
         return lights_.chance(light, lane_of(state_.from, i), lane_of(state_.from_n, i));
       });
     });
-    add_met(luminous, isect.emission * (weight * passed));
+    add_met(luminous, isect.emission * (weight * passed), weight, GatheredLight::own_surface);
   }
   // What one point of one light gives the surface to scatter.
   void add_direct(const Surface& isect, const Bsdf<Real>& bsdf, const MediumBoundary<Real>& behind,
@@ -72,31 +76,41 @@ class LightGatherer {
                 const Real density = lift<Real>(fog.density);
                 const Real phase = phase_.value(dot(ray.direction, draw.wi));
                 const V p = ray.origin + ray.direction * meeting.t;
+                if constexpr (Recorder::records) recorder_.asked(asked_in_fog(draw, p, phase));
                 const V scattered = lift<Real>(fog.albedo) * draw.light * (meeting.met * phase);
                 const Mask<Real> lit = here && shines(scattered) && is_finite(scattered);
                 if (!any(lit)) return;
                 const Real passing = passing_to(draw, p, {p, draw.wi}, Real(0), lit);
+                const Real weight = asked_weight(draw, meeting.flown * phase);
                 add_asked(lit && passing > Real(0),
-                          scattered * (asked_weight(draw, meeting.flown * phase) *
-                                       fog_between(p, draw, density) * passing));
+                          scattered * (weight * fog_between(p, draw, density) * passing),
+                          {weight, draw.pdf, passing});
               });
   }
   const FogSampling<Real>& fog() const { return fog_; }
   const HenyeyGreenstein<Real>& phase() const { return phase_; }
 
  private:
+  // What is told of light that was asked for.
+  struct Asked {
+    Real weight, pdf, passing;
+  };
+
   V add(Mask<Real> here, const V& radiance) {
     const V none{Real(0), Real(0), Real(0)}, light = select(here, state_.beta * radiance, none);
     state_.light = state_.light + light;
     return light;
   }
-  void add_met(Mask<Real> here, const V& radiance) {
+  void add_met(Mask<Real> here, const V& radiance, const Real& weight, int source) {
     const V light = add(here, radiance);
     if (parts_ != nullptr) parts_->add_met(light);
+    if constexpr (Recorder::records) recorder_.met(source, light, weight);
   }
-  void add_asked(Mask<Real> here, const V& radiance) {
+  void add_asked(Mask<Real> here, const V& radiance, const Asked& asked) {
     const V light = add(here, radiance);
     if (parts_ != nullptr) parts_->add_asked(light);
+    if constexpr (Recorder::records)
+      recorder_.given(light, asked.weight * asked.pdf, asked.passing);
   }
   // The weight of light that the surface's direction has found, where add_direct() could have asked
   // for it with a density of other_pdf(mask).
@@ -113,6 +127,8 @@ class LightGatherer {
     world_view_.work.test();
     const BsdfValue<Real> at = bsdf.value(draw.wi);
     const Mask<Real> below = dot(isect.at.ng, draw.wi) < Real(0);
+    if constexpr (Recorder::records)
+      recorder_.asked(asked_of_surface(draw, isect, at.f_cos, event_of(bsdf, draw.wi, below)));
     const Medium<Real> between = select(below, behind.medium, state_.medium);
     const V scattered = at.f_cos * draw.light * transmittance_of(between.absorption, draw.distance);
     const Mask<Real> lit = here && shines(scattered) && is_finite(scattered);
@@ -120,9 +136,10 @@ class LightGatherer {
     const Ray<Real> ray = isect.ray_off(draw.wi, below);
     const Real passing = passing_to(draw, isect.at.p, ray, isect.offset, lit);
     if (world_view_.guides != nullptr) world_view_.guides->see(lit, passing);
+    const Real weight = asked_weight(draw, at.pdf);
     add_asked(lit && passing > Real(0),
-              scattered * (asked_weight(draw, at.pdf) *
-                           fog_between(isect.at.p, draw, between.density) * passing));
+              scattered * (weight * fog_between(isect.at.p, draw, between.density) * passing),
+              {weight, draw.pdf, passing});
   }
   // The weight of light that was asked for, where the path itself finds its direction with pdf.
   static Real asked_weight(const LightDraw<Real>& draw, const Real& pdf) {
@@ -146,6 +163,29 @@ class LightGatherer {
     return world_view_.passing(ray, select(finite, reach, Real(infinity)), draw.own, lit);
   }
 
+  // ---- what is told of it, in float
+  // --------------------------------------------------------------
+
+  static GatheredLight asked_of(const LightDraw<Real>& draw, const V& p, const V& bsdf) {
+    GatheredLight told;
+    told.light = draw.number, told.asked = true, told.bsdf = bsdf;
+    told.from = p, told.direction = draw.wi, told.distance = draw.distance, told.pdf = draw.pdf;
+    return told;
+  }
+  GatheredLight asked_in_fog(const LightDraw<Real>& draw, const V& p, const Real& phase) const {
+    GatheredLight told = asked_of(draw, p, {phase, phase, phase});
+    told.event = PathEvent::volume;
+    return told;
+  }
+  GatheredLight asked_of_surface(const LightDraw<Real>& draw, const Surface& isect, const V& bsdf,
+                                 PathEvent event) const {
+    GatheredLight told = asked_of(draw, isect.at.p, bsdf);
+    told.event = event;
+    told.chance = static_cast<float>(
+        lights_.chance(draw.number, lane_of(isect.at.p, 0), lane_of(isect.at.ng, 0)));
+    return told;
+  }
+
   // How much light comes through it from a light to p.
   Real fog_between(const V& p, const LightDraw<Real>& draw, const Real& density) const {
     const WorldFog& fog = world_view_.world.fog;
@@ -157,6 +197,7 @@ class LightGatherer {
   WorldView& world_view_;
   PathState<Real>& state_;
   PathParts<Real>* const parts_;
+  Recorder& recorder_;
   const LightSampling<Real> lights_;
   const FogSampling<Real> fog_;
   const HenyeyGreenstein<Real> phase_{lift<Real>(world_view_.world.fog.g)};

@@ -16,7 +16,8 @@ struct LightDraw {
   Vec3<Real> wi, light;
   Real distance, pdf;
   bool is_delta = false;
-  Blocker own{};  ///< the surface that does not hide it
+  Blocker own{};    ///< the surface that does not hide it
+  int number = -1;  ///< of the light: which of PathLights, or from their size() on which sky
 };
 
 template <class Real, class F>
@@ -61,7 +62,9 @@ class LightSampling {
     while (const unsigned lanes_left = bits(here)) {
       const auto number = tia::lane(chosen, std::countr_zero(lanes_left));
       const Mask<Real> those = here && chosen == Real(number);
-      f(sample(static_cast<int>(number), share, p, u, v, those), those);
+      LightDraw<Real> draw = sample(static_cast<int>(number), share, p, u, v, those);
+      draw.number = static_cast<int>(number);
+      f(draw, those);
       here = here && !those;
     }
   }
@@ -92,22 +95,23 @@ class LightSampling {
   Real chance_beyond() const {
     return Real(static_cast<float>(lights_.chance(lights_.size(), {}, {})));
   }
-  /// Calls f(radiance, pdf, mask) for each thing that rays from p may find infinitely far away:
-  /// each sky and each disc in it, with the density with which its direction was asked for, if it
-  /// had the chance `share`.
+  /// Calls f(radiance, pdf, mask, light) for each thing that rays from p may find infinitely far
+  /// away: each sky and each disc in it, with the density with which its direction was asked for,
+  /// if it had the chance `share`, and its number as LightDraw has it.
   template <class F>
   void beyond(const V& wi, const Real& share, Mask<Real> here, F f) const {
     if (world_.skies.empty()) return;  // discs stand in skies
+    int number = lights_.size();
     for (const WorldSky& sky : world_.skies)
       f(radiance(sky.form, wi, here) * lift<Real>(sky.color), pdf_sky(sky.form, wi, here) * share,
-        here);
+        here, number++);
     for (int i = lights_.first_endless(); i < lights_.size(); ++i)
       if (const auto* sun = std::get_if<SunForm>(&lights_[i].form)) {
         const Real pdf = pdf_li(*sun, {}, wi, Real(infinity));
         const Mask<Real> those = here && pdf > Real(0);
         if (!any(those)) continue;
         const Real scale = strength_of(*sun, wi) * lift<Real>(brightness_of(*sun));
-        f(lift<Real>(lights_[i].color) * scale, pdf * share, those);
+        f(lift<Real>(lights_[i].color) * scale, pdf * share, those, i);
       }
   }
 

@@ -14,7 +14,7 @@ namespace {
 /// asked for somewhere along each of the path's rays, and the path scatters there by chance.
 /// Source: Kajiya, "The rendering equation" (1986); Veach, "Robust Monte Carlo methods for light
 /// transport simulation" (1997), ch. 8 to 10.
-template <class Real>
+template <class Real, class Recorder = NoPathRecorder>
 class PathTracer {
   using V = Vec3<Real>;
   using Surface = SurfaceInteraction<SurfacePoint<Real>, Real>;
@@ -22,10 +22,12 @@ class PathTracer {
   using Flight = typename FogSampling<Real>::Flight;
 
  public:
-  PathTracer(WorldView& world_view, const SamplerState<Real>& sampler_state)
+  PathTracer(WorldView& world_view, const SamplerState<Real>& sampler_state, Recorder& recorder)
       : world_view_(world_view),
+        recorder_(recorder),
         numbers_(sampler_state),
-        lights_(world_view, state_, world_view.parts != nullptr ? &parts_.emplace() : nullptr) {}
+        lights_(world_view, state_, world_view.parts != nullptr ? &parts_.emplace() : nullptr,
+                recorder) {}
 
   V trace(Ray<Real> ray, Mask<Real> active) {
     const int max_depth = std::min(world_view_.rules.max_depth, SceneOptions::deepest);
@@ -35,6 +37,8 @@ class PathTracer {
       Surface isect = surfaces(world_view_, ray, hit, active, state_.travelled);
       if (world_view_.guides != nullptr) guide(depth, isect, hit);
       state_.beta = state_.beta * transmittance_of(state_.medium.absorption, hit.t);
+      if constexpr (Recorder::records)
+        recorder_.begin(ray, hit, isect.at.p, isect.at.n, state_.beta);
       const FogSpan<Real> span = span_of(ray, hit.t, active);
       lights_.add_emitted(ray, hit, isect, span, active);
       if (depth > 0 && world_view_.world.floor >= 0) isect.here = isect.here && !on_floor(hit);
@@ -46,7 +50,9 @@ class PathTracer {
       isect.here = isect.here && !flight.scattered;
       state_.travelled = state_.travelled + select(flight.scattered, flight.t, hit.t);
       if (depth == max_depth) {
-        world_view_.rays.cut += count(flight.scattered || scatters(world_view_.world, hit, isect));
+        const int cut = count(flight.scattered || scatters(world_view_.world, hit, isect));
+        world_view_.rays.cut += cut;
+        if constexpr (Recorder::records) recorder_.cut(cut > 0);
         break;
       }
       const V arriving = state_.beta;
@@ -60,6 +66,7 @@ class PathTracer {
     }
     const V light = clamped(state_.light);
     if (parts_) parts_->store_to(*world_view_.parts);
+    if constexpr (Recorder::records) recorder_.finish(light, state_.wave);
     return light;
   }
 
@@ -95,6 +102,7 @@ class PathTracer {
     const Real brightest = max_of(max_of(light.x, light.y), light.z), bound = lift<Real>(most);
     const Real share = select(brightest > bound, bound / brightest, Real(1));
     if (parts_) parts_->dim(share);
+    if constexpr (Recorder::records) recorder_.clamped(share);
     return light * share;
   }
 
@@ -146,7 +154,10 @@ class PathTracer {
     state_.from = select(here, p, state_.from);
     state_.transmitted = state_.transmitted && !here;
     next = {select(here, p, next.origin), select(here, wi, next.direction)};
-    return here && survives(depth, here, numbers);
+    if constexpr (Recorder::records)
+      recorder_.drawn(PathEvent::volume, p,
+                      lift<Real>(world_view_.world.fog.albedo) * flight.weight, state_.pdf);
+    return went_on(here && survives(depth, here, numbers), here);
   }
 
   // ---- the path goes on -------------------------------------------------------------------------
@@ -164,7 +175,9 @@ class PathTracer {
     state_.beta = state_.beta * drawn.weight;
     state_.denser =
         select(drawn.transmitted, state_.denser * (bsdf.eta() * bsdf.eta()), state_.denser);
-    const Mask<Real> here = drawn.here && survives(depth, drawn.here, numbers);
+    if constexpr (Recorder::records)
+      if (drawn.here) recorder_.drawn(event_of(bsdf, drawn), isect.at.p, drawn.weight, drawn.pdf);
+    const Mask<Real> here = went_on(drawn.here && survives(depth, drawn.here, numbers), drawn.here);
     const Mask<Real> enters = drawn.transmitted && !materials.bsdf.thin;
     if (any(enters)) pass(hit, isect, materials, behind, enters, depth);
     state_.pdf = drawn.pdf;
@@ -179,8 +192,13 @@ class PathTracer {
     if (depth + 1 < 5) return shines(state_.beta);
     const Real most = max_of(max_of(state_.beta.x, state_.beta.y), state_.beta.z) * state_.denser;
     const Real q = min_of(Real(0.95F), most);
+    if constexpr (Recorder::records) recorder_.roulette(q);
     state_.beta = select(here, state_.beta * (Real(1) / q), state_.beta);
     return shines(state_.beta) && numbers.roulette < q;
+  }
+  Mask<Real> went_on(Mask<Real> here, Mask<Real> drawn) {
+    if constexpr (Recorder::records) recorder_.goes_on(here, drawn && shines(state_.beta));
+    return here;
   }
   void pass(const Hit<Real>& hit, const Surface& isect, const Scatterers<Real>& materials,
             const MediumBoundary<Real>& behind, Mask<Real> enters, int depth) {
@@ -190,11 +208,12 @@ class PathTracer {
   }
 
   WorldView& world_view_;
+  Recorder& recorder_;
   const PathNumbers<Real> numbers_;
   const Medium<Real> space_{.density = lift<Real>(world_view_.world.fog.density)};
   PathState<Real> state_{space_};
   std::optional<PathParts<Real>> parts_{};  // where they are asked for
-  LightGatherer<Real> lights_;
+  LightGatherer<Real, Recorder> lights_;
   std::array<std::optional<MediumTransition<Real>>, SceneOptions::deepest> passed_{};
   const MediumTransition<Real>* last_ = nullptr;
 };
@@ -206,8 +225,16 @@ template <class Real>
 Vec3<Real> Integrator<IntegratorName::path>::radiance(WorldView& world_view, const Ray<Real>& ray,
                                                       Mask<Real> active,
                                                       const SamplerState<Real>& sampler_state) {
-  return PathTracer<Real>(world_view, sampler_state).trace(ray, active);
+  NoPathRecorder recorder;
+  return PathTracer<Real>(world_view, sampler_state, recorder).trace(ray, active);
 }
 TIA_INTEGRATOR(path)
+
+PathRecord explain_path(WorldView& world_view, const Ray<float>& ray,
+                        const SamplerState<float>& sampler_state) {
+  PathRecorder recorder;
+  PathTracer<float, PathRecorder>(world_view, sampler_state, recorder).trace(ray, true);
+  return recorder.take();
+}
 
 }  // namespace tia

@@ -41,9 +41,11 @@ BsdfValue<Real> Bsdf<Real>::value(const V& wi) const {
   return sum;
 }
 
+// What the ground, and facets again and again, reflect of light from there, in the shading frame.
 template <class Real>
-void Bsdf<Real>::add_reflected(const V& wi, Here here, BsdfValue<Real>& sum) const {
-  const Real zero(0), one(1), mu = wi.z, even = mu * Real(inverse_pi);
+[[gnu::always_inline]] inline typename Bsdf<Real>::V Bsdf<Real>::scattered_evenly(
+    const V& wi) const {
+  const Real zero(0), one(1), even = wi.z * Real(inverse_pi);
   V f = ground_;
   if (has_facets_) {
     const SchlickAlbedo<Real> at = albedo(wi);
@@ -54,7 +56,19 @@ void Bsdf<Real>::add_reflected(const V& wi, Here here, BsdfValue<Real>& sum) con
       f = f + grey(select(glass, up_ * own, zero));
     }
   }
-  f = f * (even * cover_);
+  return f * (even * cover_);
+}
+
+template <class Real>
+typename Bsdf<Real>::Here Bsdf<Real>::is_matt(const V& wi) const {
+  const V w = local(wi), all = value(wi).f_cos, matt = scattered_evenly(w);
+  return here_ && w.z > Real(0) && Real(2) * (matt.x + matt.y + matt.z) >= all.x + all.y + all.z;
+}
+
+template <class Real>
+void Bsdf<Real>::add_reflected(const V& wi, Here here, BsdfValue<Real>& sum) const {
+  const Real zero(0), mu = wi.z, even = mu * Real(inverse_pi);
+  V f = scattered_evenly(wi);
   Real pdf = matt_ * even;
   Here coat = coat_rough_ && coat_ > zero;
   if (bends_) coat = coat && !bent_;

@@ -50,6 +50,8 @@ class Bsdf : BsdfShares<Real> {
   Here scatters() const;
   /// All lobes' value for light from wi, but for those that have a single direction.
   BsdfValue<Real> value(const V& wi) const;
+  /// Where the matt ground scatters more of the light from wi than facets, coat and sheen together.
+  Here is_matt(const V& wi) const;
   /// A direction, for a number that chooses the lobe and a point of the unit square.
   BsdfSample<Real> sample(const Real& lobe, const Real& u, const Real& v) const;
   /// The index of refraction behind the surface over that before it; a pane's is 1.
@@ -95,6 +97,7 @@ class Bsdf : BsdfShares<Real> {
   const Ggx<Real>& ggx() const { return albedos_.ggx; }
   Ggx<Real> coat_ggx() const { return {p_.coat_alpha, p_.coat_alpha}; }
   static V mirrored(const V& wo, const V& h);
+  V scattered_evenly(const V& wi) const;
   void add_reflected(const V& wi, Here here, BsdfValue<Real>& sum) const;
   void add_passed(const V& wi, Here here, BsdfValue<Real>& sum) const;
   void add_bent_coat(const V& wi, Here lit, BsdfValue<Real>& sum) const;

@@ -2,45 +2,15 @@
 // the picture adds them.
 #pragma once
 
-#include <memory>
-#include <optional>
 #include <stop_token>
-#include <vector>
 
-#include "core/accel/world/all_hits.h"
 #include "core/input/codec.h"
-#include "core/integrators/ray_tree.h"
+#include "core/render/explanation.h"
 #include "core/render/explanation_size.h"
 #include "core/render/render.h"
-#include "core/scene/labels.h"
 #include "core/scene/view.h"
 
 namespace tia {
-
-/// ExplainedPixel: one sample of one pixel of a picture.
-struct ExplainedPixel {
-  int x = 0, y = 0, sample = 0;
-  Vec2d raster{}, ndc{}, screen{};  ///< where its ray goes through: in pixels, [0,1], [-1,1]
-};
-
-/// Note: what a part of the scene, by its JSON Pointer, is not as it may be thought to be.
-struct Note {
-  std::string pointer, about;
-};
-
-/// Explanation. Space/units: the scene's, the tree's rays and points in the world's; the ray's
-/// direction is unit.
-struct Explanation {
-  World world;
-  std::vector<ObjectLabel> labels;  ///< of the world's objects
-  std::optional<ExplainedPixel> pixel;
-  Ray<double> ray;
-  std::vector<Meeting> hits;  ///< all along the ray, the nearest first
-  std::unique_ptr<RayNode> tree;
-  std::map<int, std::string> pointers{};  ///< into the scene, of all objects that are told of
-  std::vector<Note> notes{};
-  std::size_t most_bytes = 0;  ///< an upper bound of its JSON's length
-};
 
 /// A ray that belongs to no picture. Domain: the scene's world; a unit direction; an integrator
 /// that is whitted. Errors: InputError (limit) where it crosses too much or its JSON would be
@@ -60,7 +30,7 @@ Explanation explain(const Scene& scene, World world, const View& view, int x, in
 /// "notes": [{"pointer", "about"}]}. An object's id is its number in the
 /// image of the integrator `object`; it tells those apart that have one name.
 Value::Object value_of(const Explanation& explanation);
-/// The schema of that.
+/// The schema of that, and of what is told of paths.
 Value explanation_schema(Definitions& named);
 
 }  // namespace tia

@@ -1,10 +1,9 @@
 // An explanation as JSON.
 #include "core/render/explain.h"
+#include "core/render/explained_ray.h"
 
 namespace tia {
 namespace {
-
-Value triple(const Vec3f& v) { return Value::Array{v.x, v.y, v.z}; }
 
 Value::Object ray_value(const Vec3d& origin, const Vec3d& direction) {
   return {{"origin", write_value(origin)}, {"direction", write_value(direction)}};
@@ -26,7 +25,7 @@ class Writer {
                         {"normal", write_value(at.normal)},
                         {"uv", Value::Array{at.uv.u, at.uv.v}},
                         {"front", at.front}};
-      add_copy(hit, "copy", at.primitive, at.instance);
+      add_copy(all_.world, hit, "copy", at.primitive, at.instance);
       if (at.bracket) hit.emplace_back("root", root(*at.bracket));
       hits.push_back(std::move(hit));
     }
@@ -61,18 +60,18 @@ class Writer {
     object.emplace_back("winner", hit ? Value(label_of(primitive_of(node.hit)).name) : Value());
     if (hit) {
       object.emplace_back("winner_id", id_of(primitive_of(node.hit)));
-      add_copy(object, "winner_copy", primitive_of(node.hit),
+      add_copy(all_.world, object, "winner_copy", primitive_of(node.hit),
                static_cast<std::int64_t>(node.hit.instance));
     }
     object.emplace_back("terms", std::move(terms));
-    object.emplace_back("color", triple(node.color));
+    object.emplace_back("color", triple_value(node.color));
     if (hit) {
       object.emplace_back("t", node.hit.t);
       object.emplace_back("point", write_value(in_scene(node.point)));
-      object.emplace_back("normal", triple(node.normal));
+      object.emplace_back("normal", triple_value(node.normal));
     }
     if (!(node.transmittance == Vec3f{1, 1, 1}))
-      object.emplace_back("transmittance", triple(node.transmittance));
+      object.emplace_back("transmittance", triple_value(node.transmittance));
     return object;
   }
 
@@ -91,15 +90,6 @@ class Writer {
   }
   // The number in the image of the integrator `object`.
   int id_of(int primitive) const { return all_.world.primitive(primitive).object + 1; }
-  // Which copy of a primitive, where groups around it are repeated.
-  void add_copy(Value::Object& to, const char* name, int primitive, std::int64_t copy) const {
-    const Geometry& geometry = all_.world.geometry_of(primitive);
-    Value::Array groups;
-    for (const auto& [i, j, k] :
-         instances_around(geometry, geometry.primitive(primitive).space, copy))
-      groups.push_back(Value::Array{i, j, k});
-    if (!groups.empty()) to.emplace_back(name, std::move(groups));
-  }
   std::string light_name(const WorldLight& light) const {
     if (light.primitive >= 0) return label_of(light.primitive).name;
     return light.name;
@@ -107,7 +97,7 @@ class Writer {
 
   Value::Object term(const Term& term) const {
     Value::Object object{
-        {"name", name_of(term.name)}, {"weight", term.weight}, {"value", triple(term.value)}};
+        {"name", name_of(term.name)}, {"weight", term.weight}, {"value", triple_value(term.value)}};
     if (term.light.light >= 0) add_light(term.light, object);
     if (term.node) object.emplace_back("node", node(*term.node));
     return object;
@@ -117,12 +107,12 @@ class Writer {
     object.emplace_back("light", light_name(light));
     if (light.primitive >= 0) {
       object.emplace_back("light_id", id_of(light.primitive));
-      add_copy(object, "light_copy", light.primitive, light.instance);
+      add_copy(all_.world, object, "light_copy", light.primitive, light.instance);
     }
     // A directional light's is infinite, which JSON has no number for.
     object.emplace_back(
         "distance", record.middle.distance < infinity ? Value(record.middle.distance) : Value());
-    object.emplace_back("direction", triple(record.middle.wi));
+    object.emplace_back("direction", triple_value(record.middle.wi));
     object.emplace_back("n_dot_l", record.n_dot_l);
     object.emplace_back("visible", record.visible);
     object.emplace_back("fade", record.fade * record.middle.strength);
@@ -130,7 +120,7 @@ class Writer {
     object.emplace_back("blocker", name_of_primitive(*record.blocker));
     if (*record.blocker < 0) return;
     object.emplace_back("blocker_id", id_of(*record.blocker));
-    add_copy(object, "blocker_copy", *record.blocker, record.blocker_instance);
+    add_copy(all_.world, object, "blocker_copy", *record.blocker, record.blocker_instance);
   }
   Value name_of_primitive(int primitive) const {
     return primitive < 0 ? Value() : Value(label_of(primitive).name);
@@ -143,20 +133,20 @@ class Writer {
 
 Value::Object value_of(const Explanation& all) {
   const Writer writer(all);
-  Value::Object tree = writer.node(*all.tree);
-  Value::Object answer;
+  Value::Object answer, tree, ray = ray_value(all.ray.origin, all.ray.direction);
+  if (all.tree) tree = writer.node(*all.tree);
   if (all.pixel) {
     const auto& at = *all.pixel;
     answer.emplace_back("pixel", Value::Array{at.x, at.y});
     answer.emplace_back("sample", at.sample);
-    auto& ray = std::get<Value::Object>(tree.front().second.is);
-    ray.emplace_back("raster", Value::Array{at.raster.u, at.raster.v});
-    ray.emplace_back("ndc", Value::Array{at.ndc.u, at.ndc.v});
-    ray.emplace_back("screen", Value::Array{at.screen.u, at.screen.v});
+    auto& through = all.tree ? std::get<Value::Object>(tree.front().second.is) : ray;
+    through.emplace_back("raster", Value::Array{at.raster.u, at.raster.v});
+    through.emplace_back("ndc", Value::Array{at.ndc.u, at.ndc.v});
+    through.emplace_back("screen", Value::Array{at.screen.u, at.screen.v});
   }
-  answer.emplace_back("ray", ray_value(all.ray.origin, all.ray.direction));
+  answer.emplace_back("ray", std::move(ray));
   answer.emplace_back("hits", writer.hits());
-  answer.emplace_back("tree", std::move(tree));
+  if (all.tree) answer.emplace_back("tree", std::move(tree));
   answer.emplace_back("objects", writer.objects());
   if (!all.notes.empty()) answer.emplace_back("notes", writer.notes());
   return answer;

@@ -1,6 +1,7 @@
 // What an explanation as JSON may be.
 #include "core/input/object_schema.h"
 #include "core/render/explain.h"
+#include "core/render/explain_paths.h"
 
 namespace tia {
 namespace {
@@ -101,23 +102,23 @@ Value node_schema(Definitions& named) {
 
 Value explanation_schema(Definitions& named) {
   return schema_called("explanation", named, [&] {
-    return object_schema(
-        {{"pixel", plain_schema<std::array<int, 2>>({.min = 0}), "x and y, of a pixel's ray",
-          false},
-         {"sample", count_schema(), "which of the pixel's rays", false},
-         {"ray", ray_schema(named), "in double"},
-         {"hits", list_schema(hit_schema()), "all along the ray, the nearest first, in double"},
-         {"tree", node_schema(named), "what makes the colour, in the picture's own arithmetic"},
-         {"objects", list_schema(object_entry_schema()),
-          "all that hits and tree name, each once: names need not be unique, ids and pointers are; "
-          "copies of an object share its entry"},
-         {"notes", list_schema(note_schema()),
-          "what the integrator leaves out of the scene, and the first 20 luminous objects that "
-          "path "
-          "meets by chance alone, for it asks no such shape for light, and no more than 32768 "
-          "areas "
-          "of all objects",
-          false}});
+    std::vector<SchemaMember> members{
+        {"pixel", plain_schema<std::array<int, 2>>({.min = 0}), "x and y, of a pixel's ray", false},
+        {"sample", count_schema(), "which of the pixel's rays", false},
+        {"ray", ray_schema(named), "in double"},
+        {"hits", list_schema(hit_schema()), "all along the ray, the nearest first, in double"},
+        {"tree", node_schema(named),
+         "what makes the colour, in the picture's own arithmetic; not of path", false},
+        {"objects", list_schema(object_entry_schema()),
+         "all that the others name, each once: names need not be unique, ids and pointers are; "
+         "copies of an object share its entry"},
+        {"notes", list_schema(note_schema()),
+         "what the integrator leaves out of the scene, and the first 20 luminous objects that path "
+         "meets by chance alone, for it asks no such shape for light, and no more than 32768 areas "
+         "of all objects",
+         false}};
+    for (SchemaMember& each : paths_schema(named)) members.push_back(std::move(each));
+    return object_schema(std::move(members));
   });
 }
 

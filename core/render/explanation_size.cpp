@@ -1,5 +1,7 @@
 #include "core/render/explanation_size.h"
 
+#include "core/integrators/path_record.h"
+
 namespace tia {
 namespace {
 
@@ -11,6 +13,8 @@ std::size_t text_bytes(std::string_view text) { return to_json(Value(text)).size
 // Names and quotes of members, brackets, commas; `true` and short words such as a type's.
 constexpr std::size_t hit_frame = 120, bracket_frame = 80, ray_frame = 140, term_frame = 70,
                       light_frame = 90, id_member = 32, object_frame = 80, note_frame = 30;
+constexpr std::size_t path_frame = 120, vertex_frame = 80, path_light_frame = 90, asked_frame = 130,
+                      group_frame = 80;
 
 }  // namespace
 
@@ -63,6 +67,34 @@ void ExplanationSize::term(TermName, const LightRecord& record) {
   }
   take(bytes, "/max_depth", "fewer lights, or a lower max_depth, make fewer terms");
 }
+
+void ExplanationSize::take_of_path(std::size_t bytes) {
+  take(bytes, "/paths", "fewer paths, or a lower max_depth, make less to tell");
+}
+
+void ExplanationSize::path(const PathRecord& path) {
+  take_of_path(path_frame + three + 4 * number);
+  for (const PathVertex& vertex : path.vertices) {
+    const bool hit = vertex.hit.t < infinity;
+    const int own = hit ? static_cast<int>(vertex.hit.primitive) : -1;
+    std::size_t bytes = vertex_frame + 3 * three;
+    if (hit) bytes += vertex_frame + 2 * three + number + naming(own);
+    if (vertex.event) bytes += vertex_frame + 2 * three + 2 * number;
+    for (const GatheredLight& each : vertex.lights) {
+      const int all = world_.path_lights.size();
+      const int primitive = each.light == GatheredLight::own_surface ? own
+                            : each.light >= 0 && each.light < all
+                                ? world_.path_lights[each.light].primitive
+                                : -1;
+      constexpr std::size_t pointer = 40;  // of one of the scene's lights
+      bytes += path_light_frame + three + number + (primitive < 0 ? pointer : naming(primitive));
+      if (each.asked) bytes += asked_frame + 3 * three + 4 * number;
+    }
+    take_of_path(bytes);
+  }
+}
+
+void ExplanationSize::path_group() { take_of_path(group_frame + 2 * three + 2 * number); }
 
 void ExplanationSize::note(std::string_view pointer, std::string_view about) {
   take(note_frame + text_bytes(pointer) + text_bytes(about), "", "there is much to note of it");

@@ -13,6 +13,8 @@
 
 namespace tia {
 
+struct PathRecord;
+
 /// The longest explanation, in bytes of its JSON.
 inline constexpr std::size_t longest_explanation = 4 << 20;
 
@@ -27,6 +29,8 @@ class ExplanationSize {
   void hit(const Meeting& at);
   void ray(const Hit<float>& hit);
   void term(TermName name, const LightRecord& record);
+  void path(const PathRecord& path);
+  void path_group();
   void note(std::string_view pointer, std::string_view about);
 
   std::size_t bytes() const { return bytes_; }
@@ -38,6 +42,7 @@ class ExplanationSize {
   // Of the member that names a primitive's object, and, the first time, of the object's entry.
   std::size_t naming(int primitive);
   std::size_t copy_bytes(int primitive) const;
+  void take_of_path(std::size_t bytes);
 
   const World& world_;
   const std::vector<ObjectLabel>& labels_;

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <optional>
 
 #include "core/integrators/path_parts.h"
 #include "core/math/lanes.h"
@@ -110,7 +109,8 @@ struct Sums {
   using P = Precise<Real>;
   Vec3<P> light, deviations, squares;
   std::array<int, Pixels<Real>::size> met{};  ///< of these samples alone
-  std::optional<Vec3<P>> ground{};            ///< where there is one
+  bool has_ground = false;
+  Vec3<P> ground{P(0), P(0), P(0)};  ///< where there is one
 
   explicit Sums(const Pixels<Real>& pixels)
       : light(pixels.gather(&Estimate::light)),
@@ -120,13 +120,16 @@ struct Sums {
     pixels.scatter(light, &Estimate::light);
     pixels.scatter(deviations, &Estimate::deviations);
     pixels.scatter(squares, &Estimate::squares);
-    if (ground) pixels.scatter(*ground, &Estimate::ground);
+    if (has_ground) pixels.scatter(ground, &Estimate::ground);
     for (std::size_t i = 0; i < pixels.count; ++i) pixels.estimates[i]->met += met[i];
   }
-  void begin_ground(const Pixels<Real>& pixels) { ground = pixels.gather(&Estimate::ground); }
+  void begin_ground(const Pixels<Real>& pixels) {
+    has_ground = true;
+    ground = pixels.gather(&Estimate::ground);
+  }
   void add_ground(const GroundLight<Real>& light) {
     const Real one = select(light.here, Real(1), Real(0));
-    *ground = *ground + widen(Vec3<Real>{light.with, light.without, one});
+    ground = ground + widen(Vec3<Real>{light.with, light.without, one});
   }
   // The lanes, as bits, of samples that met an object.
   void add_met(unsigned lanes_of_it) {

@@ -30,7 +30,8 @@ std::string names_of(Is is) {
 }  // namespace
 
 std::string explained_names() {
-  return names_of([](const IntegratorRow& row) { return row.is_whitted; });
+  return names_of(
+      [](const IntegratorRow& row) { return row.is_whitted || row.name == IntegratorName::path; });
 }
 std::string chance_names() {
   return names_of([](const IntegratorRow& row) { return row.is_chance(); });

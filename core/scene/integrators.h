@@ -178,7 +178,7 @@ constexpr Rules rules_of(IntegratorName name, const Rules& asked) {
   return rules;
 }
 
-/// The names of those that /explain tells of: "thesis or whitted".
+/// The names of those that /explain tells of: "thesis or whitted or path".
 std::string explained_names();
 /// The names of those whose rays are chance.
 std::string chance_names();

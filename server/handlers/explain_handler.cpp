@@ -1,6 +1,7 @@
 // /explain: one pixel or one ray in, what the ray meets out, as JSON.
 #include "core/input/json.h"
 #include "core/render/explain.h"
+#include "core/render/explain_paths.h"
 #include "core/render/sampler.h"
 #include "server/contract/answers.h"
 #include "server/contract/parameters.h"
@@ -38,24 +39,37 @@ namespace {
 RenderOptions checked_options(const ExplainRequest& asked, const Scene& scene,
                               const Limits& limits) {
   const RenderOptions options = options_of(options_in_effect(scene.options, asked), limits);
-  if (!row_of(options.integrator).is_whitted)
+  const bool by_paths = options.integrator == IntegratorName::path;
+  if (!row_of(options.integrator).is_whitted && !by_paths)
     throw InputError({FaultKind::out_of_range, "/integrator", Value(name_of(options.integrator)),
-                      explained_names() + ", whose rays make a tree"});
+                      explained_names() + ", whose light comes by rays that can be told"});
+  if (asked.paths && !by_paths)
+    throw InputError({FaultKind::conflict, "/paths", Value(*asked.paths),
+                      "the integrator path; the rays of " +
+                          std::string(name_of(options.integrator)) + " are a tree"});
   const int rays = least_samples(options.samples, options.threshold);
-  const int most = options.threshold > 0 ? 16 * rays : rays;
+  const int most = options.threshold > 0 && !by_paths ? 16 * rays : rays;
   if (asked.sample >= most)
     throw InputError({FaultKind::out_of_range, "/sample", Value(asked.sample),
                       range_text({.min = 0, .max = most - 1.0}, true) + ", of the pixel's rays"});
   return options;
 }
 
-Explanation explanation_in(const ExplainRequest& asked, const Scene& scene, World world,
-                           const RenderOptions& options, const std::stop_token& stop) {
-  if (asked.ray)
-    return explain(scene, std::move(world), {asked.ray->origin, normalize(asked.ray->direction)},
-                   options, stop);
+Value::Object explanation_in(const ExplainRequest& asked, const Scene& scene, World world,
+                             const RenderOptions& options, const std::stop_token& stop) {
+  const bool by_paths = options.integrator == IntegratorName::path;
+  const WhichPaths which{asked.sample, asked.paths.value_or(WhichPaths{}.count)};
+  if (asked.ray) {
+    const Ray<double> ray{asked.ray->origin, normalize(asked.ray->direction)};
+    if (by_paths)
+      return value_of(explain_paths(scene, std::move(world), ray, which, options, stop));
+    return value_of(explain(scene, std::move(world), ray, options, stop));
+  }
   const View view = view_of(scene.camera, asked.width, asked.height);
-  return explain(scene, std::move(world), view, *asked.x, *asked.y, asked.sample, options, stop);
+  const int x = *asked.x, y = *asked.y;
+  if (by_paths)
+    return value_of(explain_paths(scene, std::move(world), view, x, y, which, options, stop));
+  return value_of(explain(scene, std::move(world), view, x, y, asked.sample, options, stop));
 }
 
 std::string explanation_of(const ExplainRequest& asked, const Service& service,
@@ -67,8 +81,7 @@ std::string explanation_of(const ExplainRequest& asked, const Service& service,
       scene, pool.workers(pool.threads(), requester.stop, &flow));
   std::string text;
   const auto tell = [&] {
-    text =
-        to_json(value_of(explanation_in(asked, *scene, std::move(world), options, requester.stop)));
+    text = to_json(explanation_in(asked, *scene, std::move(world), options, requester.stop));
   };
   pool.alone(tell, requester.stop, &flow);
   return text;
@@ -105,8 +118,10 @@ Response post_explain(const Request& request, const std::string&, Service& servi
 }
 
 Answer explanation() {
-  return ok("the hits along the ray and the tree of all that makes its colour", media::json,
-            explanation_schema, {"Cache-Control"});
+  return ok(
+      "the hits along the ray, and all that makes its colour: the tree of its rays, or of "
+      "path the paths of its light and the ways by which it came",
+      media::json, explanation_schema, {"Cache-Control"});
 }
 
 std::vector<Content> explain_body() {
@@ -129,6 +144,7 @@ std::vector<Route> explain_routes() {
            .gives = {media::json},
            .query = query_parameters<ExplainRequest>,
            .examples = {"/explain?x=320&y=240&key=a",
+                        "/explain?x=320&y=240&key=a&integrator=path&samples=64&paths=4",
                         "/explain?ray.origin=0,0,0&ray.direction=0,0,-1"}},
           {.method = "POST",
            .path = "/explain",

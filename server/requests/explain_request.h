@@ -28,17 +28,23 @@ struct ExplainRequest : TraceRequest {
   static constexpr std::string_view schema_name = "explain_request";
   std::optional<int> x, y;
   int sample = 0;
+  std::optional<int> paths;
   std::optional<FreeRay> ray;
 
   template <class Visitor>
   static void fields(Visitor&& visit) {
     using E = ExplainRequest;
-    constexpr double most_samples = 16 * 65536 - 1;
+    constexpr double most_samples = 16 * 65536 - 1, most_paths = 1024;
     TraceRequest::fields(visit);
     visit("x", &E::x, Spec{.about = "the pixel's column, from the left", .min = 0, .max = most_px});
     visit("y", &E::y, Spec{.about = "the pixel's row, from the top", .min = 0, .max = most_px});
     visit("sample", &E::sample,
           Spec{.about = "which of the pixel's rays, from 0", .min = 0, .max = most_samples});
+    visit("paths", &E::paths,
+          Spec{.about = "of path: how many of the pixel's paths are told one by one, from that of "
+                        "sample on; else 16",
+               .min = 0,
+               .max = most_paths});
     visit("ray", &E::ray, Spec{.about = "a ray of its own instead of a pixel's"});
   }
   /// Neither a pixel nor a ray, or both; a pixel outside the picture.

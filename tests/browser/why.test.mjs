@@ -41,6 +41,20 @@ for (const path of ['key=a', 'key=s&transfer=srgb', 'scene=whitted', 'scene=whit
   });
 }
 
+// By the same paths as the interface tells of, whose groups are the page's.
+test('a pixel of path is explained by the ways that its light came', () =>
+  on.ask(`?scene=room&${SIZED}&pixel=160,200`, async (page) => {
+    await explained(page, [160, 200]);
+    assert.match(await because(page), /^Of the light of 256 paths \d+ % (came|is seen)/);
+    const { groups } = await on.json(`/explain?scene=room&${SIZED}&x=160&y=200&samples=256&threshold=0&paths=0`);
+    const shown = await page.locator('.ways li').allInnerTexts();
+    const told = groups.slice(0, 8).map(({ share }) => `${Math.round(share * 100)} %`);
+    assert.deepEqual(shown.map((line) => /\d+ %/.exec(line)[0]), told);
+    assert.match(shown[0], /: matt(.*matt)* \u2190 light$/);
+    assert.equal(await page.locator('.ways meter').count(), shown.length);
+    assert.equal(await page.locator('.walk').isVisible(), false);
+  }));
+
 // Every ray's table as shown: [{ name, ray, value, weight, adds, running }] and the rows below.
 const readTables = (page) => page.locator('.walk').evaluate((walk) => {
   const numbers = (row) => row && [...row.querySelectorAll('td')].map((cell) => Number(cell.innerText));

@@ -7,7 +7,8 @@ const LEAST_PART = 0.05; // of the brightness that is worth a word
 
 const brightness = ([r, g, b]) => r + g + b;
 const addsOf = ({ weight, value }) => weight * brightness(value);
-const percent = (share) => countWords(Math.round(share * 100));
+/** A share as a number of hundredths. */
+export const percent = (share) => countWords(Math.round(share * 100));
 const capital = (words) => words.charAt(0).toUpperCase() + words.slice(1);
 
 /** An object as a sentence names it; `label` is its name or calledApart's, null the void. */
@@ -37,6 +38,28 @@ export function whySentence(tree) {
   if (tree.winner === null) return t('why.background');
   const sentences = [mainWords(tree), lampsWords(tree), ...otherLamps(tree), partsWords(tree)];
   return sentences.filter(Boolean).map(capital).join(' ');
+}
+
+// The first that fits a light path expression.
+const WAYS = [['seen', /^E$/], ['straight', /^[DGV]E$/], ['mirrored', /^[ST]/], ['over', /E$/]];
+
+/** By which ways the light of a pixel's paths came. */
+export function waysSentence({ groups, count }) {
+  const shares = new Map();
+  for (const { expression, share } of groups) {
+    const [way] = WAYS.find(([, fits]) => fits.test(expression));
+    shares.set(way, (shares.get(way) ?? 0) + share);
+  }
+  const parts = [...shares].sort(([, a], [, b]) => b - a)
+    .map(([way, share]) => t(`why.way_${way}`, { share: percent(share) }));
+  const paths = countWords(count);
+  return parts.length ? t('why.ways', { count: paths, parts: parts.join(', ') }) : t('why.noWay', { count: paths });
+}
+
+/** The stations of a light path expression, from the eye on. */
+export function expressionWords(expression) {
+  const station = (letter) => t(`why.letter_${letter === '*' ? 'more' : letter}`);
+  return [...expression].map(station).join(' \u2190 ');
 }
 
 function mainWords(tree) {

@@ -6,13 +6,20 @@ import { along, reachOf, stepsOf } from './explained.js';
 import { fetchExplanation } from './server.js';
 
 const MOST_PROBES = 12; // blocked shadow rays whose ends are looked for
+const PATHS = 256; // of which a pixel's light is the mean, where it is by chance
 
 /**
  * The pixel of a request as { tree, hits, steps, left }. The steps are stepsOf's; a blocked shadow
- * ray ends where it is blocked and has its lamp as `aim`. `middle`: what the picture is about.
+ * ray ends where it is blocked and has its lamp as `aim`. `middle`: what the picture is about. Of
+ * the integrator path: { mean, groups, count, hits, steps }, of many paths and without steps.
  */
 export async function explainPixel(request, [x, y], middle, signal) {
-  const { tree, hits } = calledApart(await fetchExplanation({ ...request, x, y }, signal));
+  const told = await fetchExplanation({ ...request, x, y }, signal);
+  if (!told.tree) {
+    const all = await fetchExplanation({ ...request, x, y, samples: PATHS, paths: 0 }, signal);
+    return { ...all, hits: calledApart({ ...all, tree: {} }).hits, steps: [] };
+  }
+  const { tree, hits } = calledApart(told);
   const least = middle ? 2 * length(subtract(middle, tree.ray.origin)) : 10;
   const { steps, left } = stepsOf(tree, reachOf(tree, least));
   const blocked = steps.filter((step) => step.blocked).slice(0, MOST_PROBES);
