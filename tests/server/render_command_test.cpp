@@ -158,7 +158,7 @@ TEST_F(RenderCommand, AFileThatCannotBeWrittenExits2NamingIt) {
 }
 
 TEST_F(RenderCommand, ShowsWhatItDoesAndDrawsTheSame) {
-  const Process::Words words{"cornell-light", "--width", "64", "--height", "48", "--samples", "64"};
+  const Process::Words words{"cornell-light", "--width", "32", "--height", "24", "--samples", "64"};
   const std::string plain = drawn(words);
   Process::Words watched = words;
   watched.insert(watched.begin(), "render");

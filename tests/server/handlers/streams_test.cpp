@@ -9,10 +9,11 @@ using testing::StartsWith;
 
 TEST(Streams, EndWithThePlainPictureForAnyThreads) {
   Server server;
+  const int samples = rounds(64, 4);
   int seed = 100;
   for (const char* threads : {"&threads=1", "&threads=7"})
     for (const char* of : {"", "&noise=0.05", "&integrator=whitted", "&max_rays=2000000"}) {
-      const std::string target = room(++seed, 64, of) + threads;
+      const std::string target = room(++seed, samples, of) + threads;
       const std::string plain = plain_bytes(target);
       const Response parts = ask_on(server.port(), target + "&stream=multipart");
       EXPECT_THAT(parts.content_type, StartsWith("multipart/x-mixed-replace; boundary="));
@@ -21,7 +22,7 @@ TEST(Streams, EndWithThePlainPictureForAnyThreads) {
       EXPECT_EQ(header(parts, "Cross-Origin-Resource-Policy"), "cross-origin");
       EXPECT_EQ(pictures_in(parts).back(), plain) << target;
 
-      const std::string other = room(++seed, 64, of) + threads;
+      const std::string other = room(++seed, samples, of) + threads;
       const Response told = ask_on(server.port(), other + "&stream=events");
       EXPECT_EQ(told.content_type, "text/event-stream");
       const std::vector<Event> events = events_in(told.body);
@@ -36,9 +37,11 @@ TEST(Streams, EndWithThePlainPictureForAnyThreads) {
 // Of POST, too. Each round is the picture of as many samples, where it is no preview.
 TEST(Streams, EachHrefGivesThePictureOfItsSamples) {
   Server server;
+  const int all = rounds(1024, 16);
   const std::string body =
-      R"({"scene": "cornell-light", "width": 32, "height": 24, "samples": 1024, "seed": 7,)"
-      R"( "stream": "events"})";
+      R"({"scene": "cornell-light", "width": 32, "height": 24, "seed": 7, "stream": "events",)"
+      R"( "samples": )" +
+      std::to_string(all) + "}";
   const Response told = posted_to(server.port(), body);
   const std::vector<Event> events = events_in(told.body);
   ASSERT_GE(events.size(), 2U);
@@ -58,7 +61,7 @@ TEST(Streams, EachHrefGivesThePictureOfItsSamples) {
     EXPECT_EQ(shown.body, plain_bytes(room(7, samples))) << samples;
     EXPECT_GT(number_at(each.data, "noise"), 0);
   }
-  EXPECT_EQ(before, 1024);
+  EXPECT_EQ(before, all);
 }
 
 // With the fields that the plain answer has; a preview is told from the others.
@@ -101,7 +104,8 @@ TEST(Streams, OfAKeptPictureAreThatAlone) {
 // A view is drawn after the other; what is shown meanwhile is no picture of its own.
 TEST(Streams, OfASheetShowItsViewsOneAfterAnother) {
   Server server;
-  const auto body = [](const char* more, int seed) {
+  const int samples = rounds(256, 8);
+  const auto body = [samples](const char* more, int seed) {
     std::string scene = host().get("/scenes/cornell-light").body;
     scene.insert(
         scene.find('{') + 1,
@@ -109,8 +113,8 @@ TEST(Streams, OfASheetShowItsViewsOneAfterAnother) {
         R"({"camera": {"location": [278, 273, -800], "look_at": [278, 273, 0]}, "lights": []},)"
         R"({"camera": {"location": [100, 273, -800], "look_at": [278, 273, 0]}, "lights": []},)"
         R"({"camera": {"location": [400, 273, -800], "look_at": [278, 273, 0]}, "lights": []}]},)");
-    return R"({"width": 24, "height": 20, "samples": 512, "seed": )" + std::to_string(seed) +
-           R"(, "scene": )" + scene + more + "}";
+    return R"({"width": 24, "height": 20, "samples": )" + std::to_string(samples) +
+           R"(, "seed": )" + std::to_string(seed) + R"(, "scene": )" + scene + more + "}";
   };
   const Response plain = host().post("/render", body("", 1));
   ASSERT_EQ(plain.status, 200) << plain.body;
@@ -119,6 +123,7 @@ TEST(Streams, OfASheetShowItsViewsOneAfterAnother) {
   const std::vector<Event> events =
       events_in(posted_to(server.port(), body(R"(, "stream": "events")", 2)).body);
   ASSERT_GE(events.size(), 2U);
+  const std::string all = host().post("/render", body("", 2)).body;
   double before = 0;
   for (const Event& each : events) {
     const bool is_last = &each == &events.back();
@@ -128,9 +133,9 @@ TEST(Streams, OfASheetShowItsViewsOneAfterAnother) {
     before = mean;
     const std::string picture = ask_on(server.port(), text_at(each.data, "href")).body;
     EXPECT_EQ(read_png(picture).width, 48);
-    EXPECT_EQ(picture == host().post("/render", body("", 2)).body, is_last);
+    EXPECT_EQ(picture == all, is_last);
   }
-  EXPECT_EQ(before, 512);
+  EXPECT_EQ(before, samples);
 }
 
 TEST(Streams, OfStillsEndWithThem) {
@@ -150,7 +155,7 @@ TEST(Streams, OfStillsEndWithThem) {
 // Who comes late sees at once what there is, and ends with the same picture.
 TEST(Streams, MayBeJoinedLate) {
   Server server;
-  const std::string target = room(9, sanitized() ? 1024 : 4096);
+  const std::string target = room(9, sanitized() ? 256 : 4096);
   const std::string tag = *header(server.host().head(target), "ETag");
   Wire first(server.port()), late(server.port());
   begun(first, target + "&stream=events");
