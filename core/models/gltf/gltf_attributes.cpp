@@ -97,10 +97,11 @@ std::vector<Number> in_turn(std::vector<Number> first, const std::vector<Number>
 
 void check_weights(const Attributes& attributes, std::string_view name,
                    const std::vector<float>& weights) {
-  const auto wrong = std::ranges::find_if(weights, [](float weight) { return weight < 0; });
+  const auto wrong =
+      std::ranges::find_if(weights, [](float weight) { return weight < 0 || weight > 1e6F; });
   if (wrong != weights.end())
     attributes.object.fault(FaultKind::out_of_range, name, Value(double{*wrong}),
-                            "weights from 0 on");
+                            "weights from 0 to 1e6");
 }
 
 void read_skin(const Attributes& attributes, ModelPart& part) {

@@ -21,7 +21,7 @@ struct AttributeRule {
   ElementTypes types = 0;
   Formats formats = 0;
   Formats quantized = 0;  ///< those that KHR_mesh_quantization adds
-  double most = std::numeric_limits<double>::max();
+  double most = farthest;
 };
 
 /// Attributes: of a primitive, or of one of its morph targets.

@@ -7,6 +7,9 @@
 
 namespace tia::gltf {
 
+/// What check_model() holds all numbers to that are not colours, weights or indices.
+inline constexpr double farthest = 1e9;
+
 /// The numbers of the first `count` elements, one after the other, a matrix column by column;
 /// normalised integers as numbers from -1 or 0 to 1. Domain: an accessor that is good, with so many
 /// elements; Number: float, double, or std::uint32_t of unsigned integers. Of absolute values up

@@ -18,7 +18,7 @@ struct InstanceAccessor {
 
 std::vector<double> read_of_instances(const GltfSource& source, const InstanceAccessor& from) {
   if (from.accessor == nullptr) return {};
-  auto read = read_elements<double>(source, *from.accessor, from.accessor->count);
+  auto read = read_elements<double>(source, *from.accessor, from.accessor->count, farthest);
   return read ? std::move(*read) : std::vector<double>();
 }
 

@@ -147,8 +147,8 @@ class AnimationReader {
     if (sampler.input == nullptr || sampler.output == nullptr) return false;
     read.interpolation = sampler.interpolation;
     if (!outputs_fit(channel, sampler, read) || !take(channel, sampler)) return false;
-    auto times = read_elements<float>(source_, *sampler.input, sampler.input->count);
-    auto values = read_elements<float>(source_, *sampler.output, sampler.output->count);
+    auto times = read_elements<float>(source_, *sampler.input, sampler.input->count, farthest);
+    auto values = read_elements<float>(source_, *sampler.output, sampler.output->count, farthest);
     if (!times || !values || !times_ascend(*times, place.at("input"))) return false;
     read.times = std::move(*times);
     read.values = std::move(*values);

@@ -32,7 +32,7 @@ std::vector<Matrix> read_inverse_binds(const GltfSource& source, const GltfObjec
                      " joints, in a view without a byteStride");
     return matrices;
   }
-  const auto numbers = read_elements<double>(source, *accessor, joints);
+  const auto numbers = read_elements<double>(source, *accessor, joints, farthest);
   if (!numbers) return matrices;
   for (std::size_t i = 0; i < joints; ++i)
     std::copy_n(numbers->data() + i * 16, 16, matrices[i].data());
