@@ -76,7 +76,7 @@ TEST(Parts, AreNotMadeForHead) {
 
 TEST(Parts, WaitWhileTheClientDoesNotRead) {
   const std::string part(64 << 10, 'x');
-  constexpr std::size_t count = 512;  // 32 MiB
+  constexpr std::size_t count = 256;  // 16 MiB
   std::atomic<std::size_t> made = 0;
   Serving serving(in_parts([&](const SendPart& send) {
     for (std::size_t i = 0; i < count; ++i) {
