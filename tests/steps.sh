@@ -146,7 +146,7 @@ alone_share() { test_program 0 1 "$5" "${@:2}"; }
 alone_count() { googletest_count "$@"; }
 # test_program SHARE SHARES FILTER PRESET PROGRAM...
 test_program() {
-  GTEST_SHARD_INDEX=$1 GTEST_TOTAL_SHARDS=$2 timeout 900 \
+  GTEST_SHARD_INDEX=$1 GTEST_TOTAL_SHARDS=$2 timeout 1200 \
     "${fixed_addresses[@]}" "${emulator[@]}" "build/$4/tests/$5" --gtest_filter="$3"
 }
 googletest_count() {
