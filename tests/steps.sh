@@ -242,6 +242,7 @@ step_same_bytes() {
   same_picture path.pfm cornell --integrator path --samples 4
   same_picture layers.exr cornell --samples 4 --integrator path \
     --aov rgba,normal,albedo,Z,object,direct,indirect,emission,variance,samples
+  same_picture denoised.pfm cornell-light --samples 4 --denoise true
   same_picture samples.pfm shapes --samples 5 --seed 7
   same_picture threshold.pfm shapes --threshold 0.05
   same_picture lens.pfm shapes --samples 3 --camera '{"aperture": 1, "focus_distance": 12}'
