@@ -19,8 +19,7 @@ constexpr Formats integers = any_of(
 
 // Source: Khronos, glTF 2.0 (2021), section 3.7.2.1, and KHR_mesh_quantization.
 constexpr AttributeRule position_rule{only(ElementType::vec3), floats,
-                                      any_of({integers, normalized_units, normalized_directions}),
-                                      farthest_vertex};
+                                      any_of({integers, normalized_units, normalized_directions})};
 constexpr AttributeRule normal_rule{only(ElementType::vec3), floats, normalized_directions};
 constexpr AttributeRule tangent_rule{only(ElementType::vec4), floats, normalized_directions};
 constexpr AttributeRule uv_rule{only(ElementType::vec2), any_of({floats, normalized_units}),

@@ -21,7 +21,6 @@ struct AttributeRule {
   ElementTypes types = 0;
   Formats formats = 0;
   Formats quantized = 0;  ///< those that KHR_mesh_quantization adds
-  double most = farthest;
 };
 
 /// Attributes: of a primitive, or of one of its morph targets.
@@ -45,13 +44,9 @@ std::vector<Number> read_attribute(const Attributes& attributes, std::string_vie
                                    const AttributeRule& rule) {
   const Accessor* accessor = attribute_accessor(attributes, name, rule);
   if (accessor == nullptr) return {};
-  auto numbers =
-      read_elements<Number>(attributes.source, *accessor, attributes.vertices, rule.most);
+  auto numbers = read_elements<Number>(attributes.source, *accessor, attributes.vertices, farthest);
   return numbers ? std::move(*numbers) : std::vector<Number>();
 }
-
-/// How far from the origin a vertex may be.
-inline constexpr double farthest_vertex = 1e9;
 
 /// Fills a part's lists of vertices. Errors: faults. Warnings: of what is not taken, as normals
 /// without a length.

@@ -7,7 +7,7 @@
 
 namespace tia::gltf {
 
-/// What check_model() holds all numbers to that are not colours, weights or indices.
+/// What check_model() holds the numbers of vertices, places and animations to.
 inline constexpr double farthest = 1e9;
 
 /// The numbers of the first `count` elements, one after the other, a matrix column by column;

@@ -10,8 +10,7 @@ constexpr Formats moved_positions =
     any_of({moved_directions, format(Component::signed_byte), format(Component::signed_short)});
 
 // Source: Khronos, glTF 2.0 (2021), section 3.7.2.2, and KHR_mesh_quantization.
-constexpr AttributeRule moved_position_rule{only(ElementType::vec3), floats, moved_positions,
-                                            farthest_vertex};
+constexpr AttributeRule moved_position_rule{only(ElementType::vec3), floats, moved_positions};
 constexpr AttributeRule moved_direction_rule{only(ElementType::vec3), floats, moved_directions};
 
 MorphTarget read_target(const Attributes& target, const GltfObject& base, const ModelPart& part) {

@@ -23,11 +23,11 @@ std::vector<float> joined(std::vector<float> a, const std::vector<float>& b) {
 
 // Node 0 wears skin 0 with the joints 1 and 2; its one point names the joint `joint`.
 GltfBuilder skinned(const std::string& skin, const std::vector<float>& matrices = {},
-                    std::uint8_t joint = 1) {
+                    std::uint8_t joint = 1, float weight = 0.5) {
   GltfBuilder builder;
   const int positions = builder.vec3({0, 0, 0}),
             joints = builder.numbers<std::uint8_t>(gltf_ubyte, "VEC4", 4, {0, joint, 0, 0}),
-            weights = builder.floats("VEC4", 4, {0.5, 0.5, 0, 0});
+            weights = builder.floats("VEC4", 4, {weight, 0.5, 0, 0});
   builder.floats("MAT4", 16,
                  matrices.empty() ? joined(matrix_from(1), matrix_from(100)) : matrices);
   builder.set("meshes", one_primitive("\"POSITION\":" + number(positions) + ",\"JOINTS_0\":" +
@@ -184,6 +184,23 @@ TEST(GltfMotion, ChannelsThatDoNotFitAreRefused) {
   refused(sampler(1, 2), R"({"sampler":0})", FaultKind::missing, "channels/0/target");
   refused(sampler(1, 2), R"({"target":{"node":1,"path":"scale"}})", FaultKind::missing, at);
   refused(sampler(1, 2), "", beyond, "channels");
+}
+
+// What check_model() would not take of the reader's answer.
+TEST(GltfMotion, NumbersTooLargeForAModelAreRefused) {
+  const auto refused = [](const GltfBuilder& builder, const std::string& at) {
+    expect_one_fault(read_built(builder), FaultKind::out_of_range, at);
+  };
+  const std::string move = channel(0, 1, "translation");
+  GltfBuilder far = animated(sampler(1, 11), move), late = animated(sampler(11, 2), move);
+  far.floats("VEC3", 3, {1, 2, 3, 4, 2e9F, 6, 7, 8, 9});
+  refused(far, "/accessors/11");
+  late.floats("SCALAR", 1, {0, 1, 2e9F});
+  refused(late, "/accessors/11");
+  refused(skinned(R"("joints":[1,2],"inverseBindMatrices":3)",
+                  joined(matrix_from(1), matrix_from(2e9F))),
+          "/accessors/3");
+  refused(skinned(R"("joints":[1,2])", {}, 1, 2e6F), "/meshes/0/primitives/0/attributes/WEIGHTS_0");
 }
 
 // Many channels may share what one sampler has: each counts.
