@@ -15,10 +15,20 @@ void DenoisedWindow::put_alpha(const FilmTile& tile) {
                 &alpha_[static_cast<std::size_t>((tile.y + y) * traced_.width() + tile.x)]);
 }
 
-void DenoisedWindow::develop(const Workers& workers,
+void DenoisedWindow::put(const FilmTile& place, const std::vector<Halves>& pixels) {
+  for (std::size_t i = 0; i < pixels.size(); ++i) {
+    const int number = static_cast<int>(i);
+    const int x = place.x + number % place.width, y = place.y + number / place.width;
+    const std::size_t at = static_cast<std::size_t>(y * traced_.width() + x);
+    for (std::size_t plane = 0; plane < PixelPlanes::count; ++plane) {
+      halves_.a.planes[plane][at] = pixels[i].a[plane];
+      halves_.b.planes[plane][at] = pixels[i].b[plane];
+    }
+  }
+}
+
+void DenoisedWindow::develop(const Image& image, const Workers& workers,
                              const std::function<void(FilmTile&)>& develop) const {
-  Image image;
-  workers.alone([&] { image = denoise(halves_, workers); });
   const int columns = (window_.width() + FilmTile::size - 1) / FilmTile::size;
   const int rows = (window_.height() + FilmTile::size - 1) / FilmTile::size;
   workers.for_each(columns * rows, [&](int i) {

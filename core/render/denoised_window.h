@@ -6,6 +6,7 @@
 
 #include "core/film/denoise.h"
 #include "core/film/image.h"
+#include "core/render/halves.h"
 #include "core/render/window.h"
 
 namespace tia {
@@ -16,11 +17,15 @@ class DenoisedWindow {
   DenoisedWindow(const Window& window, int picture_width, int picture_height);
 
   const Window& traced() const { return traced_; }
-  HalfBuffers& halves() { return halves_; }
-  /// Keeps alpha, of which no noise is taken off. Any thread may put tiles of what is traced.
+  const HalfBuffers& halves() const { return halves_; }
+  /// Takes a tile's pixels. Any thread may put tiles of what is traced.
+  void put(const FilmTile& place, const std::vector<Halves>& pixels);
+  /// Keeps alpha, of which no noise is taken off. The same.
   void put_alpha(const FilmTile& tile);
-  /// Hands finished tiles of the window to `develop`, from several threads at once.
-  void develop(const Workers& workers, const std::function<void(FilmTile&)>& develop) const;
+  /// Hands tiles of the window with the light that has been made of what is traced to `develop`,
+  /// from several threads at once.
+  void develop(const Image& light, const Workers& workers,
+               const std::function<void(FilmTile&)>& develop) const;
 
  private:
   Window window_, traced_;

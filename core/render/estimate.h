@@ -40,8 +40,8 @@ struct PartSums {
 };
 
 /// GuidedSums: of a pixel that is going to be denoised: of all samples what their camera rays find
-/// (Guides), and of the first half of each round the same, their light, and how many there are. Of
-/// Sobol's points such halves are as even as the whole.
+/// (Guides), and of half of them the same, their light, and how many there are: those before a
+/// round that doubles them, or half of each. Of Sobol's points such are as even as the whole.
 struct GuidedSums {
   std::array<double, Guides::numbers> found{}, half_found{};
   Vec3d half_light{};

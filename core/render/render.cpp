@@ -16,7 +16,7 @@ HostLimits limits_of(const RenderOptions& options) { return {options.max_rays, o
 class Render {
  public:
   Render(const World& world, const View& view, const Window& window, const RenderOptions& options,
-         Pool& pool, const std::stop_token& stop, HalfBuffers* halves = nullptr)
+         Pool& pool, const std::stop_token& stop, DenoisedWindow* denoised = nullptr)
       : options_(options),
         window_(window),
         pool_(pool),
@@ -27,32 +27,28 @@ class Render {
                   .seed = options.seed,
                   .is_chance = row_of(options.integrator).is_chance(),
                   .in_rounds = options.noise > 0 || options.budget,
-                  .is_watched = is_watched()}),
+                  .is_watched = is_watched() || denoised != nullptr}),
         convergence_({options.threshold, options.noise, tells_errors(), options.tone}),
         meter_(options.budget ? no_limit : options.max_rays,
                options.budget ? no_limit : options.max_work, stop,
                spent_within(options.budget, options.spent, limits_of(options))),
-        halves_(halves),
-        shot_{world,        in_world_, options.integrator, rules_of(options), sampler_,
-              convergence_, meter_,    options.layers,     halves != nullptr} {}
+        denoised_(denoised),
+        shot_{world,        in_world_, options.integrator, rules_of(options),  sampler_,
+              convergence_, meter_,    options.layers,     denoised != nullptr} {}
 
   Rendered picture(const Develop& develop) {
-    show_preview();
-    // A centred picture has no rounds.
-    const bool by_rounds = !sampler_.centered() && (options_.budget || has_rounds());
-    return by_rounds ? round_by_round(develop) : tile_by_tile(develop);
+    if (denoised_ == nullptr) {
+      show_preview();
+      return traced(develop);
+    }
+    const Rendered drawn = traced([&](const FilmTile& tile) { denoised_->put_alpha(tile); });
+    develop_filtered([&] { return denoise(denoised_->halves(), workers()); }, develop);
+    return drawn;
   }
   /// To who watches. Of few pixels it would be no less than the first round, or than the picture.
   void show_preview() {
     if (is_watched() && (block() > 1 || (!has_rounds() && !sampler_.centered())))
       options_.watch({.is_preview = true, .show = coarsely()});
-  }
-  /// The colour of a backdrop that shadows fall on.
-  void lay_under(FilmTile& tile) const {
-    const World& world = shot_.world;
-    if (!world.ground || world.backdrop->is_transparent() || !gathers_light(shot_.integrator))
-      return;
-    tia::lay_under(lift<float>(rgb_of(*world.backdrop->color)), tile);
   }
 
  private:
@@ -64,6 +60,11 @@ class Render {
     return known || options_.budget;
   }
 
+  Rendered traced(const Develop& develop) {
+    // A centred picture has no rounds.
+    const bool by_rounds = !sampler_.centered() && (options_.budget || has_rounds());
+    return by_rounds ? round_by_round(develop) : tile_by_tile(develop);
+  }
   Rendered tile_by_tile(const Develop& develop) {
     try {
       for_each(tiles(), [&](int i) {
@@ -84,6 +85,7 @@ class Render {
     std::vector<RoundsOfTile> all;
     all.reserve(static_cast<std::size_t>(tiles()));
     for (int i = 0; i < tiles(); ++i) all.emplace_back(pixels_of(i));
+    if (is_first_filtered()) first_.emplace(window_.width(), window_.height());
     int rounds = 0;
     RayCounts rays;
     for (Open open = open_of(all); goes_on(open, rounds); open = open_of(all)) {
@@ -105,39 +107,36 @@ class Render {
     tile.width = std::min(options_.tile, window_.width() - tile.x);
     tile.height = std::min(options_.tile, window_.height() - tile.y);
   }
-  TilePixels pixels_of(const FilmTile& tile) const {
+  TilePixels pixels_of(const FilmTile& tile, bool guided) const {
     return {window_.x0 + tile.x, window_.y0 + tile.y, tile.width,
-            tile.height,         shot_.parts_light(), shot_.guided};
+            tile.height,         shot_.parts_light(), guided};
   }
   TilePixels pixels_of(int i) const {
     FilmTile tile;
     place(i, tile);
-    return pixels_of(tile);
+    return pixels_of(tile, shot_.guided);
   }
   void for_each(int count, const std::function<void(int)>& task) {
     pool_.for_each(count, options_.threads, stop_, task, options_.flow);
+  }
+  Workers workers() { return pool_.workers(options_.threads, stop_, options_.flow); }
+  // The colour of a backdrop that shadows fall on.
+  void lay_under(FilmTile& tile) const {
+    const World& world = shot_.world;
+    if (!world.ground || world.backdrop->is_transparent() || !gathers_light(shot_.integrator))
+      return;
+    tia::lay_under(lift<float>(rgb_of(*world.backdrop->color)), tile);
   }
 
   void trace(FilmTile& tile) {
     if (sampler_.centered() && !in_world_.orthographic() && !tells_more_)
       return trace_centers(shot_, options_.scalar, window_.x0 + tile.x, window_.y0 + tile.y, tile);
-    TilePixels pixels = pixels_of(tile);
+    TilePixels pixels = pixels_of(tile, shot_.guided);
     trace_rounds(shot_, options_.scalar, 0, sampler_.rounds(), pixels);
     ShownTile shown = shown_of(pixels, options_.layers);
     if (convergence_.shows() || is_watched()) tally_.add(shown.pixels);
     fill(tile, std::move(shown));
-    if (halves_ != nullptr) put_halves(tile, halves_of(pixels));
-  }
-  void put_halves(const FilmTile& tile, const std::vector<Halves>& pixels) {
-    for (std::size_t i = 0; i < pixels.size(); ++i) {
-      const int number = static_cast<int>(i);
-      const int x = tile.x + number % tile.width, y = tile.y + number / tile.width;
-      const std::size_t at = static_cast<std::size_t>(y * window_.width() + x);
-      for (std::size_t plane = 0; plane < PixelPlanes::count; ++plane) {
-        halves_->a.planes[plane][at] = pixels[i].a[plane];
-        halves_->b.planes[plane][at] = pixels[i].b[plane];
-      }
-    }
+    if (denoised_ != nullptr) denoised_->put(tile, halves_of(pixels));
   }
 
   // ---- by rounds ------------------------------------------------------------------------------
@@ -170,7 +169,9 @@ class Render {
   bool trace_round(const Open& open, int round) {
     try {
       for_each(static_cast<int>(open.tiles.size()), [&](int i) {
-        open.tiles[static_cast<std::size_t>(i)]->trace(shot_, options_.scalar, round);
+        RoundsOfTile& tile = *open.tiles[static_cast<std::size_t>(i)];
+        if (round == 0 && first_) trace_first(tile, i);
+        else tile.trace(shot_, options_.scalar, round);
       });
     } catch (const OutOfBudget& end) {
       if (!sampler_.may_end_after(round)) refuse(end, limits_of(options_));
@@ -179,36 +180,87 @@ class Render {
     return true;
   }
 
-  // Hands over all tiles, as `pixels` says that they are shown.
+  // For a preview what guides tell is put beside the light, tile by tile.
+  void trace_first(RoundsOfTile& tile, int i) {
+    Shot guided = shot_;
+    guided.guided = true;
+    FilmTile at;
+    place(i, at);
+    tile.guide();
+    tile.trace(guided, options_.scalar, 0);
+    tile.put(at, *first_);
+    tile.unguide();
+  }
+
+  // Hands over all tiles, as `pixels` says that they are shown; of filtered light, if there is.
   template <class Pixels>
-  void hand_over(const Develop& develop, const Pixels& pixels) {
+  void hand_over(const Develop& develop, const Pixels& pixels, const PreviewLight* light) {
     for_each(tiles(), [&](int i) {
       FilmTile tile;
       place(i, tile);
       fill(tile, pixels(tile, i));
+      if (light != nullptr) light->light(tile);
       lay_under(tile);
       develop(tile);
     });
   }
 
-  void develop_all(std::vector<RoundsOfTile>& all, int rounds, Tally& tally,
-                   const Develop& develop) {
-    hand_over(develop, [&](const FilmTile& tile, int i) -> const ShownTile& {
+  void develop_all(std::vector<RoundsOfTile>& all, int rounds, Tally& tally, const Develop& develop,
+                   const PreviewLight* light = nullptr) {
+    const auto shown_of_tile = [&](const FilmTile& tile, int i) -> const ShownTile& {
       RoundsOfTile& of_tile = all[static_cast<std::size_t>(i)];
       const ShownTile& shown = of_tile.after(rounds, options_.layers);
       tally.add(shown.pixels);
-      if (halves_ != nullptr) put_halves(tile, of_tile.halves());
+      if (denoised_ != nullptr) denoised_->put(tile, of_tile.halves());
       return shown;
+    };
+    hand_over(develop, shown_of_tile, light);
+  }
+  // The window's part of what `filter` makes of what has been traced.
+  template <class Filter>
+  void develop_filtered(const Filter& filter, const Develop& develop) {
+    Image light;
+    workers().alone([&] { light = filter(); });
+    denoised_->develop(light, workers(), [&](FilmTile& tile) {
+      lay_under(tile);
+      develop(tile);
     });
   }
 
   void show(std::vector<RoundsOfTile>& all, int rounds) {
     const int samples = sampler_.before(rounds);
-    options_.watch({samples == 1, meter_.counts(), [&](const Develop& develop) {
+    const bool quickly = samples == 1 || (denoised_ != nullptr && !is_worth_denoising());
+    options_.watch({quickly, meter_.counts(), [&](const Develop& develop) {
                       Tally tally;
-                      develop_all(all, rounds, tally, develop);
+                      if (denoised_ != nullptr) show_denoised(all, rounds, quickly, tally, develop);
+                      else show_plainly(all, rounds, tally, develop);
                       return tally.reached(samples);
                     }});
+    first_.reset();
+  }
+  void show_plainly(std::vector<RoundsOfTile>& all, int rounds, Tally& tally,
+                    const Develop& develop) {
+    if (first_) workers().alone([&] { first_->filter(workers()); });
+    develop_all(all, rounds, tally, develop, first_ ? &*first_ : nullptr);
+  }
+  void show_denoised(std::vector<RoundsOfTile>& all, int rounds, bool quickly, Tally& tally,
+                     const Develop& develop) {
+    develop_all(all, rounds, tally, [&](const FilmTile& tile) { denoised_->put_alpha(tile); });
+    if (!quickly)
+      return develop_filtered([&] { return denoise(denoised_->halves(), workers()); }, develop);
+    PreviewLight light(window_.width(), window_.height());
+    for_each(tiles(), [&](int i) {
+      FilmTile tile;
+      place(i, tile);
+      all[static_cast<std::size_t>(i)].put(tile, light);
+    });
+    develop_filtered([&] { return light.filter(workers()); }, develop);
+  }
+  // So much light has been traced that to denoise what there is costs little of the time. As rounds
+  // double, all such together cost no more than half of what the first of them costs.
+  bool is_worth_denoising() const {
+    constexpr std::int64_t rays_a_pixel = 256;
+    return meter_.counts().all() >= rays_a_pixel * window_.width() * window_.height();
   }
 
   // ---- the preview ----------------------------------------------------------------------------
@@ -221,21 +273,47 @@ class Render {
     return std::min(side, options_.tile);
   }
 
+  // Whether noise is taken off it. A block's light must not be in two tiles.
+  bool is_preview_filtered() const {
+    return row_of(options_.integrator).is_chance() && options_.tile % block() == 0;
+  }
+  bool is_first_filtered() const {
+    return is_watched() && denoised_ == nullptr && is_preview_filtered() &&
+           sampler_.before(1) == 1 &&
+           std::int64_t{window_.width()} * window_.height() <= PreviewLight::most_pixels;
+  }
+
   // Rays through the middles of blocks; they count nowhere.
   std::function<Reached(const Develop&)> coarsely() {
     return [this](const Develop& develop) {
       const Sampler centers(1, 0, options_.seed);
       const Convergence none({});
       RayMeter meter(no_limit, no_limit, stop_, options_.spent);
+      const bool filters = is_preview_filtered();
       const Shot shot{shot_.world, in_world_, options_.integrator, shot_.rules, centers,
-                      none,        meter,     options_.layers};
-      hand_over(develop, [&](const FilmTile& tile, int) {
-        TilePixels pixels = pixels_of(tile);
-        return blocks_of(shot, options_.scalar, block(), pixels);
-      });
+                      none,        meter,     options_.layers,     filters};
+      show_blocks(shot, develop);
       const int of = block() * block();
       return Reached{of > 1 ? 0 : 1, 1, 1.0 / of, 1, 1};
     };
+  }
+  void show_blocks(const Shot& shot, const Develop& develop) {
+    std::vector<ShownTile> all(static_cast<std::size_t>(tiles()));
+    PreviewLight light(window_.width(), window_.height(), block());
+    for_each(tiles(), [&](int i) {
+      FilmTile tile;
+      place(i, tile);
+      TilePixels pixels = pixels_of(tile, shot.guided);
+      all[static_cast<std::size_t>(i)] = blocks_of(shot, options_.scalar, block(), pixels);
+      if (shot.guided) light.put(tile, pixels);
+    });
+    if (shot.guided) workers().alone([&] { light.filter(workers()); });
+    hand_over(
+        develop,
+        [&](const FilmTile&, int i) -> const ShownTile& {
+          return all[static_cast<std::size_t>(i)];
+        },
+        shot.guided ? &light : nullptr);
   }
 
   Rendered told(const RayCounts& rays, const Tally& tally, int samples) const {
@@ -253,26 +331,19 @@ class Render {
   const Convergence convergence_;
   RayMeter meter_;
   Tally tally_;
-  HalfBuffers* const halves_;  // to be denoised; null: as it is
+  DenoisedWindow* const denoised_;     // null: it is shown as it is
+  std::optional<PreviewLight> first_;  // of the first round, until it is shown
   const Shot shot_;
   const bool tells_more_ = options_.layers.any([](const LayerRow& row) { return row.is_beside(); });
 };
 
-// Of what is watched only the preview is seen before the end: rounds have a margin, and noise.
+// The first preview needs no margin.
 Rendered render_denoised(const World& world, const View& view, const Window& window,
                          const RenderOptions& options, Pool& pool, const std::stop_token& stop,
                          const Develop& develop) {
   if (options.watch) Render(world, view, window, options, pool, stop).show_preview();
-  RenderOptions unseen = options;
-  unseen.watch = nullptr;
   DenoisedWindow denoised(window, view.width, view.height);
-  Render render(world, view, denoised.traced(), unseen, pool, stop, &denoised.halves());
-  const Rendered drawn = render.picture([&](const FilmTile& tile) { denoised.put_alpha(tile); });
-  denoised.develop(pool.workers(options.threads, stop, options.flow), [&](FilmTile& tile) {
-    render.lay_under(tile);
-    develop(tile);
-  });
-  return drawn;
+  return Render(world, view, denoised.traced(), options, pool, stop, &denoised).picture(develop);
 }
 
 }  // namespace

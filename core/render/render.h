@@ -24,7 +24,7 @@ using Develop = std::function<void(const FilmTile&)>;
 
 /// Glimpse: what there is of a picture that is not done yet.
 struct Glimpse {
-  /// One ray for each block of pixels, or one sample a pixel: less than any picture's rounds.
+  /// One ray for each block of pixels, one sample a pixel, or what is not denoised as it will be.
   bool is_preview = false;
   RayCounts rays = {};  ///< without those of the preview by blocks
   /// Hands over all tiles; of the preview by blocks, layers beside its light are 0.

@@ -8,7 +8,9 @@
 #include <utility>
 #include <vector>
 
+#include "core/render/halves.h"
 #include "core/render/layer_planes.h"
+#include "core/render/preview_light.h"
 #include "core/render/reached.h"
 #include "core/render/trace_tile.h"
 
@@ -89,15 +91,9 @@ inline void lay_under(const Vec3f& color, FilmTile& tile) {
 }
 
 /// What the tile's pixels are where one ray through the middle of each block of them tells all, but
-/// for layers, which are 0. The tile is spent. Domain: a centred sampler.
+/// for layers, which are 0. The tile's other pixels are spent. Domain: a centred sampler.
 inline ShownTile blocks_of(const Shot& shot, Scalar scalar, int side, TilePixels& pixels) {
-  const auto middle_of = [&](int pixel) {
-    const auto middle = [side](int i, int end) {
-      return std::min(i / side * side + side / 2, end - 1);
-    };
-    return middle(pixel / pixels.width, pixels.height) * pixels.width +
-           middle(pixel % pixels.width, pixels.width);
-  };
+  const auto middle_of = [&](int pixel) { return middle_of_block(pixels, side, pixel); };
   std::erase_if(pixels.unsettled, [&](int pixel) { return pixel != middle_of(pixel); });
   trace_rounds(shot, scalar, 0, 1, pixels);
   ShownTile shown;
@@ -105,31 +101,6 @@ inline ShownTile blocks_of(const Shot& shot, Scalar scalar, int side, TilePixels
     shown.pixels.push_back(shown_of(pixels.estimates[static_cast<std::size_t>(middle_of(i))]));
   shown.more = planes_of(TilePixels(0, 0, 0, 0, false, false), shot.layers);
   return shown;
-}
-
-/// Halves: a pixel's two half buffers after some rounds, in the order of PixelPlanes.
-struct Halves {
-  std::array<float, PixelPlanes::count> a, b;
-};
-inline Halves halves_of(const Estimate& estimate, const GuidedSums& sums) {
-  Halves halves{};
-  const double a = sums.half_count, b = estimate.count - sums.half_count;
-  const auto put = [&](std::size_t plane, double half, double all) {
-    halves.a[plane] = static_cast<float>(half / a);
-    halves.b[plane] = static_cast<float>((all - half) / b);
-  };
-  put(0, sums.half_light.x, estimate.light.x);
-  put(1, sums.half_light.y, estimate.light.y);
-  put(2, sums.half_light.z, estimate.light.z);
-  for (std::size_t k = 0; k < Guides::numbers; ++k)
-    put(PixelPlanes::albedo + k, sums.half_found[k], sums.found[k]);
-  return halves;
-}
-inline std::vector<Halves> halves_of(const TilePixels& tile) {
-  std::vector<Halves> halves(tile.guided.size());
-  for (std::size_t i = 0; i < halves.size(); ++i)
-    halves[i] = halves_of(tile.estimates[i], tile.guided[i]);
-  return halves;
 }
 
 /// RoundsOfTile: a tile while rounds go over the whole picture.
@@ -152,6 +123,11 @@ class RoundsOfTile {
   }
   /// Domain: as after(), called before; of pixels with guides.
   const std::vector<Halves>& halves() const { return halves_; }
+  /// Puts what its pixels have come to, after all rounds that have begun. The same domain.
+  void put(const FilmTile& place, PreviewLight& light) const { light.put(place, pixels_); }
+  /// Begins to sum guides, and ends. Domain: before the first round; after it.
+  void guide() { pixels_.guided.resize(pixels_.estimates.size()); }
+  void unguide() { pixels_.guided = {}; }
 
  private:
   void keep(int rounds, LayerSet layers) {

@@ -143,6 +143,18 @@ template <class Real, class AnyWorldView>
 
 // ---- many rays a pixel --------------------------------------------------------------------------
 
+// Whether a round has as many samples as there are: then those are one half, and it is the other.
+bool doubles(const Sampler& sampler, int round) {
+  return sampler.is_chance() && sampler.before(round) == sampler.count(round);
+}
+void begin_half(TilePixels& tile) {
+  for (const int pixel : tile.unsettled) {
+    const Estimate& estimate = tile.estimates[static_cast<std::size_t>(pixel)];
+    GuidedSums& sums = tile.guided[static_cast<std::size_t>(pixel)];
+    sums = {sums.found, sums.found, estimate.light, estimate.count};
+  }
+}
+
 template <class Real>
 Vec3<Real> clamped(const Vec3<Real>& v) {
   const auto clamp = [](const Real& x) { return min_of(max_of(x, Real(0)), Real(1)); };
@@ -156,7 +168,7 @@ template <class Real, class AnyWorldView>
   const Vec3<Real> center = pixels.center(shot.view);
   const Mask<Real> active = pixels.active();
   const int count = shot.sampler.count(round), before = shot.sampler.before(round);
-  const int half = (count + 1) / 2;
+  const int half = doubles(shot.sampler, round) ? 0 : (count + 1) / 2;  // is added to one of guides
   const bool watches = shot.watches(), clamps = shot.convergence.clamps();
   const bool has_backdrop = tracer.has_backdrop(), has_ground = tracer.has_ground();
   Vec3<Real> first = pixels.first_light();
@@ -192,6 +204,7 @@ template <class Real, class AnyWorldView>
 void trace_round(const Shot& shot, int round, Tracer<Real, AnyWorldView>& tracer,
                  TilePixels& tile) {
   std::vector<int>& unsettled = tile.unsettled;
+  if (shot.guided && doubles(shot.sampler, round)) begin_half(tile);
   for (std::size_t begin = 0; begin < unsettled.size(); begin += Pixels<Real>::size) {
     Pixels<Real> pixels;
     pixels.count = std::min(Pixels<Real>::size, unsettled.size() - begin);

@@ -1,10 +1,11 @@
-// The denoiser, as a function of half buffers that are made here.
+// The denoiser and the filter of previews, as functions of half buffers that are made here.
 #include "core/film/denoise.h"
 
 #include <gtest/gtest.h>
 
 #include "core/film/denoise_albedo.h"
 #include "core/film/denoise_regression.h"
+#include "core/film/preview_filter.h"
 #include "core/parallel/pool.h"
 #include "tests/core/film/half_buffers.h"
 
@@ -32,7 +33,8 @@ TEST(Denoise, LeavesALightThatIsTheSameEverywhere) {
   for (int plane = Plane::normal; plane < Plane::count; ++plane)
     for (PixelPlanes* half : {&halves.a, &halves.b})
       fill(*half, plane, [&](double, double) { return chance.unit(); });
-  for (const float each : denoise(halves).rgb) EXPECT_NEAR(each, 0.7F, 0.7e-6F);
+  for (const Image& image : {denoise(halves), preview(halves.a)})
+    for (const float each : image.rgb) EXPECT_NEAR(each, 0.7F, 0.7e-6F);
 }
 
 // Every pixel has a light of its own, by 0.3 more or less, which no feature tells: the picture is
@@ -176,6 +178,7 @@ TEST(Denoise, KeepsEdgesThatFeaturesTell) {
         fill(*half, c,
              [&](double x, double y) { return truth(x, y) * (1 + 0.1 * chance.normal()); });
     contrast_of_edge(denoise(halves), 0.6);
+    if (plane != Plane::visibility) contrast_of_edge(preview(halves.a), 0.6);
   }
 }
 
@@ -211,19 +214,30 @@ TEST(Denoise, OfAWindowWithItsMarginIsTheWholesWindow) {
 
 TEST(Denoise, GivesTheSameBytesToAnyThreads) {
   const HalfBuffers halves = eventful(100, 70, 5, 3);
-  const Image denoised = denoise(halves);
+  const Image denoised = denoise(halves), previewed = preview(halves.a);
   Pool pool(3);
   EXPECT_EQ(denoise(halves, pool.workers(3)).rgb, denoised.rgb);
+  EXPECT_EQ(preview(halves.a, pool.workers(3)).rgb, previewed.rgb);
 }
 
 TEST(Denoise, LightWithoutBoundStaysAlone) {
   HalfBuffers halves = blank();
   halves.a.planes[1][20 * width + 30] = std::numeric_limits<float>::infinity();
   halves.b.planes[1][20 * width + 30] = std::numeric_limits<float>::quiet_NaN();
-  const Image denoised = denoise(halves);
+  const Image denoised = denoise(halves), previewed = preview(halves.a);
   const std::size_t hole = 3 * (20 * width + 30) + 1;
-  for (std::size_t i = 0; i < denoised.rgb.size(); ++i)
+  for (std::size_t i = 0; i < denoised.rgb.size(); ++i) {
     EXPECT_NEAR(denoised.rgb[i], i == hole ? 0 : 1, 1e-6);
+    EXPECT_NEAR(previewed.rgb[i], 1, 1e-6);  // from around
+  }
+}
+
+TEST(Preview, CutsTheErrorOfASample) {
+  Chance chance;
+  HalfBuffers halves = blank();
+  for (int c = 0; c < 3; ++c) fill(halves.a, c, [&](double, double) { return 2 * chance.unit(); });
+  const Field truth = [](double, double) { return 1; };
+  EXPECT_LT(mean_square(preview(halves.a), truth) * 10, 1.0 / 3);
 }
 
 }  // namespace

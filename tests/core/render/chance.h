@@ -29,6 +29,10 @@ inline RenderOptions chance(int samples, double noise = 0) {
   options.seed = 7;
   return options;
 }
+inline RenderOptions denoised(RenderOptions options) {
+  options.denoise = true;
+  return options;
+}
 inline RenderOptions with_budget(RenderOptions options, Budget budget = {}) {
   options.budget = std::move(budget);
   return options;
@@ -36,6 +40,14 @@ inline RenderOptions with_budget(RenderOptions options, Budget budget = {}) {
 inline Picture of_room(const RenderOptions& options, int width = sanitized() ? 20 : 40,
                        int height = sanitized() ? 15 : 30) {
   return picture(room_of_chance(), width, height, options);
+}
+
+// The mean over all numbers.
+inline double square_between(const Image& a, const Image& b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.rgb.size(); ++i)
+    sum += std::pow(static_cast<double>(a.rgb[i]) - static_cast<double>(b.rgb[i]), 2);
+  return sum / static_cast<double>(a.rgb.size());
 }
 
 }  // namespace tia::test

@@ -8,22 +8,13 @@ namespace {
 
 using test::bits_of;
 using test::chance;
+using test::denoised;
 using test::of_room;
 using test::picture;
 using test::Picture;
 using test::room_of_chance;
+using test::square_between;
 using test::with_budget;
-
-RenderOptions denoised(RenderOptions options) {
-  options.denoise = true;
-  return options;
-}
-double square_between(const Image& a, const Image& b) {
-  double sum = 0;
-  for (std::size_t i = 0; i < a.rgb.size(); ++i)
-    sum += std::pow(static_cast<double>(a.rgb[i]) - static_cast<double>(b.rgb[i]), 2);
-  return sum / static_cast<double>(a.rgb.size());
-}
 
 TEST(RenderDenoised, IsTheSameForScalarsThreadsTilesAndBudgets) {
   const Picture drawn = of_room(denoised(chance(32)));
@@ -31,7 +22,7 @@ TEST(RenderDenoised, IsTheSameForScalarsThreadsTilesAndBudgets) {
   RenderOptions other = denoised(chance(32));
   other.scalar = Scalar::narrow, other.threads = 3, other.tile = 8;
   EXPECT_EQ(bits_of(of_room(other).image), bits_of(drawn.image));
-  // Halves are those of each round, of which without a budget there is but one.
+  // Halves are the same by any rounds.
   const Picture rounds = of_room(denoised(chance(32, 1e-6)));
   const Picture stopped =
       of_room(with_budget(denoised(chance(64)), {.max_rays = rounds.rays.all()}));

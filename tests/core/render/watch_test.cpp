@@ -9,10 +9,12 @@ namespace {
 
 using test::bits_of;
 using test::chance;
+using test::denoised;
 using test::of_room;
 using test::picture;
 using test::Picture;
 using test::room_of_chance;
+using test::square_between;
 using test::with_budget;
 
 /// Seen: one glimpse, with the picture that it showed.
@@ -98,9 +100,11 @@ TEST(Watch, SeesThePicturesOfFewerSamplesInOrder) {
 
 // Of 96 x 96 pixels blocks of 2 x 2: the most are 8192.
 TEST(Watch, FirstSeesOneRayOfEachBlock) {
-  const Watched all = watched(chance(1), 96, 96);
+  RenderOptions one;
+  one.integrator = IntegratorName::whitted;
+  const Watched all = watched(one, 96, 96);
   ASSERT_EQ(all.seen.size(), 1U);
-  const Picture centers = of_room(chance(1), 96, 96);
+  const Picture centers = of_room(one, 96, 96);
   for (int y = 0; y < 96; ++y)
     for (int x = 0; x < 96; ++x) {
       const float* const middle = centers.image.at(x / 2 * 2 + 1, y / 2 * 2 + 1);
@@ -108,6 +112,75 @@ TEST(Watch, FirstSeesOneRayOfEachBlock) {
     }
   EXPECT_EQ(all.seen[0].rays, RayCounts{});
   EXPECT_EQ(all.seen[0].reached.mean, 0.25);
+}
+
+// As if one ray of a block told all of it.
+Image in_blocks(Image image, int side) {
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x)
+      std::copy_n(image.at(x / side * side + side / 2, y / side * side + side / 2), 3,
+                  image.at(x, y));
+  return image;
+}
+
+// A preview of a box, lit from behind the eye and by its walls, has at most half the squared error
+// of the light that was traced for it.
+TEST(Watch, SeesPreviewsOfChanceWithLessNoise) {
+  const Scene scene = read_scene(R"({
+      "camera": {"location": [0, 0, 3], "look_at": [0, 0, 0], "fov_degrees": 60},
+      "objects": [{"type": "box", "min": [-2, -2, -4], "max": [2, 2, 4],
+                   "material": {"color": [0.7, 0.7, 0.7], "diffuse": 1, "specular": 0}},
+                  {"type": "sphere", "center": [0.5, -1, 0], "radius": 0.7,
+                   "material": {"color": [0.8, 0.3, 0.2], "diffuse": 1, "specular": 0}}],
+      "lights": [{"type": "sphere", "position": [0, 1.5, 3.4], "radius": 0.3, "intensity": 20}]})");
+  RenderOptions options = chance(2);
+  std::vector<Image> seen;
+  options.watch = [&](const Glimpse& glimpse) {
+    LinearFilm film(96, 96);
+    glimpse.show([&](const FilmTile& tile) { film.put(tile); });
+    seen.push_back(std::move(film).image());
+  };
+  picture(scene, 96, 96, options);
+  ASSERT_EQ(seen.size(), 2U);
+  const Image one = picture(scene, 96, 96, chance(1)).image;
+  const Image many = picture(scene, 96, 96, chance(test::rounds(64, 16))).image;
+  EXPECT_LT(2 * square_between(seen[0], many), square_between(in_blocks(one, 2), many));
+  EXPECT_LT(2 * square_between(seen[1], many), square_between(one, many));
+}
+
+// Of other numbers of samples than powers of two, too.
+TEST(Watch, ChangesNothingOfADenoisedPicture) {
+  for (const auto& [samples, noise] : {std::pair{2, 0.0}, {11, 0.0}, {48, 0.03}})
+    for (const int threads : {1, 7}) {
+      RenderOptions options = denoised(chance(samples, noise));
+      const Picture alone = of_room(options, 40, 30);
+      options.threads = threads;
+      const Watched all = watched(options);
+      EXPECT_EQ(bits_of(all.picture.image), bits_of(alone.image)) << samples << ' ' << noise;
+      EXPECT_EQ(all.picture.rays, alone.rays) << samples << ' ' << noise;
+      EXPECT_EQ(all.picture.reached->samples, samples);
+      EXPECT_EQ(all.picture.reached->most, samples);
+    }
+}
+
+// At first as previews, none of which is farther from the light than its samples are; once 256 rays
+// a pixel have been traced, denoised, as such a picture of so many samples is.
+TEST(Watch, SeesADenoisedPictureClearUp) {
+  const Watched all = watched(denoised(chance(test::sanitized() ? 12 : 150)));
+  EXPECT_EQ(all.seen.size(), test::sanitized() ? 4U : 8U);
+  EXPECT_EQ(all.seen.back().is_preview, test::sanitized());
+  const Image many = of_room(chance(test::rounds(1024, 256)), 40, 30).image;
+  for (const Seen& each : all.seen) {
+    const int samples = each.reached.samples;
+    EXPECT_EQ(each.is_preview, each.rays.all() < 256 * 40 * 30) << samples;
+    if (samples == 1) continue;  // one sample asked for goes through the pixel's centre
+    if (each.is_preview) {
+      const Image noisy = of_room(chance(samples), 40, 30).image;
+      EXPECT_LE(square_between(each.image, many), square_between(noisy, many)) << samples;
+    } else {
+      EXPECT_EQ(bits_of(each.image), bits_of(of_room(denoised(chance(samples)), 40, 30).image));
+    }
+  }
 }
 
 // Shadows fall on the backdrop's colour in what is seen, too.

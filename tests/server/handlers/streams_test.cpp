@@ -12,7 +12,8 @@ TEST(Streams, EndWithThePlainPictureForAnyThreads) {
   const int samples = rounds(64, 4);
   int seed = 100;
   for (const char* threads : {"&threads=1", "&threads=7"})
-    for (const char* of : {"", "&noise=0.05", "&integrator=whitted", "&max_rays=2000000"}) {
+    for (const char* of : {"", "&noise=0.05", "&integrator=whitted", "&max_rays=2000000",
+                           "&denoise=true", "&denoise=true&noise=0.05"}) {
       const std::string target = room(++seed, samples, of) + threads;
       const std::string plain = plain_bytes(target);
       const Response parts = ask_on(server.port(), target + "&stream=multipart");
@@ -62,6 +63,25 @@ TEST(Streams, EachHrefGivesThePictureOfItsSamples) {
     EXPECT_GT(number_at(each.data, "noise"), 0);
   }
   EXPECT_EQ(before, all);
+}
+
+// All samples are told, to the last; what is shown before is filtered quickly.
+TEST(Streams, OfWhatIsDenoisedClearUp) {
+  Server server;
+  const std::string target = room(31, rounds(48, 6), "&denoise=true");
+  const std::vector<Event> events =
+      events_in(ask_on(server.port(), target + "&stream=events").body);
+  ASSERT_GE(events.size(), 2U);
+  double before = 0;
+  for (const Event& each : events) {
+    const double mean = number_at(at(each.data, "samples"), "mean");
+    EXPECT_GT(mean, before);
+    EXPECT_EQ(at(each.data, "preview"), Value(&each != &events.back()));
+    before = mean;
+    const Response shown = ask_on(server.port(), text_at(each.data, "href"));
+    EXPECT_EQ(shown.body == plain_bytes(target), &each == &events.back());
+  }
+  EXPECT_EQ(before, rounds(48, 6));
 }
 
 // With the fields that the plain answer has; a preview is told from the others.
