@@ -193,7 +193,10 @@ step_release() {
   install_missing bench || fail "installing the measurements' packages"
   build_release || true
 }
-step_core() { googletest release core_tests; }
+step_core() {
+  googletest release core_tests
+  node_tests models
+}
 step_server() { googletest release server_tests "$waiting" "$measuring"; }
 waiting='Timeouts.*:Body.*:Drain.*:*Ending.*:Connections.*:Serve.*'  # for limits of time to pass
 measuring='SoakOverload.*:StreamsInTime.*'  # how soon the program answers

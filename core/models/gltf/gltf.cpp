@@ -5,6 +5,7 @@
 #include "core/models/gltf/gltf_bytes.h"
 #include "core/models/gltf/gltf_head.h"
 #include "core/models/gltf/gltf_parts.h"
+#include "core/models/gltf/gltf_uses.h"
 #include "core/models/gltf/gltf_words.h"
 
 namespace tia {
@@ -33,6 +34,7 @@ std::optional<Value> parsed(std::string_view json, const ModelLimits& limits, Fa
 void read_parts(const GltfSource& source, Model& model) {
   for (const auto read : {read_materials, read_views, read_meshes, read_nodes, read_motion})
     if (!source.faults.full()) read(source, model);
+  if (source.faults.empty()) check_uses(source.root);
 }
 
 void read_document(const GlbParts& document, const ModelFiles& files, const ModelLimits& limits,

@@ -29,8 +29,8 @@ class NodeReader {
     ModelNode node;
     node.name = object.text("name");
     node.children = object.unique_indices("children", nodes_);
+    read_placement(object, node.placement);
     if (object.has("matrix")) read_matrix(object, node);
-    else read_placement(object, node.placement);
     node.mesh = object.index("mesh", meshes_);
     node.camera = object.index("camera", cameras_);
     node.skin = object.index("skin", skins_);

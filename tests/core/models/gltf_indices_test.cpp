@@ -106,5 +106,41 @@ TEST(GltfIndices, IndicesAreVertices) {
   expect_one_fault(read_built(of_vertices(3, ",\"indices\":1")), FaultKind::out_of_range, at);
 }
 
+// As gltf-validator has it: found by tests/models.
+TEST(GltfUses, AViewHoldsVerticesOrIndicesOrOtherThings) {
+  const auto read = [](const std::string& indices, const std::string& views) {
+    GltfBuilder builder;
+    builder.view(bytes_of(row(3)), views);
+    builder.accessor(0, gltf_float, "VEC3", 3);
+    builder.accessor(0, gltf_uint, "SCALAR", 3);
+    builder.view(bytes_of<std::uint32_t>({0, 1, 2}));
+    builder.accessor(1, gltf_uint, "SCALAR", 3);
+    builder.set("meshes", one_primitive(named("POSITION", 0), ",\"indices\":" + indices));
+    return read_built(builder);
+  };
+  expect_faults(read("2", "").faults, {});
+  expect_faults(read("2", ",\"target\":34962").faults, {});
+  const std::string indices = primitive + "/indices", place = primitive + "/attributes/POSITION";
+  expect_one_fault(read("1", ""), FaultKind::conflict, indices);
+  expect_one_fault(read("2", ",\"target\":34963"), FaultKind::conflict, place);
+}
+
+TEST(GltfUses, SparseNumbersLieAloneAndCloseTogether) {
+  const auto read = [](const std::string& more) {
+    GltfBuilder builder;
+    builder.view(bytes_of<std::uint32_t>({1}));
+    builder.view(bytes_of(row(1)), more);
+    builder.accessor(-1, gltf_float, "VEC3", 3,
+                     R"(,"sparse":{"count":1,"indices":{"bufferView":0,"componentType":5125},)"
+                     R"("values":{"bufferView":1}})");
+    builder.set("meshes", one_primitive(named("POSITION", 0)));
+    return read_built(builder);
+  };
+  expect_faults(read("").faults, {});
+  const std::string values = "/accessors/0/sparse/values/bufferView";
+  expect_one_fault(read(",\"byteStride\":12"), FaultKind::conflict, values);
+  expect_one_fault(read(",\"target\":34962"), FaultKind::conflict, values);
+}
+
 }  // namespace
 }  // namespace tia::test::gltf_files

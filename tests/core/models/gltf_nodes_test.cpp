@@ -203,6 +203,15 @@ TEST(GltfNodes, HoldWhatIsThere) {
   EXPECT_EQ(model_of(lit).nodes[1].camera, MaybeIndex(0));
 }
 
+// As gltf-validator has it: found by tests/models.
+TEST(GltfNodes, WhatStandsBesideAMatrixIsLookedAtToo) {
+  const ReadGltf read =
+      read_nodes(R"([{"matrix":[1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1],"translation":[1,2]}])");
+  ASSERT_EQ(read.faults.size(), 2U);
+  EXPECT_EQ(read.faults[0].pointer, "/nodes/0/translation");
+  EXPECT_EQ(read.faults[1].pointer, "/nodes/0/matrix");
+}
+
 TEST(GltfNodes, ScenesHaveRoots) {
   const auto with = [](const std::string& scenes) {
     GltfBuilder builder = of_nodes(R"([{"children":[1]},{},{}])");
