@@ -39,6 +39,7 @@ void still_to_file(const std::vector<std::string>& names, const std::string& fil
   if (asked.as == StillAs::scene) return write_file(file, canonical_text(scene));
   PictureRequest picture = asked;
   picture.scene = std::move(scene);
+  picture.along = {asked.id, model};
   workshop.draw_to(file, picture, plain);
 }
 

@@ -61,11 +61,13 @@ Response shown(const AskedStill<Query>& asked, const SharedModel& model, const S
     RenderRequest drawn;
     static_cast<PictureRequest&>(drawn) = asked.query;
     drawn.scene = std::move(scene);
+    drawn.along = {asked.query.id, model};
     drawn.stream = asked.query.stream;
     return shown_while_drawn(std::move(drawn), request, service);
   }
   AskedPicture picture{asked.query, asked.accepted};
   picture.picture.scene = std::move(scene);
+  picture.picture.along = {asked.query.id, model};
   return rendered(picture, watch, request, service);
 }
 

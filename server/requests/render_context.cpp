@@ -1,5 +1,6 @@
 #include "server/requests/render_context.h"
 
+#include <algorithm>
 #include <map>
 
 #include "core/input/object_schema.h"
@@ -21,6 +22,15 @@ KnownScene changed(const KnownScene& scene, const RenderContext& context,
   });
 }
 
+// Whether somebody has looked up already what all models stand for.
+bool are_shown(const std::vector<Object>& objects) {
+  return std::ranges::all_of(objects, [](const Object& object) {
+    if (const auto* model = std::get_if<PlacedModel>(&object.shape)) return model->shown != nullptr;
+    const auto* group = std::get_if<Group>(&object.shape);
+    return group == nullptr || are_shown(group->children);
+  });
+}
+
 // The scene with what its models stand for. What reads one again works alone: all are there before
 // this does.
 KnownScene with_models(const KnownScene& scene, const ModelAlong& along,
@@ -33,6 +43,7 @@ KnownScene with_models(const KnownScene& scene, const ModelAlong& along,
     if (model) bytes += bytes_of(*model);
   }
   if (models.empty()) return scene;
+  if (are_shown(scene->objects.get())) return {scene.scene, scene.objects, scene.others, bytes};
   return context.go_through(scene.others + bytes, requester, [&] {
     auto shown = std::make_shared<Scene>(*scene);
     Faults faults(requester.stop);

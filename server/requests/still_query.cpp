@@ -58,7 +58,8 @@ SceneOptions options_of(const StillParameters& asked) {
   return options_in_effect<PictureRequest>(options, asked);
 }
 
-// As POST /render would read it. What is told in numbers that scenes cannot have is refused here.
+// As POST /render would read it, but for what the model stands for, which is known. What is told in
+// numbers that scenes cannot have is refused here.
 Scene read_again(const Scene& scene, const std::stop_token& stop) {
   Faults faults(stop);
   Scene again;
@@ -69,6 +70,8 @@ Scene read_again(const Scene& scene, const std::stop_token& stop) {
                         "a box for the model, which is too large, too small or too far away for a "
                         "camera and lights around it"});
   raise(faults);
+  std::get<PlacedModel>(again.objects.edit()[0].shape).shown =
+      std::get<PlacedModel>(scene.objects.get()[0].shape).shown;
   return again;
 }
 

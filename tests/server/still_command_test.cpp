@@ -1,7 +1,10 @@
 // `tia still`: the server's own bytes of a model's file.
 #include <fstream>
 
-#include "core/input/json.h"
+#include "core/models/formats.h"
+#include "core/scene/read_scene.h"
+#include "server/picture_file.h"
+#include "server/requests/still_query.h"
 #include "tests/server/model_support.h"
 #include "tests/server/process_support.h"
 #include "tests/server/support.h"
@@ -9,6 +12,7 @@
 namespace tia::test {
 namespace {
 
+using namespace server;
 using testing::HasSubstr;
 
 class StillCommand : public testing::Test {
@@ -55,6 +59,25 @@ TEST_F(StillCommand, FindsWhatTheFileNames) {
   for (const auto& [path, text] : files) write("a/" + path, text);
   const Value scene = parse_json(drawn({"a/chair.obj", "--as=scene"}, "scene.json"));
   EXPECT_THAT(to_json(at(scene, "objects")), HasSubstr(upload_of_texts(files).id));
+}
+
+// What nobody keeps cannot be looked up again.
+TEST_F(StillCommand, LooksUpOnceWhatAModelShows) {
+  const std::string text = stl_text();
+  auto kept = std::make_shared<KeptModel>();
+  kept->model = std::make_shared<const Model>(read_model({{file_of("part.stl", text)}, 0}));
+  StillParameters asked;
+  asked.id = "nobody's";
+  asked.width = asked.height = 16;
+  asked.samples = 1;
+  const Scene scene = still_of(asked, kept);
+  PictureRequest picture = asked;
+  picture.scene = scene;
+  Workshop workshop{Config{}};
+  workshop.draw_to(folder_.file("still.png"), picture, false);
+  EXPECT_TRUE(file_bytes(folder_.file("still.png")).starts_with("\x89PNG"));
+  picture.scene = read_scene(canonical_text(scene));
+  EXPECT_THROW(workshop.draw_to(folder_.file("still.png"), picture, false), InputError);
 }
 
 TEST_F(StillCommand, ABadParameterOrFileExits2NamingIt) {
