@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "server/stores/digest.h"
+#include "server/stores/gallery_models.h"
 #include "tests/server/picture_support.h"
 #include "tests/server/support.h"
 
@@ -76,9 +77,9 @@ INSTANTIATE_TEST_SUITE_P(Pages, GoldenPicture,
 struct Stated {
   std::string name, options, hash;
 };
-std::vector<Stated> stated_hashes() {
+std::vector<Stated> stated_hashes(const std::string& list = "gallery.sha256") {
   std::vector<Stated> all;
-  std::istringstream lines(golden("gallery.sha256"));
+  std::istringstream lines(golden(list));
   for (std::string hash, file; lines >> hash >> file;) {
     const std::size_t dot = file.find('.'), last = file.rfind('.');
     const std::string samples = dot < last ? file.substr(dot + 1, last - dot - 1) : "";
@@ -120,6 +121,22 @@ INSTANTIATE_TEST_SUITE_P(Gallery, GoldenScene, testing::ValuesIn(stated_hashes()
                            std::replace(name.begin(), name.end(), '-', '_');
                            return name;
                          });
+
+// ---- the gallery's models -----------------------------------------------------------------------
+
+// stills.sha256: the PFM of each model's still, as the options below ask.
+TEST(GoldenStills, EveryModelIsDrawnAtItsStatedHash) {
+  const std::vector<Stated> stated = stated_hashes("stills.sha256");
+  EXPECT_EQ(stated.size(), server::gallery_models().size());
+  const std::string size = sanitized() ? "&width=1&height=1" : "&width=96&height=72";
+  for (const auto& [name, options, hash] : stated) {
+    SCOPED_TRACE(name);
+    const Response still =
+        host().get("/still?format=pfm&background=1,1,1&samples=2" + size + "&model=" + name);
+    EXPECT_EQ(still.status, 200);
+    if (!sanitized()) EXPECT_EQ(sha256_hex(still.body), hash);
+  }
+}
 
 }  // namespace
 }  // namespace tia::test
