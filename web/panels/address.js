@@ -25,7 +25,8 @@ const whatOf = ({ scene, model }) => JSON.stringify([scene, model]);
 export function mountAddress(studio) {
   let scene = null;
   let newest = 0;
-  studio.model.on('rest', async () => {
+  for (const event of ['rest', 'pause']) studio.model.on(event, follow);
+  async function follow() {
     const mine = ++newest;
     const now = whatOf(studio.model.request);
     const address = await pageAddress(studio);
@@ -34,7 +35,7 @@ export function mountAddress(studio) {
     scene = now;
     // With the path before it: a fragment alone would keep the query that was there.
     if (address !== location.search + location.hash) history[move](null, '', location.pathname + address);
-  });
+  }
   addEventListener('popstate', async () => {
     newest += 1;
     const state = await firstState();

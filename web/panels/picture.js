@@ -1,5 +1,6 @@
 // The picture, what it shows in words, and what went wrong.
 
+import { isOfPaths } from '../picture/passes.js';
 import { decode } from '../picture/server.js';
 import { windowOf } from '../state/window.js';
 import { lampWords, t } from '../words/words.js';
@@ -70,11 +71,19 @@ export function mountPicture(studio) {
     slow = setTimeout(wait, SLOW_MS);
   });
   model.on('show', () => (hurry(), (slow = setTimeout(wait, SLOW_MS))));
-  model.on('rest', settle);
+  for (const event of ['rest', 'pause']) model.on(event, settle);
+  model.on('show', () => isOfPaths(model.request, model.source?.options) && clearUp(studio));
   model.on('world', () => (describe(), lookAround(studio, part('seen'))));
   model.on('source', describe);
   onRetry((by) => {
     studio.again();
     if (by === 'hand') part('hand').focus({ preventScroll: true });
   });
+}
+
+// What belongs to a picture that clears up is loaded with the first.
+let clearing = null;
+function clearUp(studio) {
+  clearing ??= import('./clearing.js').then(({ mountClearing }) => mountClearing(studio, part('clearing')))
+    .catch((error) => console.warn(error.message));
 }

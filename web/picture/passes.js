@@ -32,8 +32,12 @@ function single(request, options) {
   return samplesOf(request, options) === 1 && !others.some((name) => said(name, request, options));
 }
 
-const samplesOf = (request, options) =>
+/** How many samples a pixel has, at most. */
+export const samplesOf = (request, options) =>
   said('samples', request, options) ?? usualOf(said('integrator', request, options), 'samples') ?? 1;
+
+/** Whether its light is gathered along paths, by chance. */
+export const isOfPaths = (request, options) => said('integrator', request, options) === 'path';
 
 /** The request with the finest picture that the page draws of it: what it says itself holds. */
 export function finest(request, options, smooth) {
@@ -86,8 +90,9 @@ export class Passes {
   #optionsOf;
   #pace = FIRST_GUESS;
   #took = []; // what the pace is the middle of
-  #waiting = null;
+  #waiting = null; // { request, from }
   #running = false;
+  #paused = false;
   #underWay = null; // { abort, finer }
   #wake = () => {};
 
@@ -105,9 +110,13 @@ export class Passes {
     return this.#waiting !== null;
   }
 
-  /** Draws `request`, now or when the picture under way has come; `anew`, without waiting for that. */
-  async ask(request, anew = false) {
-    this.#waiting = request;
+  /**
+   * Draws `request`, now or when the picture under way has come; `anew`, without waiting for that; after
+   * `from`, the request of a coarser picture of the same that is there.
+   */
+  async ask(request, { anew = false, from = null } = {}) {
+    this.#waiting = { request, from };
+    this.#paused = false;
     if (anew || this.#underWay?.finer) this.#underWay?.abort.abort();
     this.#wake();
     if (this.#running) return;
@@ -119,12 +128,21 @@ export class Passes {
     }
   }
 
+  /** Leaves what is under way, until something is asked for; gives whether anything was. */
+  pause() {
+    this.#paused = true;
+    if (this.#underWay?.finer) this.#underWay.abort.abort();
+    this.#wake();
+    return this.#running;
+  }
+
   async #drawWish() {
-    const wish = this.#waiting;
+    const { request: wish, from } = this.#waiting;
     this.#waiting = null;
     try {
-      let pass = quickOf(wish, this.#optionsOf(wish), this.#pace);
-      for (let finer = false; pass && !this.#waiting; finer = true) {
+      const options = this.#optionsOf(wish);
+      let pass = from ? finerOf(from, wish, options, !this.still, this.#pace) ?? wish : quickOf(wish, options, this.#pace);
+      for (let finer = Boolean(from); pass && !this.#waiting && !this.#paused; finer = true) {
         await this.#drawPass(pass, finer);
         // How a scene that came by its name wants to be drawn may be known only now.
         const next = finerOf(pass, wish, this.#optionsOf(wish), !this.still, this.#pace);
@@ -158,7 +176,7 @@ export class Passes {
   // Resolves when nothing has been asked for QUIET_MS, or at once when something is.
   #quiet() {
     return new Promise((resolve) => {
-      if (this.#waiting) return resolve();
+      if (this.#waiting || this.#paused) return resolve();
       const timer = setTimeout(resolve, QUIET_MS);
       this.#wake = () => (clearTimeout(timer), resolve());
     });

@@ -10,7 +10,7 @@ import { tidy } from '../state/request.js';
  * whose colour is to be explained, or null; `rays`, what explains it, as [{ from, to, aim, kind,
  * current, blocked }] in the scene (a blocked one aims farther than it gets), or null.
  * Events: `want`, `source`, `show` (a picture came), `fail` (none came), `rest` (nothing finer
- * follows), `world`, `ask`, `rays`, and `tab` (another one was opened).
+ * follows), `pause` (for now), `world`, `ask`, `rays`, and `tab` (another one was opened).
  */
 export class Model {
   request = {};

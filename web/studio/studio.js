@@ -2,7 +2,7 @@
 // camera, lamp and what one looks at are in the picture shown.
 
 import { isChance } from '../picture/integrators.js';
-import { finest, Passes, plain, SMOOTH } from '../picture/passes.js';
+import { finest, Passes, plain, samplesOf, SMOOTH } from '../picture/passes.js';
 import { readRecipe } from '../picture/png_text.js';
 import { fetchExplanation, fetchPicture, fetchScene, fetchStillScene } from '../picture/server.js';
 import { countOf, totalMs } from '../picture/timing.js';
@@ -15,6 +15,7 @@ import { Model } from './model.js';
 
 export class Studio {
   model = new Model();
+  paused = false; // the picture that is clearing up
   pivot = null; // what the camera looks at, once the server has told
   #passes;
   #shower = async () => {};
@@ -31,8 +32,10 @@ export class Studio {
       told: (problem, last, request) => this.#told(problem, last, request),
       optionsOf: () => this.model.source?.options,
     });
-    this.model.on('want', () => this.#passes.ask(this.#wish()));
-    this.model.on('ask', () => this.#passes.ask(this.#wish()));
+    for (const event of ['want', 'ask']) this.model.on(event, () => this.#askAfter(this.#wish()));
+    let left = false; // pages that are left may come back as they were
+    addEventListener('pagehide', () => (left = !this.paused && this.#passes.pause()));
+    addEventListener('pageshow', () => left && ((left = false), this.again()));
   }
 
   /** Starts with a request and, where one is asked for, a pixel; `problem` is told beside the picture. */
@@ -57,6 +60,26 @@ export class Studio {
   again() {
     if (!this.model.source) this.#learnSource();
     this.#passes.ask(this.#wish());
+  }
+
+  /** Leaves the picture under way and keeps what is shown. */
+  pause() {
+    this.paused = true;
+    this.#passes.pause();
+    this.model.tell('pause');
+  }
+
+  /** Draws on from there. */
+  goOn() {
+    this.model.tell('want');
+  }
+
+  // Goes on from what is shown after a pause, and where only the denoiser is another.
+  #askAfter(wish) {
+    const { shown } = this.model;
+    const goesOn = this.paused || Boolean(shown?.request.denoise) !== Boolean(wish.denoise);
+    this.paused = false;
+    this.#passes.ask(wish, { from: goesOn && samplesThere(shown, wish) !== null ? shown.request : null });
   }
 
   /** Whether edges are smoothed: the request's word, so that a link to the picture holds it. */
@@ -161,9 +184,10 @@ export class Studio {
   async #draw(request, signal, clearing) {
     const start = performance.now();
     const show = (picture, of) => this.#showNext(picture, of, start);
+    const there = samplesThere(this.model.shown, request, this.model.source?.options);
     const picture = await fetchPicture(request, signal, clearing && ((round) => {
       const samples = Math.floor(countOf(round.rays, 'primary') / pixelsOf(request));
-      return samples < 1 ? null : show(round, { ...request, samples }); // or it is coarser than what is there
+      return samples < Math.max(1, there) ? null : show(round, { ...request, samples }); // or it is coarser than what is there
     }));
     await show(picture, request);
     return { ms: picture.ms, drawn: totalMs(picture.timing), cached: picture.cached };
@@ -241,7 +265,7 @@ export class Studio {
       if (!held()) return;
       this.model.know(source);
       // What was begun without knowing that has all its samples.
-      if (isChance(source.options?.integrator)) this.#passes.ask(this.#wish(), true);
+      if (isChance(source.options?.integrator)) this.#passes.ask(this.#wish(), { anew: true });
       if (this.#sourceProblem) this.#failed((this.#sourceProblem = null));
     } catch (problem) {
       if (held()) this.#failed((this.#sourceProblem = problem));
@@ -254,6 +278,12 @@ export async function finalPicture({ final, model }, signal) {
   const { shown } = model;
   const there = shown && queryOf(shown.request) === queryOf(final);
   return there ? shown : { ...await fetchPicture(final, signal), request: final };
+}
+
+// How many samples there are of a request's picture; null: what is shown is of another.
+function samplesThere(shown, request, options) {
+  const bare = (one) => queryOf({ ...one, ...Object.fromEntries(Object.keys(ONE_RAY).map((name) => [name, null])) });
+  return shown && bare(shown.request) === bare(request) ? samplesOf(shown.request, options) : null;
 }
 
 // What decides which scene a request's picture is of, but for light and camera.
