@@ -14,7 +14,7 @@ void trace_paths(PathExplanation& all, const Scene& scene, const View* view,
   tell_hits(all.ray, size);
   RayMeter meter(options.max_rays, options.max_work, stop);
   WorldView world_view = world_view_of(all.ray.world, view, options, meter);
-  PathGroups groups;
+  PathGroups groups(all.ray.world);
   const int count = least_samples(options.samples, options.threshold);
   for (int i = 0; i < count; ++i) {
     PathRecord path = path_of(i, world_view);
@@ -28,7 +28,9 @@ void trace_paths(PathExplanation& all, const Scene& scene, const View* view,
   all.count = groups.count();
   all.mean = groups.mean();
   all.groups = groups.groups();
+  all.surfaces = groups.surfaces();
   for (std::size_t i = 0; i < all.groups.size(); ++i) size.path_group();
+  for (const PathSurface& each : all.surfaces) size.path_surface(each.primitive);
   tell_rest(all.ray, scene, options.integrator, size);
 }
 

@@ -30,6 +30,7 @@ struct PathExplanation {
   int count = 0;
   Vec3f mean{};  ///< the pixel of a picture that stops at no noise, bit for bit
   std::vector<PathGroup> groups{};
+  std::vector<PathSurface> surfaces{};
   std::vector<ExplainedPath> paths{};
 };
 
@@ -45,7 +46,8 @@ PathExplanation explain_paths(const Scene& scene, World world, const View& view,
                               const std::stop_token& stop = {});
 
 /// As explain.h says, but in place of "tree": "count", "mean", "groups": [{"expression", "mean",
-/// "error", "share", "paths"}] and "samples": [{"sample", "color", "end", "vertices"}].
+/// "error", "share", "paths"}], "over": [{"object", "id" and the same}] and "samples": [{"sample",
+/// "color", "end", "vertices"}].
 Value::Object value_of(const PathExplanation& explanation);
 /// The schema of those members.
 std::vector<SchemaMember> paths_schema(Definitions& named);

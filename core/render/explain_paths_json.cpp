@@ -19,7 +19,7 @@ class PathWriter {
     std::size_t at = 0;
     const PathVertex* const first = told.path.vertices.data();
     for_each_light(told.path, [&](const PathVertex& by, const GatheredLight& each,
-                                  const std::string& expression) {
+                                  const std::string& expression, int) {
       at = static_cast<std::size_t>(&by - first);
       auto& own = *vertices[at].as<Value::Object>();
       own.back().second.as<Value::Array>()->push_back(light(each, by, expression));
@@ -31,6 +31,19 @@ class PathWriter {
     if (told.path.clamp < 1) path.emplace_back("clamp", told.path.clamp);
     if (told.path.wave > 0) path.emplace_back("wavelength_nm", told.path.wave);
     return path;
+  }
+
+  Value::Object surface(const PathSurface& over, int count) const {
+    Value::Object told;
+    add_object(told, "object", over.primitive);
+    add_share(told, over, count);
+    return told;
+  }
+  static void add_share(Value::Object& to, const PathShare& part, int count) {
+    to.emplace_back("mean", write_value(part.mean));
+    to.emplace_back("share", part.share);
+    to.emplace_back("paths", part.paths);
+    if (count > 1) to.emplace_back("error", write_value(part.error));
   }
 
  private:
@@ -56,12 +69,14 @@ class PathWriter {
   }
   Vec3d in_scene(const Vec3f& p) const { return static_cast<Vec3d>(p) + world_.origin; }
 
-  void add_thing(Value::Object& to, const std::string& as, int primitive, std::int64_t copy) const {
+  void add_object(Value::Object& to, const std::string& as, int primitive) const {
     const int object = world_.primitive(primitive).object;
-    const bool is_object = as == "object";
     to.emplace_back(as, all_.labels[static_cast<std::size_t>(object)].name);
-    to.emplace_back(is_object ? "id" : as + "_id", object + 1);
-    add_copy(world_, to, is_object ? "copy" : "light_copy", primitive, copy);
+    to.emplace_back(as == "object" ? "id" : as + "_id", object + 1);
+  }
+  void add_thing(Value::Object& to, const std::string& as, int primitive, std::int64_t copy) const {
+    add_object(to, as, primitive);
+    add_copy(world_, to, as == "object" ? "copy" : "light_copy", primitive, copy);
   }
   static int primitive_of(const PathVertex& at) { return static_cast<int>(at.hit.primitive); }
 
@@ -124,11 +139,8 @@ class PathWriter {
 Value::Array groups_value(const PathExplanation& all) {
   Value::Array groups;
   for (const PathGroup& each : all.groups) {
-    Value::Object group{{"expression", each.expression},
-                        {"mean", write_value(each.mean)},
-                        {"share", each.share},
-                        {"paths", each.paths}};
-    if (all.count > 1) group.emplace_back("error", write_value(each.error));
+    Value::Object group{{"expression", each.expression}};
+    PathWriter::add_share(group, each, all.count);
     groups.push_back(std::move(group));
   }
   return groups;
@@ -198,16 +210,24 @@ Value sample_schema(Definitions& named) {
        {"vertices", list_schema(vertex_schema(named))}});
 }
 
+Value share_schema(std::vector<SchemaMember> members) {
+  for (SchemaMember& each : std::vector<SchemaMember>{
+           {"mean", vector_schema(), "linear RGB, over all paths"},
+           {"error", vector_schema(), "the standard error of that, as of independent paths", false},
+           {"share", plain_schema<double>(),
+            "of the luminance; of few paths through glass that parts colours it may be negative"},
+           {"paths", count_schema(), "how many have such light"}})
+    members.push_back(std::move(each));
+  return object_schema(members);
+}
 Value group_schema() {
-  return object_schema(
+  return share_schema(
       {{"expression", word_schema(),
         "from the eye: D diffuse, G glossy, S specular, T transmitted, V volume, E what emits; *E: "
-        "all longer ones"},
-       {"mean", vector_schema(), "linear RGB, over all paths"},
-       {"error", vector_schema(), "the standard error of that, as of independent paths", false},
-       {"share", plain_schema<double>(),
-        "of the luminance; of few paths through glass that parts colours it may be negative"},
-       {"paths", count_schema(), "how many have such light"}});
+        "all longer ones"}});
+}
+Value surface_schema() {
+  return share_schema({{"object", word_schema()}, {"id", count_schema(1), "which of objects"}});
 }
 
 }  // namespace
@@ -220,6 +240,9 @@ Value::Object value_of(const PathExplanation& all) {
   answer.emplace_back("count", all.count);
   answer.emplace_back("mean", triple_value(all.mean));
   answer.emplace_back("groups", groups_value(all));
+  Value::Array over;
+  for (const PathSurface& each : all.surfaces) over.push_back(writer.surface(each, all.count));
+  answer.emplace_back("over", std::move(over));
   answer.emplace_back("samples", std::move(samples));
   return answer;
 }
@@ -231,6 +254,10 @@ std::vector<SchemaMember> paths_schema(Definitions& named) {
        "of path: linear RGB, that of the colours of all; the picture's pixel, bit for bit", false},
       {"groups", list_schema(group_schema()),
        "of path: its light by light path expressions, the greatest share first", false},
+      {"over", list_schema(surface_schema()),
+       "of path: what of its light came to the first thing met over a further surface, by the "
+       "object of that: the nearest that did more than let it through; 16 at most",
+       false},
       {"samples", list_schema(sample_schema(named)),
        "of path: some of the paths, in the picture's own arithmetic", false}};
 }

@@ -96,6 +96,10 @@ void ExplanationSize::path(const PathRecord& path) {
 
 void ExplanationSize::path_group() { take_of_path(group_frame + 2 * three + 2 * number); }
 
+void ExplanationSize::path_surface(int primitive) {
+  take_of_path(group_frame + 2 * three + 2 * number + naming(primitive));
+}
+
 void ExplanationSize::note(std::string_view pointer, std::string_view about) {
   take(note_frame + text_bytes(pointer) + text_bytes(about), "", "there is much to note of it");
 }

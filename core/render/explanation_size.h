@@ -31,6 +31,7 @@ class ExplanationSize {
   void term(TermName name, const LightRecord& record);
   void path(const PathRecord& path);
   void path_group();
+  void path_surface(int primitive);
   void note(std::string_view pointer, std::string_view about);
 
   std::size_t bytes() const { return bytes_; }

@@ -4,7 +4,7 @@
 import { beforeEye, project } from '../space/view.js';
 import { svg } from './element.js';
 
-export const DASHES = { primary: null, shadow: '2 5', mirror: '12 5', refracted: '10 4 2 4' };
+export const DASHES = { primary: null, shadow: '2 5', mirror: '12 5', refracted: '10 4 2 4', scattered: '6 2' };
 
 /** A layer of `overlay`: `draw(view, window, pixel, rays)`, rays as the model has them, and `clear()`. */
 export function raysLayer(overlay) {
@@ -20,14 +20,15 @@ export function raysLayer(overlay) {
   };
 }
 
-/** A ray drawn; `place(from, to)` says where as { a, b, ends }, or null; heads are `size` long. */
-export function drawnRay({ from, to, aim, kind, current, blocked }, place, size) {
+/** A ray drawn, as wide as its `share` where it has one; `place(from, to)` says where as { a, b, ends }, or null; heads are `size` long. */
+export function drawnRay({ from, to, aim, kind, current, blocked, share }, place, size) {
+  const wide = (by) => (share === undefined ? {} : { style: { strokeWidth: by * (1 + 4 * share) } });
   const way = place(from, to);
   const rest = aim && place(to, aim);
   return svg('g', { class: `ray ray-${kind}${current ? ' current' : ''}`, 'data-kind': kind },
     rest && line(rest, { class: 'rest' }),
-    way && line(way, { class: 'edge' }),
-    way && line(way, { class: 'core', 'stroke-dasharray': DASHES[kind] }),
+    way && line(way, { class: 'edge', ...wide(2) }),
+    way && line(way, { class: 'core', 'stroke-dasharray': DASHES[kind], ...wide(1) }),
     way?.ends && (blocked && aim ? bar(way, size / 1.5) : head(way, size)) || null);
 }
 

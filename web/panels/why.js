@@ -53,7 +53,7 @@ export default function mountWhy(studio, panel) {
     const said = (name) => request[name] ?? model.world?.options?.[name] ?? options?.[name];
     const transfer = said('exposure') || said('white_balance_kelvin') ? '' : said('transfer') ?? 'srgb';
     const many = plain(model.request, options) !== model.request;
-    const why = view.show(told, { pixel, transfer, many }, again);
+    const why = view.show(told, { pixel, transfer, many, scene: model.world ?? model.source }, again);
     const [x, y] = pixel;
     if (!again) document.getElementById('said').textContent = t('why.told', { x, y, why });
     tellRays();
@@ -95,8 +95,7 @@ export default function mountWhy(studio, panel) {
 
   function tellRays() {
     const known = explained && explained.pixel === model.asked;
-    model.rays = known ? explained.steps.map(({ from, to, aim, kind, blocked, index }) =>
-      ({ from, to, aim, kind, blocked, current: index === view.current })) : null;
+    model.rays = known ? view.rays : null;
     model.tell('rays');
     draw();
   }

@@ -19,7 +19,7 @@ const KEYS = {
   Home: 'first', End: 'last',
 };
 
-/** Makes { element, show({ steps, left, transfer }, again), current }; `moved()` hears of each step. */
+/** Makes { element, show({ steps, left, transfer }, again), rays }; `moved()` hears of each step. */
 export function makeSteps(moved) {
   const count = element('span', { class: 'count' });
   const said = element('p', { class: 'spoken', role: 'status' });
@@ -93,7 +93,9 @@ export function makeSteps(moved) {
     if (focused) buttons[at].focus({ preventScroll: true });
   }
 
-  return { element: whole, show, get current() { return at; } };
+  const raysOf = () => shown.steps.map(({ from, to, aim, kind, blocked, index }) =>
+    ({ from, to, aim, kind, blocked, current: index === at }));
+  return { element: whole, show, get rays() { return raysOf(); } };
 }
 
 // The steps that `parent` made, each with those that it made.

@@ -21,9 +21,9 @@ export function makeView(panel, { stop, middle, moved }) {
       const { makeTold } = await import('./why_told.js');
       told ??= makeTold(moved, stopping);
     },
-    /** The number of the ray that one has come to. */
-    get current() {
-      return told.steps.current;
+    /** The rays to be drawn, as the model has them. */
+    get rays() {
+      return told.rays;
     },
     invite(focus) {
       put(invitation);

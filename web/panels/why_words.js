@@ -43,8 +43,11 @@ export function whySentence(tree) {
 // The first that fits a light path expression.
 const WAYS = [['seen', /^E$/], ['straight', /^[DGV]E$/], ['mirrored', /^[ST]/], ['over', /E$/]];
 
-/** By which ways the light of a pixel's paths came. */
-export function waysSentence({ groups, count }) {
+const LEAST_OVER = 0.01; // of the light that a surface is named for
+const MOST_OVER = 3;
+
+/** By which ways the light of a pixel's paths came, and over what; `scene` is its JSON. */
+export function waysSentence({ groups, count, over }, scene) {
   const shares = new Map();
   for (const { expression, share } of groups) {
     const [way] = WAYS.find(([, fits]) => fits.test(expression));
@@ -53,11 +56,21 @@ export function waysSentence({ groups, count }) {
   const parts = [...shares].sort(([, a], [, b]) => b - a)
     .map(([way, share]) => t(`why.way_${way}`, { share: percent(share) }));
   const paths = countWords(count);
-  return parts.length ? t('why.ways', { count: paths, parts: parts.join(', ') }) : t('why.noWay', { count: paths });
+  if (!parts.length) return t('why.noWay', { count: paths });
+  const told = over.filter(({ share }) => share >= LEAST_OVER).slice(0, MOST_OVER).map((part, i) =>
+    t(i ? 'why.overMore' : 'why.over', { share: percent(part.share), thing: overWords(part, scene) }));
+  return [t('why.ways', { count: paths, parts: parts.join(', ') }), told.length && `${told.join(', ')}.`].filter(Boolean).join(' ');
+}
+
+/** What light came over, with the name of its material where it has one. */
+export function overWords({ object, pointer }, scene) {
+  const words = thingWords(object);
+  const { material } = pointer?.split('/').slice(1).reduce((at, step) => at?.[step], scene) ?? {};
+  return typeof material === 'string' && !words.includes(material) ? `${words} (${material})` : words;
 }
 
 /** The stations of a light path expression, from the eye on. */
-export function expressionWords(expression) {
+export function expressionWords({ expression }) {
   const station = (letter) => t(`why.letter_${letter === '*' ? 'more' : letter}`);
   return [...expression].map(station).join(' \u2190 ');
 }
@@ -142,6 +155,20 @@ export function stepWords({ kind, node, term, parent }) {
   if (blocker) words.blocker = thingWords(blocker);
   if (visible === 1) return t(fade === 0 ? 'why.step_beside' : 'why.step_shadow', words);
   return t(visible === 0 && blocker ? 'why.step_blocked' : 'why.step_partly', words);
+}
+
+const SENT = { specular: 'mirror', transmitted: 'refracted', volume: 'fog' };
+
+/** What a path does on its way to the vertex `at`, in a few words, and the lights that it has there. */
+export function vertexWords({ vertices, color }, at) {
+  const { object = null, lights } = vertices[at];
+  const before = vertices[at - 1];
+  const way = before ? SENT[before.event] ?? 'scattered' : 'primary';
+  const from = before?.object !== undefined ? thingWords(before.object) : '';
+  const lit = lights.filter(({ value }) => brightness(value) > 0).map(({ asked, light, value }) =>
+    t(asked ? 'why.path_asked' : 'why.path_met', { share: percent(brightness(value) / brightness(color)),
+      lamp: light === '/background' ? thingWords(null) : lampWords(light) }));
+  return [t(`why.step_${way}`, { from, to: thingWords(object) }), ...lit].map(capital);
 }
 
 /** A term's name. */

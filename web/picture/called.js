@@ -4,11 +4,11 @@
 const MENTIONS = ['winner', 'blocker', 'light'];
 
 /**
- * The { tree, hits } of an explanation, each object named by its name where that is enough; else,
+ * The { tree, hits, over, samples } of an explanation, each object named by its name where that is enough; else,
  * where there is none, where others have the same, and of copies, by { name, pointer, copy }: `copy`
  * is 'x, y, z' of each repeated group, or ''. One object is one value all over.
  */
-export function calledApart({ tree, hits, objects }) {
+export function calledApart({ tree = {}, hits, objects, over = [], samples = [] }) {
   const entries = new Map(objects.map((entry) => [entry.id, entry]));
   const bearers = new Map();
   for (const { name } of objects) bearers.set(name, (bearers.get(name) ?? 0) + 1);
@@ -31,8 +31,12 @@ export function calledApart({ tree, hits, objects }) {
     if (told.node) own.node = inside(told.node);
     return own;
   }
+  const thing = (one) => (one.object === undefined ? one : { ...one, object: called(one.object, one.id, one.copy) });
+  const vertex = (one) => ({ ...thing(one), lights: one.lights.map(inside) });
   return {
     tree: inside(tree),
-    hits: hits.map((hit) => ({ ...hit, object: called(hit.object, hit.id, hit.copy) })),
+    hits: hits.map(thing),
+    over: over.map((one) => ({ ...thing(one), pointer: entries.get(one.id)?.pointer })),
+    samples: samples.map((path) => ({ ...path, vertices: path.vertices.map(vertex) })),
   };
 }

@@ -24,6 +24,9 @@ const PathGroup* group(const PathExplanation& all, const std::string& expression
     if (each.expression == expression) return &each;
   return nullptr;
 }
+int object_of(const PathExplanation& all, const PathSurface& over) {
+  return all.ray.world.primitive(over.primitive).object;
+}
 double light_by(const PathExplanation& all, const std::string& expression) {
   return group(all, expression) == nullptr ? 0 : group(all, expression)->mean.y;
 }
@@ -132,6 +135,27 @@ TEST(ExplainedPaths, SharesBetweenParallelPlanesAreTheirGeometricSeries) {
   EXPECT_NEAR(group(all, "DE")->share, 1 - c * f, 0.02);
   EXPECT_EQ(all.groups.front().expression, "DE") << "the greatest is the first";
   expect_groups_add_up(all);
+  // All but what comes straight has come over the ceiling, whatever it did before.
+  ASSERT_EQ(all.surfaces.size(), 1U);
+  const PathSurface& ceiling = all.surfaces[0];
+  EXPECT_EQ(object_of(all, ceiling), 1);
+  EXPECT_NEAR(ceiling.mean.y, f * c * f / (1 - c * f), 4 * ceiling.error.y + 1e-5);
+  EXPECT_NEAR(ceiling.share, 1 - group(all, "DE")->share, 1e-5);
+}
+
+// Of a wall seen through glass the light came over the wall, not over the glass's other side; of
+// what a mirror shows over that.
+TEST(ExplainedPaths, WhatLightCameOverIsTheNearestThatDidMoreThanLetItThrough) {
+  const auto over = [](const Finish& nearer) {
+    Scene scene;
+    scene.objects = {object(Sphere{{0, 0, -5}, 1}, nearer),
+                     object(Plane{{0, 0, -9}, {0, 0, 1}}, matt(0.5)),
+                     object(Plane{{0, 0, 9}, {0, 0, -1}}, glowing(1, 0.5))};
+    const PathExplanation all = told_of(scene, {0, 0, 0}, {0, 0, -1}, so_many(256));
+    return all.surfaces.empty() ? -1 : object_of(all, all.surfaces.front());
+  };
+  EXPECT_EQ(over(clear_glass(1.5)), 1);
+  EXPECT_EQ(over(mirror(0.7)), 2);
 }
 
 // Around a furnace of albedo rho and emission 1: 1 is seen, each bounce sends on rho of the one
@@ -179,6 +203,7 @@ TEST(ExplainedPaths, LettersSayWhichWayItCame) {
   EXPECT_NEAR(light_by(fog, "E"), std::exp(-1.0), 1e-5);
   EXPECT_GT(light_by(fog, "VE"), light_by(fog, "VVE"));
   EXPECT_NEAR(fog.mean.y, 1, 0.05);
+  EXPECT_TRUE(fog.surfaces.empty());
 }
 
 // ---- a path's vertices --------------------------------------------------------------------------

@@ -1,4 +1,5 @@
 // /explain of path: the paths of a pixel's light, and their groups.
+#include <algorithm>
 #include <set>
 
 #include "tests/server/handlers/explain_support.h"
@@ -27,6 +28,7 @@ const char* const lit_floor = R"({"objects":[
 TEST(ExplainPath, ThePixelOfThePictureIsTheMean) {
   const char* const query = "scene=room&integrator=path&samples=8&threshold=0&width=32&height=24";
   const auto image = decode_pfm(host().get(std::string("/render?format=pfm&").append(query)).body);
+  double most_over = 0;
   for (const auto& [x, y] : {std::pair{3, 20}, std::pair{16, 12}, std::pair{30, 2}}) {
     const Response response = host().get("/explain?" + std::string(query) +
                                          "&x=" + std::to_string(x) + "&y=" + std::to_string(y));
@@ -40,9 +42,24 @@ TEST(ExplainPath, ThePixelOfThePictureIsTheMean) {
       by_paths = by_paths + vec(at(each, "color")) * (1.0 / 8);
     for (const Value& each : list_at(answer, "groups"))
       by_groups = by_groups + vec(at(each, "mean"));
+    double over = 0;
+    for (const Value& each : list_at(answer, "over")) {
+      const int id = static_cast<int>(number_at(each, "id"));
+      EXPECT_TRUE(std::ranges::any_of(list_at(answer, "objects"), [&](const Value& listed) {
+        return number_at(listed, "id") == id && at(listed, "name") == at(each, "object");
+      }));
+      over += number_at(each, "share");
+    }
+    most_over = std::max(most_over, over);
+    double longer = 0;
+    for (const Value& each : list_at(answer, "groups"))
+      if (text_at(each, "expression").size() > 2 || text_at(each, "expression")[0] == '*')
+        longer += number_at(each, "share");
+    EXPECT_LE(over, longer + 1e-6);
     expect_near(by_paths, mean, 1e-6);
     expect_near(by_groups, mean, 1e-6);
   }
+  EXPECT_GT(most_over, 0.01);
 }
 
 // Where a light is, by its name.
