@@ -1,7 +1,7 @@
 // Models dropped on the page: sent once, told of, drawn, turned, and taken along.
 
 import assert from 'node:assert/strict';
-import { mkdir, mkdtemp, rm, writeFile } from 'node:fs/promises';
+import { mkdir, mkdtemp, readFile, rm, writeFile } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { test } from 'node:test';
@@ -216,3 +216,26 @@ for (const [colorScheme, locale, width] of [['light', 'en-US', 1280], ['dark', '
       assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth));
     }, { colorScheme, locale, viewport: { width, height: 800 } }));
 }
+
+test('a turntable of the model as it is seen is drawn on one sheet and saved', () =>
+  open(async (page) => {
+    await page.locator('#tab-model').click();
+    await page.getByLabel('Views').fill('3');
+    await page.getByLabel('Columns').fill('4');
+    await page.getByRole('button', { name: 'Draw and save the sheet' }).click();
+    await page.getByText('Columns: a whole number from 1 to 3').waitFor();
+    await page.getByLabel('Columns').fill('2');
+    const coming = page.waitForEvent('download');
+    await page.keyboard.press('Enter');
+    const download = await coming;
+    assert.equal(download.suggestedFilename(), 'tia-model-part-turntable.png');
+    const sheet = await on.tia.get(`/still?model=part&integrator=path&samples=4&width=96&height=96&turntable=3&columns=2`);
+    assert.deepEqual(await readFile(await download.path()), sheet);
+    await page.getByText('Saved: 3 views of 96 \u00d7 96 pixels.').waitFor();
+    const shown = page.getByRole('img', { name: 'The sheet of 3 views' });
+    assert.deepEqual(await shown.evaluate((it) => [it.naturalWidth, it.naturalHeight]), [192, 192]);
+    assert.deepEqual(await faults(page, '#panel-model'), []);
+    await page.locator('.model-shown select[name=studio]').selectOption('sun');
+    await shown.waitFor({ state: 'detached' });
+    await still(page, (query) => query.get('studio') === 'sun');
+  }));

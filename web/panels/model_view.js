@@ -9,6 +9,7 @@ import { element } from './element.js';
 import { aboutModel } from './model_about.js';
 import { modelForm } from './model_form.js';
 import { modelLines } from './model_lines.js';
+import { modelTurn } from './model_turn.js';
 
 /** Fills `panel` and gives `take(files)`, which shows what they are, and `follow()` what is wanted. */
 export function makeModelView(studio, panel) {
@@ -17,7 +18,7 @@ export function makeModelView(studio, panel) {
   const about = element('div', { class: 'model-about' });
   const form = modelForm(studio);
   const lines = modelLines(studio);
-  const shown = element('div', { class: 'model-shown', hidden: true }, about, form.node, ...lines.nodes);
+  const shown = element('div', { class: 'model-shown', hidden: true }, about, form.node, modelTurn(studio), ...lines.nodes);
   let known = null; // the description of the model that is asked for, null until it comes
   let asked = null; // its id, or its name in the gallery
   let abort = new AbortController();
