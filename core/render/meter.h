@@ -26,6 +26,12 @@ class RayMeter {
         max_work_(max_work),
         stop_(std::move(stop)),
         spent_(std::move(spent)) {}
+  /// Counts what another render has traced already. Domain: before all else.
+  void begin_at(const RayCounts& rays) {
+    all_ = rays.all();
+    primary_ = rays.primary, shadow_ = rays.shadow;
+    reflection_ = rays.reflection, refraction_ = rays.refraction, cut_ = rays.cut;
+  }
   /// Adds the rays and sets them to none. Errors: InputError once the sum passes the limit, which
   /// no order of threads changes; what `spent` throws.
   void add(RayCounts& rays);

@@ -1,16 +1,28 @@
 #include "core/render/render.h"
 
 #include <algorithm>
+#include <new>
 
+#include "core/parallel/stopped.h"
 #include "core/render/denoised_window.h"
+#include "core/render/kept_rounds.h"
 #include "core/render/out_of_budget.h"
-#include "core/render/rounds.h"
 
 namespace tia {
 namespace {
 
 constexpr std::int64_t no_limit = std::numeric_limits<std::int64_t>::max();
 HostLimits limits_of(const RenderOptions& options) { return {options.max_rays, options.max_work}; }
+
+// Whether rounds have all that decides what comes of them in sums that are kept.
+bool may_be_left(const RenderOptions& options, const DenoisedWindow* denoised) {
+  return row_of(options.integrator).is_chance() && options.threshold == 0 && denoised == nullptr;
+}
+// What one with a budget has at the end of a round cannot be told of rounds beyond the budget.
+bool may_go_on(const RenderOptions& options, const DenoisedWindow* denoised) {
+  return options.from && may_be_left(options, denoised) &&
+         (!options.budget || options.from->rays().all() <= options.budget->max_rays);
+}
 
 /// Render: one picture.
 class Render {
@@ -22,23 +34,30 @@ class Render {
         pool_(pool),
         stop_(stop),
         in_world_(view.seen_from(world.origin)),
-        sampler_({.samples = options.samples,
-                  .threshold = options.threshold,
-                  .seed = options.seed,
-                  .is_chance = row_of(options.integrator).is_chance(),
-                  .in_rounds = options.noise > 0 || options.budget,
-                  .is_watched = is_watched() || denoised != nullptr}),
+        sampler_(
+            {.samples = options.samples,
+             .threshold = options.threshold,
+             .seed = options.seed,
+             .is_chance = row_of(options.integrator).is_chance(),
+             .in_rounds = options.noise > 0 || options.budget,
+             .is_watched = is_watched() || denoised != nullptr || may_go_on(options, denoised)}),
         convergence_({options.threshold, options.noise, tells_errors(), options.tone}),
         meter_(options.budget ? no_limit : options.max_rays,
                options.budget ? no_limit : options.max_work, stop,
                spent_within(options.budget, options.spent, limits_of(options))),
         denoised_(denoised),
         shot_{world,        in_world_, options.integrator, rules_of(options),  sampler_,
-              convergence_, meter_,    options.layers,     denoised != nullptr} {}
+              convergence_, meter_,    options.layers,     denoised != nullptr},
+        from_(may_go_on(options, denoised) && options.from->fits(sampler_) &&
+                      options.from->tiles() == static_cast<std::size_t>(tiles())
+                  ? options.from.get()
+                  : nullptr) {
+    if (from_ != nullptr) meter_.begin_at(before_ = from_->rays());
+  }
 
   Rendered picture(const Develop& develop) {
     if (denoised_ == nullptr) {
-      show_preview();
+      if (from_ == nullptr) show_preview();
       return traced(develop);
     }
     const Rendered drawn = traced([&](const FilmTile& tile) { denoised_->put_alpha(tile); });
@@ -70,7 +89,7 @@ class Render {
       for_each(tiles(), [&](int i) {
         FilmTile tile;
         place(i, tile);
-        trace(tile);
+        trace(i, tile);
         lay_under(tile);
         develop(tile);
       });
@@ -84,19 +103,37 @@ class Render {
   Rendered round_by_round(const Develop& develop) {
     std::vector<RoundsOfTile> all;
     all.reserve(static_cast<std::size_t>(tiles()));
-    for (int i = 0; i < tiles(); ++i) all.emplace_back(pixels_of(i));
-    if (is_first_filtered()) first_.emplace(window_.width(), window_.height());
-    int rounds = 0;
-    RayCounts rays;
-    for (Open open = open_of(all); goes_on(open, rounds); open = open_of(all)) {
+    for (int i = 0; i < tiles(); ++i) all.push_back(begun_tile(i));
+    if (from_ == nullptr && is_first_filtered()) first_.emplace(window_.width(), window_.height());
+    try {
+      return round_by_round(all, develop);
+    } catch (const Stopped&) {
+      leave(std::move(all));
+      throw;
+    }
+  }
+  Rendered round_by_round(std::vector<RoundsOfTile>& all, const Develop& develop) {
+    int rounds = whole_rounds(all, sampler_.rounds());
+    for (OpenTiles open = open_for(rounds, all); goes_on(open, rounds);
+         open = open_for(rounds, all)) {
       if (rounds > 0 && is_watched()) show(all, rounds);
       if (!trace_round(open, rounds)) break;
       ++rounds;
-      rays = meter_.counts();
     }
     develop_all(all, rounds, tally_, develop);
     const bool ended = std::ranges::all_of(all, &RoundsOfTile::settled);
-    return told(rays, tally_, ended ? options_.samples : sampler_.before(rounds));
+    return told(rays_after(rounds, all), tally_,
+                ended ? options_.samples : sampler_.before(rounds));
+  }
+  RoundsOfTile begun_tile(int i) const {
+    if (from_ != nullptr) return from_->tile(static_cast<std::size_t>(i), sampler_);
+    return RoundsOfTile(pixels_of(i));
+  }
+  void leave(std::vector<RoundsOfTile>&& all) const try {
+    const int samples = sampler_.before(whole_rounds(all, sampler_.rounds()));
+    if (options_.leave && may_be_left(options_, denoised_) && samples >= Sampler::first_round)
+      options_.leave(std::make_shared<const KeptRounds>(std::move(all), sampler_));
+  } catch (const std::bad_alloc&) {  // then nothing is kept
   }
 
   int columns() const { return (window_.width() + options_.tile - 1) / options_.tile; }
@@ -128,11 +165,13 @@ class Render {
     tia::lay_under(lift<float>(rgb_of(*world.backdrop->color)), tile);
   }
 
-  void trace(FilmTile& tile) {
+  void trace(int i, FilmTile& tile) {
     if (sampler_.centered() && !in_world_.orthographic() && !tells_more_)
       return trace_centers(shot_, options_.scalar, window_.x0 + tile.x, window_.y0 + tile.y, tile);
-    TilePixels pixels = pixels_of(tile, shot_.guided);
-    trace_rounds(shot_, options_.scalar, 0, sampler_.rounds(), pixels);
+    RoundsOfTile begun = begun_tile(i);
+    const int first = begun.begun();
+    TilePixels pixels = std::move(begun).pixels();
+    trace_rounds(shot_, options_.scalar, first, sampler_.rounds(), pixels);
     ShownTile shown = shown_of(pixels, options_.layers);
     if (convergence_.shows() || is_watched()) tally_.add(shown.pixels);
     fill(tile, std::move(shown));
@@ -141,43 +180,34 @@ class Render {
 
   // ---- by rounds ------------------------------------------------------------------------------
 
-  /// Open: the tiles that have pixels which need more samples, and how many those are.
-  struct Open {
-    std::vector<RoundsOfTile*> tiles;
-    std::int64_t pixels = 0;
-  };
-  static Open open_of(std::vector<RoundsOfTile>& all) {
-    Open open;
-    for (RoundsOfTile& tile : all) {
-      if (tile.settled()) continue;
-      open.tiles.push_back(&tile);
-      open.pixels += tile.unsettled();
-    }
-    return open;
-  }
-
   // Whether there is a further round, and time for it.
-  bool goes_on(const Open& open, int rounds) const {
+  bool goes_on(const OpenTiles& open, int rounds) const {
     if (open.tiles.empty() || rounds == sampler_.rounds()) return false;
     if (!options_.budget || !sampler_.may_end_after(rounds)) return true;
-    const double more = static_cast<double>(open.pixels * sampler_.count(rounds)) /
-                        static_cast<double>(std::max<std::int64_t>(meter_.counts().primary, 1));
-    return options_.budget->has_time(more);
+    const std::int64_t done = meter_.counts().primary - before_.primary;
+    if (done == 0) return options_.budget->has_time(0);
+    return options_.budget->has_time(static_cast<double>(open.pixels * sampler_.count(rounds)) /
+                                     static_cast<double>(done));
   }
 
   // Returns: whether it came to its end.
-  bool trace_round(const Open& open, int round) {
+  bool trace_round(const OpenTiles& open, int round) {
     try {
       for_each(static_cast<int>(open.tiles.size()), [&](int i) {
         RoundsOfTile& tile = *open.tiles[static_cast<std::size_t>(i)];
         if (round == 0 && first_) trace_first(tile, i);
-        else tile.trace(shot_, options_.scalar, round);
+        else trace_round(shot_, tile, round);
       });
     } catch (const OutOfBudget& end) {
       if (!sampler_.may_end_after(round)) refuse(end, limits_of(options_));
       return false;
     }
     return true;
+  }
+
+  void trace_round(const Shot& shot, RoundsOfTile& tile, int round) const {
+    if (options_.leave) tile.trace_or_leave(shot, options_.scalar, round);
+    else tile.trace(shot, options_.scalar, round);
   }
 
   // For a preview what guides tell is put beside the light, tile by tile.
@@ -187,7 +217,7 @@ class Render {
     FilmTile at;
     place(i, at);
     tile.guide();
-    tile.trace(guided, options_.scalar, 0);
+    trace_round(guided, tile, 0);
     tile.put(at, *first_);
     tile.unguide();
   }
@@ -230,7 +260,7 @@ class Render {
   void show(std::vector<RoundsOfTile>& all, int rounds) {
     const int samples = sampler_.before(rounds);
     const bool quickly = samples == 1 || (denoised_ != nullptr && !is_worth_denoising());
-    options_.watch({quickly, meter_.counts(), [&](const Develop& develop) {
+    options_.watch({quickly, rays_after(rounds, all), [&](const Develop& develop) {
                       Tally tally;
                       if (denoised_ != nullptr) show_denoised(all, rounds, quickly, tally, develop);
                       else show_plainly(all, rounds, tally, develop);
@@ -317,9 +347,9 @@ class Render {
   }
 
   Rendered told(const RayCounts& rays, const Tally& tally, int samples) const {
-    if (!convergence_.shows() && !is_watched()) return {rays};
+    if (!convergence_.shows() && !is_watched()) return {rays, {}, before_};
     if (sampler_.centered()) return {rays, Reached{1, 1, 1, 1, 1}};
-    return {rays, tally.reached(samples)};
+    return {rays, tally.reached(samples), before_};
   }
 
   const RenderOptions& options_;
@@ -334,6 +364,8 @@ class Render {
   DenoisedWindow* const denoised_;     // null: it is shown as it is
   std::optional<PreviewLight> first_;  // of the first round, until it is shown
   const Shot shot_;
+  const KeptRounds* const from_;  // null: from the beginning
+  RayCounts before_ = {};         // the rays of that
   const bool tells_more_ = options_.layers.any([](const LayerRow& row) { return row.is_beside(); });
 };
 

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <stop_token>
 
@@ -32,6 +33,12 @@ struct Glimpse {
   std::function<Reached(const Develop&)> show;
 };
 
+class KeptRounds;
+using SharedRounds = std::shared_ptr<const KeptRounds>;
+/// Given the rounds of a render that is stopped, where all its pixels have had the samples of a
+/// first round (Sampler::first_round).
+using Leave = std::function<void(SharedRounds)>;
+
 /// Told between rounds, by the thread that renders, of what there is by then: at first of a coarse
 /// preview, which is traced once it is shown.
 using Watch = std::function<void(const Glimpse&)>;
@@ -58,7 +65,13 @@ struct RenderOptions {
   LayerSet layers = {};  ///< what else tiles are to tell, by FilmTile::more (planes_of)
   std::optional<Budget> budget = {};  ///< ends it after a whole round. Domain: of chance
   Spent spent = {};
-  Watch watch = {};      ///< changes no pixel of the picture, only the order of work; none: nobody
+  Watch watch = {};  ///< changes no pixel of the picture, only the order of work; none: nobody
+  /// What a render of the same picture was left with, of which only samples, the budget, who
+  /// watches and threads may differ: it goes on from there, to the same bytes and rays, unless the
+  /// other had more samples or took more rays than it may. Domain, of both: of chance, without
+  /// threshold and denoiser; else they are passed over.
+  SharedRounds from = {};
+  Leave leave = {};      ///< told where rounds go over the whole picture; none: nothing is kept
   Flow* flow = nullptr;  ///< the request that it is drawn for; null: one of its own
 };
 
@@ -72,6 +85,7 @@ inline Rules rules_of(const RenderOptions& options) {
 struct Rendered {
   RayCounts rays;                       ///< of whole rounds
   std::optional<Reached> reached = {};  ///< where noise or a budget is given, or somebody watches
+  RayCounts before = {};                ///< those of `rays` that RenderOptions::from had taken
 };
 
 /// Traces the window and hands each finished tile to `develop`.

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/parallel/stopped.h"
 #include "core/render/halves.h"
 #include "core/render/layer_planes.h"
 #include "core/render/preview_light.h"
@@ -56,6 +57,7 @@ class Tally {
 struct ShownTile {
   std::vector<Shown> pixels;
   std::vector<float> more;
+  RayCounts rays = {};
 };
 inline ShownTile shown_of(const TilePixels& tile, LayerSet layers) {
   ShownTile shown;
@@ -63,6 +65,7 @@ inline ShownTile shown_of(const TilePixels& tile, LayerSet layers) {
   std::ranges::transform(tile.estimates, shown.pixels.begin(),
                          [](const Estimate& each) { return shown_of(each); });
   shown.more = planes_of(tile, layers);
+  shown.rays = tile.rays;
   return shown;
 }
 
@@ -117,6 +120,17 @@ class RoundsOfTile {
     begun_ = round + 1;
     trace_rounds(shot, scalar, round, round + 1, pixels_);
   }
+  /// The same, and where it is stopped within, the tile is as it was.
+  void trace_or_leave(const Shot& shot, Scalar scalar, int round) {
+    TilePixels before = pixels_;
+    try {
+      trace(shot, scalar, round);
+    } catch (const Stopped&) {
+      pixels_ = std::move(before);
+      begun_ = round;
+      throw;
+    }
+  }
   const ShownTile& after(int rounds, LayerSet layers) {
     keep(rounds, layers);
     return shown_;
@@ -128,6 +142,22 @@ class RoundsOfTile {
   /// Begins to sum guides, and ends. Domain: before the first round; after it.
   void guide() { pixels_.guided.resize(pixels_.estimates.size()); }
   void unguide() { pixels_.guided = {}; }
+
+  RayCounts rays_after(int rounds) const { return begun_ > rounds ? shown_.rays : pixels_.rays; }
+
+  /// How many rounds it has begun, all of them whole where none is under way.
+  int begun() const { return begun_; }
+  void number_rounds(int begun) { begun_ = begun; }
+  const TilePixels& pixels() const& { return pixels_; }
+  TilePixels pixels() && { return std::move(pixels_); }
+  /// Lets go of what can be made again where no round before the last one is asked for.
+  void forget_shown() { shown_ = {}; }
+  /// What its pixels take. Domain: not to be denoised.
+  std::size_t bytes() const {
+    const auto of = [](const auto& list) { return list.capacity() * sizeof list.front(); };
+    return of(pixels_.estimates) + of(pixels_.parts) + of(pixels_.unsettled) + of(shown_.pixels) +
+           of(shown_.more);
+  }
 
  private:
   void keep(int rounds, LayerSet layers) {
@@ -141,5 +171,32 @@ class RoundsOfTile {
   std::vector<Halves> halves_;
   int begun_ = 0;  // how many rounds
 };
+
+/// OpenTiles: those that a round is for, and how many of their pixels need more samples.
+struct OpenTiles {
+  std::vector<RoundsOfTile*> tiles;
+  std::int64_t pixels = 0;
+};
+/// Those of a round. Domain: all those before it are whole.
+inline OpenTiles open_for(int round, std::vector<RoundsOfTile>& all) {
+  OpenTiles open;
+  for (RoundsOfTile& tile : all) {
+    if (tile.settled() || tile.begun() > round) continue;
+    open.tiles.push_back(&tile);
+    open.pixels += tile.unsettled();
+  }
+  return open;
+}
+/// How many rounds all tiles have had that need them; `most` where none does.
+inline int whole_rounds(const std::vector<RoundsOfTile>& all, int most) {
+  for (const RoundsOfTile& tile : all)
+    if (!tile.settled()) most = std::min(most, tile.begun());
+  return most;
+}
+inline RayCounts rays_after(int rounds, const std::vector<RoundsOfTile>& all) {
+  RayCounts rays;
+  for (const RoundsOfTile& tile : all) rays += tile.rays_after(rounds);
+  return rays;
+}
 
 }  // namespace tia

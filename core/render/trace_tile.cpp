@@ -57,6 +57,19 @@ class Tracer {
     else return light;
   }
   RayCounts& rays() { return world_view_.rays; }
+  /// Tells the meter the rays since it was told last, or only where they have become many.
+  /// Errors: the meter's.
+  void tell_rays() {
+    all_rays_ += rays();
+    shot_.meter.add(rays());
+  }
+  void tell_many_rays() {
+    if (rays().all() < RayMeter::often) return;
+    all_rays_ += rays();
+    shot_.meter.add_if_many(rays());
+  }
+  /// All that the meter has been told.
+  const RayCounts& all_rays() const { return all_rays_; }
   /// What the last rays' light consists of, where that is asked for.
   const LightParts& parts() const { return parts_; }
   /// What the last rays have found, which are these. Domain: a shot that is guided.
@@ -73,7 +86,7 @@ class Tracer {
   // A tree of rays may become very large, so its rays are counted while they are traced.
   void spent(std::int64_t work) {
     shot_.meter.add_work(work);
-    shot_.meter.add(rays());
+    tell_rays();
   }
   AnyWorldView world_view_of(int x0, int y0, int width, int height) {
     if constexpr (std::is_same_v<AnyWorldView, FewBallsView>) {
@@ -96,6 +109,7 @@ class Tracer {
   const Shot& shot_;
   Guides guides_;
   AnyWorldView world_view_;
+  RayCounts all_rays_;
   const bool hides_beyond_ = has_backdrop() && gathers_light(shot_.integrator);
   const Color beyond_ = beyond();
   const Vec3<Real> backdrop_ = lift<Real>(rgb_of(beyond_));
@@ -194,7 +208,7 @@ template <class Real, class AnyWorldView>
       if (before + i == 0) first = watched;
       sums.add_deviation(watched, first);
     }
-    shot.meter.add_if_many(tracer.rays());
+    tracer.tell_many_rays();
   }
   sums.scatter_to(pixels);
   pixels.tell(first, count);
@@ -229,7 +243,8 @@ void trace_rounds_in(const Shot& shot, int begin, int end, TilePixels& tile) {
   Tracer<Real, AnyWorldView> tracer(shot, tile.x0, tile.y0, tile.width, tile.height);
   for (int round = begin; round < end && !tile.unsettled.empty(); ++round)
     trace_round(shot, round, tracer, tile);
-  shot.meter.add(tracer.rays());
+  tracer.tell_rays();
+  tile.rays += tracer.all_rays();
 }
 
 // ---- which of them ------------------------------------------------------------------------------

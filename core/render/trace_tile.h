@@ -39,6 +39,7 @@ struct TilePixels {
   std::vector<PartSums> parts;     ///< where they are asked for, else none
   std::vector<GuidedSums> guided;  ///< the same
   std::vector<int> unsettled;      ///< the numbers of those that need more samples
+  RayCounts rays = {};             ///< that its whole rounds have taken
 
   TilePixels(int x, int y, int w, int h, bool has_parts, bool has_guides);
 };
