@@ -10,7 +10,7 @@ const std::vector<HeaderRow>& header_rows() {
       {"Cache-Control", "whether and how long the answer may be kept (RFC 9111, 5.2.2)",
        "^[a-z-]+(=[0-9]+)?(, [a-z-]+(=[0-9]+)?)*$"},
       {"Cache-Status", "whether the picture was drawn for this request (RFC 9211)",
-       "^Tia(; (hit|fwd=miss|collapsed|stored|detail=not-modified))+$"},
+       "^Tia(; (hit|fwd=miss|fwd=partial|collapsed|stored|detail=not-modified))+$"},
       {"Content-Encoding", "how the body is compressed, where Accept-Encoding takes that", "^gzip$",
        false},
       {"Content-Location",

@@ -27,7 +27,8 @@ std::string ray_counts(const RayCounts& rays) {
 std::string cache_status(const PictureStore::Found& found) {
   std::string status = "Tia; ";
   if (found.source == Source::stored) return status + "hit";
-  status += found.source == Source::joined ? "fwd=miss; collapsed" : "fwd=miss";
+  status += found.picture->rays_before > 0 ? "fwd=partial" : "fwd=miss";
+  if (found.source == Source::joined) status += "; collapsed";
   return found.kept ? status + "; stored" : status;
 }
 

@@ -65,6 +65,15 @@ class WhenShown {
   Clock::duration spent_{};
 };
 
+// Has it go on from where another one was left, and, if it is left itself, another one from there.
+void use_rounds(Plan& plan, Service& service) {
+  if (plan.rounds_name.empty()) return;
+  plan.options.from = service.pictures.rounds_of(plan.rounds_name);
+  plan.options.leave = [&](const SharedRounds& rounds) {
+    service.pictures.keep_rounds(plan.rounds_name, rounds);
+  };
+}
+
 // Shows what a drawing comes to, and keeps it.
 Onlooker onlooker_of(Showing& showing, Service& service) {
   const auto when = std::make_shared<WhenShown>();
@@ -92,6 +101,7 @@ Picture drawn(Plan& plan, const Requester& requester, SharedFlow& shared, Showin
     ticket.has_done(rays_done, tests);
   };
   // It may be parked then, and must not keep a light one's place, however few its rays are.
+  use_rounds(plan, service);
   flow.became_long = [&] { ticket.turn_heavy(); };
   const SharedFlow::Going going(shared, flow);
   MemoryClaim* const claim = MemoryClaim::current();
@@ -99,7 +109,8 @@ Picture drawn(Plan& plan, const Requester& requester, SharedFlow& shared, Showin
   const auto attempt = [&] {
     Picture picture =
         draw(plan, service.rendering, stop, showing.is_watched() ? &onlooker : nullptr);
-    if (!plan.asked->has_budget())
+    if (picture.rays_before > 0) service.metrics.count_resumed();
+    if (!plan.asked->has_budget() && picture.rays_before == 0)
       service.costs.learn(plan.cost_key, rays, picture.trace_seconds, true);
     picture.timing.queue = queue_ms;
     picture.timing.wait = claim != nullptr ? claim->waited_ms() : 0;

@@ -39,6 +39,10 @@ struct Metrics::Families {
   Counter& shown = family(prometheus::BuildCounter(), "tia_shown_pictures_total",
                           "Pictures that streams were shown before they were done.", registry)
                        .Add({});
+  Counter& resumed =
+      family(prometheus::BuildCounter(), "tia_resumed_pictures_total",
+             "Pictures whose drawing went on from rounds of one that was left.", registry)
+          .Add({});
   prometheus::Family<Histogram>& seconds =
       family(prometheus::BuildHistogram(), "tia_picture_phase_seconds",
              "Where pictures' time went, by phase.", registry);
@@ -70,6 +74,9 @@ struct Metrics::Families {
              registry);
   prometheus::Family<Gauge>& cached =
       family(prometheus::BuildGauge(), "tia_cache_pictures", "Pictures in the cache.", registry);
+  prometheus::Family<Gauge>& cached_rounds =
+      family(prometheus::BuildGauge(), "tia_cache_rounds",
+             "Pictures of which the cache keeps the rounds that they were left with.", registry);
   prometheus::Family<Gauge>& cached_bytes =
       family(prometheus::BuildGauge(), "tia_cache_bytes", "Memory of the cache.", registry);
   prometheus::Family<Gauge>& memory =
@@ -180,6 +187,7 @@ void Metrics::count(const RayCounts& rays, const Timing& ms) {
 }
 
 void Metrics::count_shown() { families_->shown.Increment(); }
+void Metrics::count_resumed() { families_->resumed.Increment(); }
 
 void Metrics::count(std::string_view format, ModelReading result, double seconds) {
   families_->reads_of(format, result).Increment();
@@ -199,6 +207,7 @@ std::string Metrics::text(const Gauges& gauges) {
   set(families_->data_bytes, gauges.data_bytes);
   set(families_->geometry_bytes, gauges.geometry.bytes);
   set(families_->cached, gauges.pictures.pictures);
+  set(families_->cached_rounds, gauges.pictures.rounds);
   set(families_->cached_bytes, gauges.pictures.bytes);
   families_->models.Add({{"state", "kept"}}).Set(static_cast<double>(gauges.models.kept));
   families_->models.Add({{"state", "read"}}).Set(static_cast<double>(gauges.models.read));

@@ -40,6 +40,8 @@ class Metrics {
   void count(const RayCounts& rays, const Timing& ms);
   /// Counts a picture that was shown before it was done.
   void count_shown();
+  /// Counts a picture whose drawing went on from where another one was left.
+  void count_resumed();
   /// Counts a model of that format that was read, or was not.
   void count(std::string_view format, ModelReading result, double seconds);
   /// Prometheus' text format 0.0.4.

@@ -14,10 +14,11 @@ struct StoreCounts {
   std::size_t geometries = 0, meshes = 0, bytes = 0;
 };
 
-/// How often pictures came from where, and what the store holds now.
+/// How often pictures came from where, and what the store holds now: pictures, rounds of others
+/// that were left, and what they take.
 struct PictureCounts {
   std::int64_t stored = 0, drawn = 0, joined = 0;
-  std::size_t pictures = 0, bytes = 0;
+  std::size_t pictures = 0, rounds = 0, bytes = 0;
 };
 
 /// How many models there are now: kept, and read in memory.

@@ -112,9 +112,10 @@ Plan plan_of(const PictureRequest& asked, const RenderContext& context,
   check_rays(static_cast<std::int64_t>(traced.width()) * traced.height(),
              fewest_samples(asked, options), context.limits);
   const std::size_t objects = scene.objects.bytes <= most_told_bytes ? scene.objects.bytes : 0;
-  std::tie(plan.recipe, plan.cost_key) = context.go_through(scene.others + objects, requester, [&] {
-    return std::pair(recipe_of(asked, plan), cost_key_of(plan));
-  });
+  std::tie(plan.recipe, plan.rounds_name, plan.cost_key) =
+      context.go_through(scene.others + objects, requester, [&] {
+        return std::tuple(recipe_of(asked, plan), rounds_name_of(asked, plan), cost_key_of(plan));
+      });
   return plan;
 }
 

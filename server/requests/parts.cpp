@@ -40,6 +40,7 @@ Vec3f nothing_in(const Plan& plan) {
 
 void add(Rendered& all, const Rendered& more, int before) {
   all.rays += more.rays;
+  all.before += more.before;
   if (!all.reached || !more.reached) return void(all.reached = more.reached);
   Reached& reached = *all.reached;
   reached.least = std::min(reached.least, more.reached->least);

@@ -26,8 +26,9 @@ struct Plan {
   Format format = Format::png;
   LayerSet layers = {};                   ///< of an exr, which alone has any
   const PictureRequest* asked = nullptr;  ///< the request
-  std::string recipe = {};    ///< what POST /render would draw the same picture from (recipe.h)
-  std::string cost_key = {};  ///< what tells how much one of its rays takes (draw.h)
+  std::string recipe = {};       ///< what POST /render would draw the same picture from (recipe.h)
+  std::string rounds_name = {};  ///< of what its rounds come to (recipe.h); empty: of no use again
+  std::string cost_key = {};     ///< what tells how much one of its rays takes (draw.h)
 
   /// The pixels that are traced: with a margin where they are denoised and the picture goes on.
   Window traced() const {

@@ -118,6 +118,15 @@ std::string recipe_of(const PictureRequest& asked, const Plan& plan) {
   return to_json(Value::Object{{"request", std::move(request)}, {"version", full_version()}});
 }
 
+std::string rounds_name_of(const PictureRequest& asked, const Plan& plan) {
+  if (!row_of(plan.options.integrator).is_chance() || plan.options.threshold > 0 ||
+      plan.options.denoise || plan.scene->sheet)
+    return "";
+  Plan any = plan;
+  any.in_effect.samples = std::nullopt;
+  return "rounds " + sha256_hex(recipe_of(asked, any));
+}
+
 std::string etag_of(std::string_view recipe) { return '"' + sha256_hex(recipe) + '"'; }
 
 bool is_png(std::string_view body) { return body.starts_with(png_signature); }

@@ -25,6 +25,11 @@ constexpr std::size_t most_told_bytes = 256 << 10;
 /// hold. Canonical text (RFC 8785).
 std::string recipe_of(const PictureRequest& asked, const Plan& plan);
 
+/// What rounds over a picture are kept by: all that decides their sums, as its recipe without how
+/// many samples there are to be. Returns: empty where what they come to is of no use to another
+/// drawing: without chance, with a threshold, of a sheet, to be denoised.
+std::string rounds_name_of(const PictureRequest& asked, const Plan& plan);
+
 /// The strong entity tag of the picture: its recipe's SHA-256.
 std::string etag_of(std::string_view recipe);
 

@@ -140,6 +140,7 @@ void Studio::trace(Film& film, const World& world, Picture& picture) {
   try {
     const Rendered drawn = trace_parts(by, world, film);
     picture.rays = drawn.rays;
+    picture.rays_before = drawn.before.all();
     picture.reached = drawn.reached;
   } catch (const BudgetSpent& spent) {
     budget.refuse(spent);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -16,6 +17,7 @@ struct Picture {
   std::string bytes;
   std::string_view media_type;
   RayCounts rays;
+  std::int64_t rays_before = 0;  ///< of these, what a drawing had traced that was left
   Timing timing;
   std::optional<Reached> reached = {};  ///< of rounds, where somebody wanted to know
   bool tells_reached = false;  ///< whether answers tell: where noise or a budget was asked for

@@ -3,16 +3,13 @@
 #include <new>
 #include <utility>
 
+#include "core/render/kept_rounds.h"
 #include "server/http/error.h"
 
 namespace tia::server {
 namespace {
 
 constexpr std::size_t picture_entry_bytes = 512;  // an entry's own, with its places in the tables
-
-std::size_t bytes_of(const Picture& picture) {
-  return picture_entry_bytes + picture.bytes.capacity();
-}
 
 bool is_busy(const std::exception_ptr& failure) {
   if (!failure) return false;
@@ -26,6 +23,10 @@ bool is_busy(const std::exception_ptr& failure) {
 }
 
 }  // namespace
+
+std::size_t PictureStore::Kept::bytes() const {
+  return picture_entry_bytes + (rounds ? rounds->bytes() : picture->bytes.capacity());
+}
 
 /// Flight: one thread draws, others may wait. All but `stop` is guarded by the store's mutex.
 struct PictureStore::Flight {
@@ -44,10 +45,7 @@ struct PictureStore::Flight {
 PictureStore::Found PictureStore::get(const std::string& etag, const Wish& wish) {
   for (;;) {
     std::unique_lock lock(mutex_);
-    if (const SharedPicture* stored = pictures_.find(etag)) {
-      ++counts_.stored;
-      return {*stored, Source::stored, true};
-    }
+    if (const SharedPicture kept = stored(etag)) return {kept, Source::stored, true};
     const auto known = flights_.find(etag);
     if (known == flights_.end()) {
       const auto flight = std::make_shared<Flight>(wish);
@@ -64,10 +62,7 @@ PictureStore::Found PictureStore::get(const std::string& etag, const Wish& wish)
 std::optional<PictureStore::Found> PictureStore::find_or_join(const std::string& etag,
                                                               const Wish& wish) {
   std::unique_lock lock(mutex_);
-  if (const SharedPicture* stored = pictures_.find(etag)) {
-    ++counts_.stored;
-    return Found{*stored, Source::stored, true};
-  }
+  if (const SharedPicture kept = stored(etag)) return Found{kept, Source::stored, true};
   const auto known = flights_.find(etag);
   if (known == flights_.end()) return std::nullopt;
   const std::shared_ptr<void> place = wish.wait();
@@ -77,15 +72,41 @@ std::optional<PictureStore::Found> PictureStore::find_or_join(const std::string&
 bool PictureStore::add(const std::string& etag, const SharedPicture& picture) {
   Pictures::Entries surplus;
   const std::lock_guard lock(mutex_);
-  return pictures_.contains(etag) || keep(etag, picture, surplus);
+  return kept_.contains(etag) || keep(etag, {picture}, surplus);
+}
+
+void PictureStore::keep_rounds(const std::string& name, const SharedRounds& rounds) {
+  Pictures::Entries surplus;
+  const std::lock_guard lock(mutex_);
+  const Kept* const known = kept_.find(name);
+  if (known != nullptr && known->rounds->samples() >= rounds->samples()) return;
+  const Kept kept{nullptr, rounds};
+  const std::size_t most = share_.most() / 2;
+  if (kept.bytes() > most) return;
+  if (known != nullptr) take(name, surplus);
+  while (bytes_of_rounds_ + kept.bytes() > most)
+    take(*kept_.last_of([](const Kept& each) { return each.rounds != nullptr; }), surplus);
+  keep(name, kept, surplus);
+}
+
+SharedRounds PictureStore::rounds_of(const std::string& name) {
+  const std::lock_guard lock(mutex_);
+  const Kept* const known = kept_.find(name);
+  return known != nullptr ? known->rounds : nullptr;
 }
 
 std::optional<PictureStore::Found> PictureStore::find(const std::string& etag) {
   const std::lock_guard lock(mutex_);
-  const SharedPicture* stored = pictures_.find(etag);
-  if (stored == nullptr) return std::nullopt;
+  const SharedPicture kept = stored(etag);
+  if (!kept) return std::nullopt;
+  return Found{kept, Source::stored, true};
+}
+
+SharedPicture PictureStore::stored(const std::string& etag) {
+  const Kept* const known = kept_.find(etag);
+  if (known == nullptr) return nullptr;
   ++counts_.stored;
-  return Found{*stored, Source::stored, true};
+  return known->picture;
 }
 
 PictureStore::Found PictureStore::lead(const std::string& etag, const SharedFlight& flight,
@@ -110,18 +131,31 @@ std::optional<PictureStore::Found> PictureStore::join(const std::string& etag,
                                                       const Wish& wish) {
   const SharedFlight mine = flight;
   mine->joined_by(wish.client);
-  std::optional<Showing::Seat> seat;
-  if (mine->showing && wish.see) seat.emplace(*mine->showing, wish.see);
   ++mine->waiting;
   ++counts_.joined;
-  if (!mine->has_landed.wait(lock, wish.stop, [&] { return mine->landed; })) {
-    lock.unlock();
+  if (!wait_seated(*mine, std::move(lock), wish)) {
     leave(etag, *mine);
     throw Stopped();
   }
   if (is_busy(mine->failure)) return std::nullopt;
   if (mine->failure) std::rethrow_exception(mine->failure);
   return Found{mine->picture, Source::joined, mine->kept};
+}
+
+// Who sees what is shown sits down and gets up without the store's lock: others' pictures do not
+// wait for it. What has landed does not change any more.
+bool PictureStore::wait_seated(Flight& flight, std::unique_lock<std::mutex> lock,
+                               const Wish& wish) {
+  lock.unlock();
+  std::optional<Showing::Seat> seat;
+  try {
+    if (flight.showing && wish.see) seat.emplace(*flight.showing, wish.see);
+  } catch (const std::bad_alloc&) {  // then it sees the end only
+  }
+  lock.lock();
+  const bool landed = flight.has_landed.wait(lock, wish.stop, [&] { return flight.landed; });
+  lock.unlock();
+  return landed;
 }
 
 // One who comes after the last has left begins anew: what nobody waited for is being given up.
@@ -151,28 +185,32 @@ bool PictureStore::land(const std::string& etag, Flight& flight, const SharedPic
   if (!picture) return false;
   try {
     const std::string& name = picture->etag.empty() ? etag : picture->etag;
-    if (!pictures_.contains(name)) flight.kept = keep(name, picture, surplus);
+    if (!kept_.contains(name)) flight.kept = keep(name, {picture}, surplus);
   } catch (const std::bad_alloc&) {  // then it is sent all the same
   }
   return flight.kept;
 }
 
-bool PictureStore::keep(const std::string& etag, const SharedPicture& picture,
-                        Pictures::Entries& surplus) {
-  const std::size_t bytes = bytes_of(*picture), most = share_.most();
+bool PictureStore::keep(const std::string& name, const Kept& kept, Pictures::Entries& surplus) {
+  const std::size_t bytes = kept.bytes(), most = share_.most();
   if (bytes > most) return false;
-  pictures_.add(etag, picture);
+  kept_.add(name, kept);
   counts_.bytes += bytes;
+  if (kept.rounds) bytes_of_rounds_ += bytes, ++counts_.rounds;
   take_surplus(most, surplus);
   share_.book(counts_.bytes);
   return true;
 }
 
+void PictureStore::take(const std::string& name, Pictures::Entries& surplus) {
+  kept_.take(name, surplus);
+  const Kept& taken = surplus.back().value;
+  counts_.bytes -= taken.bytes();
+  if (taken.rounds) bytes_of_rounds_ -= taken.bytes(), --counts_.rounds;
+}
+
 void PictureStore::take_surplus(std::size_t most, Pictures::Entries& surplus) {
-  while (counts_.bytes > most) {
-    counts_.bytes -= bytes_of(*pictures_.last());
-    pictures_.take_last(surplus);
-  }
+  while (counts_.bytes > most) take(kept_.last_key(), surplus);
 }
 
 std::int64_t PictureStore::give_way(std::int64_t bytes) {
@@ -187,7 +225,7 @@ std::int64_t PictureStore::give_way(std::int64_t bytes) {
 PictureCounts PictureStore::counts() const {
   const std::lock_guard lock(mutex_);
   PictureCounts counts = counts_;
-  counts.pictures = pictures_.size();
+  counts.pictures = kept_.size() - counts.rounds;
   return counts;
 }
 

@@ -67,6 +67,12 @@ class PictureStore {
   /// Keeps one that is there already. Returns: whether there is room.
   bool add(const std::string& etag, const SharedPicture& picture);
 
+  /// Keeps what a drawing was left with, by a name that is no tag, unless what is kept by it has
+  /// come as far. Such rounds have half of the bytes at most.
+  void keep_rounds(const std::string& name, const SharedRounds& rounds);
+  /// Those of that name; or null.
+  SharedRounds rounds_of(const std::string& name);
+
   PictureCounts counts() const;
   /// Lets go of those that nobody has asked for longest. Returns: how many bytes.
   std::int64_t give_way(std::int64_t bytes);
@@ -74,25 +80,34 @@ class PictureStore {
  private:
   struct Flight;  // a picture that is being drawn
   using SharedFlight = std::shared_ptr<Flight>;
-  using Pictures = LruMap<std::string, SharedPicture>;
+  /// Kept: a picture, or what there is of one.
+  struct Kept {
+    SharedPicture picture;
+    SharedRounds rounds = nullptr;
+    std::size_t bytes() const;
+  };
+  using Pictures = LruMap<std::string, Kept>;
 
   Found lead(const std::string& etag, const SharedFlight& flight, const Wish& wish);
   std::optional<Found> join(const std::string& etag, const SharedFlight& flight,
                             std::unique_lock<std::mutex> lock, const Wish& wish);
+  static bool wait_seated(Flight& flight, std::unique_lock<std::mutex> lock, const Wish& wish);
   void leave(const std::string& etag, Flight& flight);
   bool land(const std::string& etag, Flight& flight, const SharedPicture& picture,
             std::exception_ptr failure);
   void forget(const std::string& etag, const Flight& flight);
+  SharedPicture stored(const std::string& etag);
   // Takes out what is then too much.
-  bool keep(const std::string& etag, const SharedPicture& picture, Pictures::Entries& surplus);
-
+  bool keep(const std::string& name, const Kept& kept, Pictures::Entries& surplus);
+  void take(const std::string& name, Pictures::Entries& surplus);
   void take_surplus(std::size_t most, Pictures::Entries& surplus);
 
   MemoryShare share_;
   mutable std::mutex mutex_;
-  Pictures pictures_;  // by tag
+  Pictures kept_;  // by tag, or name
   std::unordered_map<std::string, SharedFlight> flights_;
   PictureCounts counts_;
+  std::size_t bytes_of_rounds_ = 0;
 };
 
 }  // namespace tia::server

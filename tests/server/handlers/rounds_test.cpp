@@ -88,19 +88,31 @@ TEST(Rounds, ABudgetsContentLocationGivesTheSameBytesAndTag) {
   }
 }
 
+// The samples that it came to, with the noise that ended some pixels before, are in its recipe.
 TEST(Rounds, APngOfABudgetTellsWhatDrawsItAgain) {
-  const Response response =
-      host().post("/render",
-                  R"({"scene":"shapes","integrator":"path","width":30,"height":20,"max_rays":100000,
-          "samples":4000})");
-  ASSERT_EQ(response.status, 200) << response.body;
-  EXPECT_FALSE(header(response, "Content-Location")) << "a body has no address";
-  EXPECT_EQ(recipe_text(response.body).find("max_rays"), std::string::npos);
-  const Response again = host().post("/render", response.body, "image/png");
-  EXPECT_TRUE(again.body == response.body);
-  EXPECT_EQ(header(again, "ETag"), header(response, "ETag"));
-  EXPECT_EQ(text_at(parse_json(host().post("/verify", response.body, "image/png").body), "verdict"),
-            "same");
+  Config config;
+  config.cache_bytes = 0;
+  Host other(config);
+  for (const std::string more : {"", R"(,"noise":0.05)", R"(,"noise":0.05,"denoise":true)"}) {
+    const Response response =
+        host().post("/render", R"({"scene":"shapes","integrator":"path","width":30,)"
+                               R"("height":20,"max_rays":100000,"samples":4000)" +
+                                   more + "}");
+    ASSERT_EQ(response.status, 200) << response.body;
+    EXPECT_FALSE(header(response, "Content-Location")) << "a body has no address";
+    const std::string recipe = recipe_text(response.body);
+    EXPECT_EQ(recipe.find("max_rays"), std::string::npos);
+    const int most = samples_of(response).most;
+    EXPECT_LT(most, 4000);
+    EXPECT_THAT(recipe, testing::HasSubstr("\"samples\":" + std::to_string(most)));
+    EXPECT_EQ(recipe.find("\"noise\":0.05") != recipe.npos, !more.empty());
+    const Response again = other.post("/render", response.body, "image/png");
+    EXPECT_TRUE(again.body == response.body);
+    EXPECT_EQ(header(again, "ETag"), header(response, "ETag"));
+    EXPECT_EQ(
+        text_at(parse_json(other.post("/verify", response.body, "image/png").body), "verdict"),
+        "same");
+  }
 }
 
 TEST(Rounds, TimeThatIsNotEnoughForOneIs503) {

@@ -58,6 +58,7 @@ TEST(Recipe, EveryParameterIsInIt) {
         "integrator=object&samples=4", "max_depth=0&scene=whitted",
         "integrator=ambient_occlusion&ao_radius=2&threshold=0.1&scene=shapes", "crop=3,4,11,17",
         "integrator=ambient_occlusion&samples=4&denoise=true&crop=2,3,9,8",
+        "scene=shapes&integrator=path&noise=0.05&samples=100",
         "transfer=agx&exposure=1.5&white_balance_kelvin=3200",
         "camera=%7B%22fov_degrees%22:30%7D&key=a", "threads=2&v=0.4.2",
         "scene=%7B%22background%22:0.5,%22title%22:%22t%C3%ACa%22%7D"}) {
