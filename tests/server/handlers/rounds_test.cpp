@@ -93,7 +93,7 @@ TEST(Rounds, APngOfABudgetTellsWhatDrawsItAgain) {
   Config config;
   config.cache_bytes = 0;
   Host other(config);
-  for (const std::string more : {"", R"(,"noise":0.05)", R"(,"noise":0.05,"denoise":true)"}) {
+  for (const std::string more : {"", R"(,"noise":0.005)", R"(,"noise":0.005,"denoise":true)"}) {
     const Response response =
         host().post("/render", R"({"scene":"shapes","integrator":"path","width":30,)"
                                R"("height":20,"max_rays":100000,"samples":4000)" +
@@ -105,7 +105,7 @@ TEST(Rounds, APngOfABudgetTellsWhatDrawsItAgain) {
     const int most = samples_of(response).most;
     EXPECT_LT(most, 4000);
     EXPECT_THAT(recipe, testing::HasSubstr("\"samples\":" + std::to_string(most)));
-    EXPECT_EQ(recipe.find("\"noise\":0.05") != recipe.npos, !more.empty());
+    EXPECT_EQ(recipe.find("\"noise\":0.005") != recipe.npos, !more.empty());
     const Response again = other.post("/render", response.body, "image/png");
     EXPECT_TRUE(again.body == response.body);
     EXPECT_EQ(header(again, "ETag"), header(response, "ETag"));
