@@ -37,7 +37,7 @@ def main():
     print("| picture | plain | streamed | ratio | pictures shown |\n|---|---:|---:|---:|---:|")
     for name, picture in PICTURES.items():
         plain, streamed, shown = [], [], []
-        with Server() as server:
+        with Server("--deadline-ms", "600000") as server:
             drawn(server, f"/render?{picture}&seed=1")
             for seed in range(2, 2 * rounds + 2, 2):
                 plain.append(drawn(server, f"/render?{picture}&seed={seed}")[0])
