@@ -4,6 +4,7 @@
 #include <new>
 
 #include "core/parallel/stopped.h"
+#include "core/render/coarse_preview.h"
 #include "core/render/denoised_window.h"
 #include "core/render/kept_rounds.h"
 #include "core/render/out_of_budget.h"
@@ -30,9 +31,8 @@ class Render {
   Render(const World& world, const View& view, const Window& window, const RenderOptions& options,
          Pool& pool, const std::stop_token& stop, DenoisedWindow* denoised = nullptr)
       : options_(options),
-        window_(window),
-        pool_(pool),
-        stop_(stop),
+        tiles_(world, window, options.integrator, options.tile,
+               PoolShare{pool, options.threads, stop, options.flow}),
         in_world_(view.seen_from(world.origin)),
         sampler_(
             {.samples = options.samples,
@@ -48,8 +48,9 @@ class Render {
         denoised_(denoised),
         shot_{world,        in_world_, options.integrator, rules_of(options),  sampler_,
               convergence_, meter_,    options.layers,     denoised != nullptr},
+        preview_(tiles_, shot_, options.scalar, options.seed, options.spent, stop),
         from_(may_go_on(options, denoised) && options.from->fits(sampler_) &&
-                      options.from->tiles() == static_cast<std::size_t>(tiles())
+                      options.from->tiles() == static_cast<std::size_t>(tiles_.count())
                   ? options.from.get()
                   : nullptr) {
     if (from_ != nullptr) meter_.begin_at(before_ = from_->rays());
@@ -61,13 +62,15 @@ class Render {
       return traced(develop);
     }
     const Rendered drawn = traced([&](const FilmTile& tile) { denoised_->put_alpha(tile); });
-    develop_filtered([&] { return denoise(denoised_->halves(), workers()); }, develop);
+    develop_filtered([&] { return denoise(denoised_->halves(), tiles_.share().workers()); },
+                     develop);
     return drawn;
   }
   /// To who watches. Of few pixels it would be no less than the first round, or than the picture.
   void show_preview() {
-    if (is_watched() && (block() > 1 || (!has_rounds() && !sampler_.centered())))
-      options_.watch({.is_preview = true, .show = coarsely()});
+    if (is_watched() && (preview_.block() > 1 || (!has_rounds() && !sampler_.centered())))
+      options_.watch({.is_preview = true,
+                      .show = [this](const Develop& develop) { return preview_.show(develop); }});
   }
 
  private:
@@ -86,12 +89,9 @@ class Render {
   }
   Rendered tile_by_tile(const Develop& develop) {
     try {
-      for_each(tiles(), [&](int i) {
-        FilmTile tile;
-        place(i, tile);
+      tiles_.for_each_tile([&](int i, FilmTile& tile) {
         trace(i, tile);
-        lay_under(tile);
-        develop(tile);
+        tiles_.hand_over(develop, tile);
       });
     } catch (const OutOfBudget& end) {
       refuse(end, limits_of(options_));
@@ -102,9 +102,10 @@ class Render {
   // With a budget, or for who watches.
   Rendered round_by_round(const Develop& develop) {
     std::vector<RoundsOfTile> all;
-    all.reserve(static_cast<std::size_t>(tiles()));
-    for (int i = 0; i < tiles(); ++i) all.push_back(begun_tile(i));
-    if (from_ == nullptr && is_first_filtered()) first_.emplace(window_.width(), window_.height());
+    all.reserve(static_cast<std::size_t>(tiles_.count()));
+    for (int i = 0; i < tiles_.count(); ++i) all.push_back(begun_tile(i));
+    if (from_ == nullptr && is_first_filtered())
+      first_.emplace(tiles_.window().width(), tiles_.window().height());
     try {
       return round_by_round(all, develop);
     } catch (const Stopped&) {
@@ -136,38 +137,15 @@ class Render {
   } catch (const std::bad_alloc&) {  // then nothing is kept
   }
 
-  int columns() const { return (window_.width() + options_.tile - 1) / options_.tile; }
-  int tiles() const { return columns() * ((window_.height() + options_.tile - 1) / options_.tile); }
-  void place(int i, FilmTile& tile) const {
-    tile.x = i % columns() * options_.tile;
-    tile.y = i / columns() * options_.tile;
-    tile.width = std::min(options_.tile, window_.width() - tile.x);
-    tile.height = std::min(options_.tile, window_.height() - tile.y);
-  }
-  TilePixels pixels_of(const FilmTile& tile, bool guided) const {
-    return {window_.x0 + tile.x, window_.y0 + tile.y, tile.width,
-            tile.height,         shot_.parts_light(), guided};
-  }
   TilePixels pixels_of(int i) const {
     FilmTile tile;
-    place(i, tile);
-    return pixels_of(tile, shot_.guided);
-  }
-  void for_each(int count, const std::function<void(int)>& task) {
-    pool_.for_each(count, options_.threads, stop_, task, options_.flow);
-  }
-  Workers workers() { return pool_.workers(options_.threads, stop_, options_.flow); }
-  // The colour of a backdrop that shadows fall on.
-  void lay_under(FilmTile& tile) const {
-    const World& world = shot_.world;
-    if (!world.ground || world.backdrop->is_transparent() || !gathers_light(shot_.integrator))
-      return;
-    tia::lay_under(lift<float>(rgb_of(*world.backdrop->color)), tile);
+    return tiles_.pixels_of(tiles_.place(i, tile), shot_.parts_light(), shot_.guided);
   }
 
   void trace(int i, FilmTile& tile) {
     if (sampler_.centered() && !in_world_.orthographic() && !tells_more_)
-      return trace_centers(shot_, options_.scalar, window_.x0 + tile.x, window_.y0 + tile.y, tile);
+      return trace_centers(shot_, options_.scalar, tiles_.window().x0 + tile.x,
+                           tiles_.window().y0 + tile.y, tile);
     RoundsOfTile begun = begun_tile(i);
     const int first = begun.begun();
     TilePixels pixels = std::move(begun).pixels();
@@ -193,7 +171,7 @@ class Render {
   // Returns: whether it came to its end.
   bool trace_round(const OpenTiles& open, int round) {
     try {
-      for_each(static_cast<int>(open.tiles.size()), [&](int i) {
+      tiles_.share().for_each(static_cast<int>(open.tiles.size()), [&](int i) {
         RoundsOfTile& tile = *open.tiles[static_cast<std::size_t>(i)];
         if (round == 0 && first_) trace_first(tile, i);
         else trace_round(shot_, tile, round);
@@ -215,46 +193,30 @@ class Render {
     Shot guided = shot_;
     guided.guided = true;
     FilmTile at;
-    place(i, at);
     tile.guide();
     trace_round(guided, tile, 0);
-    tile.put(at, *first_);
+    tile.put(tiles_.place(i, at), *first_);
     tile.unguide();
-  }
-
-  // Hands over all tiles, as `pixels` says that they are shown; of filtered light, if there is.
-  template <class Pixels>
-  void hand_over(const Develop& develop, const Pixels& pixels, const PreviewLight* light) {
-    for_each(tiles(), [&](int i) {
-      FilmTile tile;
-      place(i, tile);
-      fill(tile, pixels(tile, i));
-      if (light != nullptr) light->light(tile);
-      lay_under(tile);
-      develop(tile);
-    });
   }
 
   void develop_all(std::vector<RoundsOfTile>& all, int rounds, Tally& tally, const Develop& develop,
                    const PreviewLight* light = nullptr) {
-    const auto shown_of_tile = [&](const FilmTile& tile, int i) -> const ShownTile& {
+    const auto shown_of_tile = [&](int i, const FilmTile& tile) -> const ShownTile& {
       RoundsOfTile& of_tile = all[static_cast<std::size_t>(i)];
       const ShownTile& shown = of_tile.after(rounds, options_.layers);
       tally.add(shown.pixels);
       if (denoised_ != nullptr) denoised_->put(tile, of_tile.halves());
       return shown;
     };
-    hand_over(develop, shown_of_tile, light);
+    tiles_.hand_over(develop, shown_of_tile, light);
   }
   // The window's part of what `filter` makes of what has been traced.
   template <class Filter>
   void develop_filtered(const Filter& filter, const Develop& develop) {
     Image light;
-    workers().alone([&] { light = filter(); });
-    denoised_->develop(light, workers(), [&](FilmTile& tile) {
-      lay_under(tile);
-      develop(tile);
-    });
+    tiles_.share().workers().alone([&] { light = filter(); });
+    denoised_->develop(light, tiles_.share().workers(),
+                       [&](FilmTile& tile) { tiles_.hand_over(develop, tile); });
   }
 
   void show(std::vector<RoundsOfTile>& all, int rounds) {
@@ -270,80 +232,30 @@ class Render {
   }
   void show_plainly(std::vector<RoundsOfTile>& all, int rounds, Tally& tally,
                     const Develop& develop) {
-    if (first_) workers().alone([&] { first_->filter(workers()); });
+    if (first_) tiles_.share().workers().alone([&] { first_->filter(tiles_.share().workers()); });
     develop_all(all, rounds, tally, develop, first_ ? &*first_ : nullptr);
   }
   void show_denoised(std::vector<RoundsOfTile>& all, int rounds, bool quickly, Tally& tally,
                      const Develop& develop) {
     develop_all(all, rounds, tally, [&](const FilmTile& tile) { denoised_->put_alpha(tile); });
     if (!quickly)
-      return develop_filtered([&] { return denoise(denoised_->halves(), workers()); }, develop);
-    PreviewLight light(window_.width(), window_.height());
-    for_each(tiles(), [&](int i) {
-      FilmTile tile;
-      place(i, tile);
-      all[static_cast<std::size_t>(i)].put(tile, light);
-    });
-    develop_filtered([&] { return light.filter(workers()); }, develop);
+      return develop_filtered(
+          [&] { return denoise(denoised_->halves(), tiles_.share().workers()); }, develop);
+    PreviewLight light(tiles_.window().width(), tiles_.window().height());
+    tiles_.for_each_tile(
+        [&](int i, const FilmTile& tile) { all[static_cast<std::size_t>(i)].put(tile, light); });
+    develop_filtered([&] { return light.filter(tiles_.share().workers()); }, develop);
   }
   // So much light has been traced that to denoise what there is costs little of the time. As rounds
   // double, all such together cost no more than half of what the first of them costs.
   bool is_worth_denoising() const {
     constexpr std::int64_t rays_a_pixel = 256;
-    return meter_.counts().all() >= rays_a_pixel * window_.width() * window_.height();
+    return meter_.counts().all() >= rays_a_pixel * tiles_.pixels();
   }
 
-  // ---- the preview ----------------------------------------------------------------------------
-
-  // The side of the blocks that one ray each is traced for: so large that they are few.
-  int block() const {
-    constexpr std::int64_t most = 8192;
-    int side = 1;
-    while (std::int64_t{window_.width()} * window_.height() > most * side * side) side *= 2;
-    return std::min(side, options_.tile);
-  }
-
-  // Whether noise is taken off it. A block's light must not be in two tiles.
-  bool is_preview_filtered() const {
-    return row_of(options_.integrator).is_chance() && options_.tile % block() == 0;
-  }
   bool is_first_filtered() const {
-    return is_watched() && denoised_ == nullptr && is_preview_filtered() &&
-           sampler_.before(1) == 1 &&
-           std::int64_t{window_.width()} * window_.height() <= PreviewLight::most_pixels;
-  }
-
-  // Rays through the middles of blocks; they count nowhere.
-  std::function<Reached(const Develop&)> coarsely() {
-    return [this](const Develop& develop) {
-      const Sampler centers(1, 0, options_.seed);
-      const Convergence none({});
-      RayMeter meter(no_limit, no_limit, stop_, options_.spent);
-      const bool filters = is_preview_filtered();
-      const Shot shot{shot_.world, in_world_, options_.integrator, shot_.rules, centers,
-                      none,        meter,     options_.layers,     filters};
-      show_blocks(shot, develop);
-      const int of = block() * block();
-      return Reached{of > 1 ? 0 : 1, 1, 1.0 / of, 1, 1};
-    };
-  }
-  void show_blocks(const Shot& shot, const Develop& develop) {
-    std::vector<ShownTile> all(static_cast<std::size_t>(tiles()));
-    PreviewLight light(window_.width(), window_.height(), block());
-    for_each(tiles(), [&](int i) {
-      FilmTile tile;
-      place(i, tile);
-      TilePixels pixels = pixels_of(tile, shot.guided);
-      all[static_cast<std::size_t>(i)] = blocks_of(shot, options_.scalar, block(), pixels);
-      if (shot.guided) light.put(tile, pixels);
-    });
-    if (shot.guided) workers().alone([&] { light.filter(workers()); });
-    hand_over(
-        develop,
-        [&](const FilmTile&, int i) -> const ShownTile& {
-          return all[static_cast<std::size_t>(i)];
-        },
-        shot.guided ? &light : nullptr);
+    return is_watched() && denoised_ == nullptr && preview_.is_filtered() &&
+           sampler_.before(1) == 1 && tiles_.pixels() <= PreviewLight::most_pixels;
   }
 
   Rendered told(const RayCounts& rays, const Tally& tally, int samples) const {
@@ -353,9 +265,7 @@ class Render {
   }
 
   const RenderOptions& options_;
-  const Window window_;
-  Pool& pool_;
-  const std::stop_token& stop_;
+  const WindowTiles tiles_;
   const View in_world_;
   const Sampler sampler_;
   const Convergence convergence_;
@@ -364,6 +274,7 @@ class Render {
   DenoisedWindow* const denoised_;     // null: it is shown as it is
   std::optional<PreviewLight> first_;  // of the first round, until it is shown
   const Shot shot_;
+  const CoarsePreview preview_;
   const KeptRounds* const from_;  // null: from the beginning
   RayCounts before_ = {};         // the rays of that
   const bool tells_more_ = options_.layers.any([](const LayerRow& row) { return row.is_beside(); });
