@@ -13,9 +13,11 @@ concept HasMembers = requires {
   T::members;
 };
 
+/// ArchiveWriter: to the end of `bytes`; null: only counts.
 class ArchiveWriter {
  public:
-  explicit ArchiveWriter(std::vector<std::uint8_t>& bytes) : bytes_(bytes) {}
+  explicit ArchiveWriter(std::vector<std::uint8_t>* bytes) : bytes_(bytes) {}
+  std::size_t size() const { return size_; }
 
   template <IsArchivedRaw T>
   void put(const T& value) {
@@ -51,11 +53,14 @@ class ArchiveWriter {
     put_raw(list.data(), list.size() * sizeof(list[0]));
   }
   void put_raw(const void* from, std::size_t size) {
+    size_ += size;
+    if (bytes_ == nullptr) return;
     const auto* first = static_cast<const std::uint8_t*>(from);
-    bytes_.insert(bytes_.end(), first, first + size);
+    bytes_->insert(bytes_->end(), first, first + size);
   }
 
-  std::vector<std::uint8_t>& bytes_;
+  std::vector<std::uint8_t>* const bytes_;
+  std::size_t size_ = 0;
 };
 
 class ArchiveReader {
@@ -128,7 +133,10 @@ class ArchiveReader {
 }  // namespace
 
 void append_archive(const Model& model, std::vector<std::uint8_t>& bytes) {
-  ArchiveWriter(bytes).put(model);
+  ArchiveWriter counting(nullptr), writing(&bytes);
+  counting.put(model);
+  bytes.reserve(bytes.size() + counting.size());  // it may be half of what the reader takes
+  writing.put(model);
 }
 
 std::optional<Model> unarchived(ModelBytes bytes) {

@@ -131,6 +131,17 @@ std::string request_head(const ModelFiles& files, const ModelLimits& limits) {
   return to_json(head) + '\n';
 }
 
+std::size_t request_length(std::span<const std::uint8_t> begin) {
+  if (std::ranges::find(begin, std::uint8_t{'\n'}) == begin.end()) return 0;
+  auto rest = begin;
+  const Value head = take_head(rest);
+  if (asks_to_unpack(head)) return 0;
+  std::size_t length = begin.size() - rest.size();
+  for (const Value& each : member<Value::Array>(head, "files"))
+    length += static_cast<std::size_t>(member<double>(each, "bytes"));
+  return length;
+}
+
 ReaderAnswer answer_to(std::span<const std::uint8_t> bytes) {
   const Value head = take_head(bytes);
   try {

@@ -2,6 +2,7 @@
 // limits, an answer of a model's flat form and its pictures, or of faults.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -17,6 +18,10 @@ namespace tia::server {
 /// What stands before the files' bytes in a request: a line of JSON that tells their paths and
 /// sizes, which is the main one, and the limits.
 std::string request_head(const ModelFiles& files, const ModelLimits& limits);
+
+/// How long a request is that begins so, as its head tells; 0: as yet, or of an archive, unknown.
+/// Errors: std::runtime_error of what is no request.
+std::size_t request_length(std::span<const std::uint8_t> begin);
 
 /// The answer to a whole request, which only the server writes: of a model its archive and what its
 /// pictures hold, of an archive its files, else the faults. Errors: std::runtime_error of what is

@@ -3,6 +3,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <iostream>
@@ -52,18 +53,20 @@ auto believed(const Read& read) {
 
 // ---- the process itself -------------------------------------------------------------------------
 
-// All of standard input. Its memory doubles, for nobody has said how long it is.
+// All of standard input. There is room for all of it once its head is there, and for its end.
 std::vector<std::uint8_t> read_input() {
   constexpr std::size_t piece = std::size_t{1} << 20U;
   std::vector<std::uint8_t> all;
+  std::size_t size = 0;
   for (;;) {
-    const std::size_t size = all.size();
-    all.resize(size + piece);
-    const ssize_t got = read(STDIN_FILENO, all.data() + size, piece);
-    all.resize(size + (got > 0 ? static_cast<std::size_t>(got) : 0));
-    if (got == 0) return all;
+    if (size == all.size()) all.resize(std::max(size + piece, request_length(all) + 1));
+    const ssize_t got = read(STDIN_FILENO, all.data() + size, all.size() - size);
+    if (got == 0) break;
     if (got < 0 && errno != EINTR) throw std::runtime_error("no request: it cannot be read");
+    if (got > 0) size += static_cast<std::size_t>(got);
   }
+  all.resize(size);
+  return all;
 }
 
 void write_output(std::span<const std::uint8_t> bytes) {
