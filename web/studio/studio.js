@@ -187,7 +187,7 @@ export class Studio {
     const there = samplesThere(this.model.shown, request, this.model.source?.options);
     const picture = await fetchPicture(request, signal, clearing && ((round) => {
       const samples = Math.floor(countOf(round.rays, 'primary') / pixelsOf(request));
-      return samples < Math.max(1, there) ? null : show(round, { ...request, samples }); // or it is coarser than what is there
+      return samples < (there ?? 0) ? null : show(round, { ...request, samples }); // else it is coarser than what is there
     }));
     await show(picture, request);
     return { ms: picture.ms, drawn: totalMs(picture.timing), cached: picture.cached };
