@@ -197,11 +197,11 @@ TEST(OptionLimits, AModelsTexturesMayHaveMaxTexturePixels) {
   EXPECT_EQ(status(2), 422);
 }
 
-// What stands in the reader's memory twice while it grows is more than that.
+// The file alone is more than that.
 TEST(OptionLimits, AModelsReaderHasModelMemoryBytes) {
   if (sanitized()) GTEST_SKIP() << "sanitizers need more than a confined process may";
   Host host(with([](Config& config) {
-    config.model_memory_bytes = 128 << 20, config.max_model_bytes = 128 << 20;
+    config.model_memory_bytes = 64 << 20, config.max_model_bytes = 128 << 20;
     config.memory_bytes = 2LL << 30U;
   }));
   const Response response =
