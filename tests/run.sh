@@ -115,6 +115,8 @@ fi
 mkdir -p build/steps
 install_missing build || fail "installing the build's packages"
 install_missing test || fail "installing the tests' packages"
+# Before all builds, for its packages may renew headers of the system. Where there are none its step says so.
+if [[ " ${chosen[*]} " = *' arm64 '* ]]; then install_foreign arm64 || true; fi
 for name in "${chosen[@]}"; do do_step "$name"; done
 
 printf '\n== done (%d s)\n' "$SECONDS"

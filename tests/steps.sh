@@ -282,7 +282,6 @@ same_file() {
 }
 
 # ARM64_TESTS=1 builds and runs the tracer's tests, too, which takes a quarter of an hour.
-# The last step, for its packages may renew headers of the system that other builds have compiled.
 build_arm64() { build arm64 -- tia; }
 step_arm64() {
   local -a emulator=(qemu-aarch64)
@@ -354,7 +353,6 @@ build_tsan() { build tsan -- server_tests; }
 step_tsan() {
   local -x SOAK=0.5
   build_tsan || return 0
-  # Its packages, if they are to come, may renew headers.
   if [ -z "$(missing_packages arm64)" ]; then ahead arm64; fi
   TSAN_OPTIONS="suppressions=$ROOT/tests/tsan.supp" googletest tsan server_tests "$waiting" "$measuring"
 }
