@@ -100,8 +100,8 @@ Picture drawn(Plan& plan, const Requester& requester, SharedFlow& shared, Showin
   plan.options.spent = [&](std::int64_t rays_done, std::int64_t tests) {
     ticket.has_done(rays_done, tests);
   };
-  // It may be parked then, and must not keep a light one's place, however few its rays are.
   use_rounds(plan, service);
+  // It may be parked then, and must not keep a light one's place, however few its rays are.
   flow.became_long = [&] { ticket.turn_heavy(); };
   const SharedFlow::Going going(shared, flow);
   MemoryClaim* const claim = MemoryClaim::current();

@@ -14,18 +14,20 @@ std::int64_t memory_of_pixels(const Plan& plan, std::size_t pixels) {
   const bool alpha = is_transparent(*plan.scene, plan.options.integrator);
   return memory_for(alpha ? memory_cost::alpha : memory_cost::png, pixels);
 }
-// With what is found for the denoiser a pixel has three times as much, for a filtered preview
-// twice.
+// How much more a pixel has where what its rays find is summed, for the denoiser or for a filtered
+// preview.
+int with_guides(const Plan& plan, std::int64_t pixels, bool is_watched) {
+  if (plan.options.denoise) return 3;
+  const bool is_filtered = is_watched && row_of(plan.options.integrator).is_chance() &&
+                           pixels <= PreviewLight::most_pixels;
+  return is_filtered ? 2 : 1;
+}
 std::int64_t memory_of_rounds(const Plan& plan, bool is_watched) {
   if (!plan.asked->has_budget() && !is_watched) return 0;
   const Window traced = plan.traced();
   const std::int64_t pixels = std::int64_t{traced.width()} * traced.height();
-  const bool filtered = is_watched && row_of(plan.options.integrator).is_chance() &&
-                        pixels <= PreviewLight::most_pixels;
-  return memory_for(memory_cost::rounds, static_cast<std::size_t>(pixels)) * (plan.options.denoise
-                                                                                  ? 3
-                                                                              : filtered ? 2
-                                                                                         : 1);
+  return memory_for(memory_cost::rounds, static_cast<std::size_t>(pixels)) *
+         with_guides(plan, pixels, is_watched);
 }
 std::int64_t memory_of_denoiser(const Plan& plan) {
   if (!plan.options.denoise) return 0;

@@ -38,7 +38,8 @@ void refuse_circles(const GltfSource& source, const std::vector<ModelIndex>& par
   const Place list = source.root.at().at("nodes");
   for (std::size_t i = 0; i < circle.size() && !source.faults.full(); ++i)
     if (circle[i])
-      source.faults.add({FaultKind::conflict, list.at(i).pointer(), std::nullopt,
+      source.faults.add({FaultKind::conflict, list.at(i).pointer(),
+                         Value("a node below node " + std::to_string(parents[i])),
                          "nodes that are not below themselves"});
 }
 

@@ -46,7 +46,9 @@ class ViewUses {
   void take_sparse(const GltfObject& list) {
     const MaybeIndex view = list.index("bufferView", views_.size());
     if (view && views_[*view].strided)
-      list.fault(FaultKind::conflict, "bufferView", std::nullopt, "a view without a byteStride");
+      list.fault(FaultKind::conflict, "bufferView",
+                 Value("view " + std::to_string(*view) + ", which has a byteStride"),
+                 "a view without a byteStride");
     take_view(list, ViewUse::other);
   }
 
