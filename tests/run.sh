@@ -120,5 +120,6 @@ if [[ " ${chosen[*]} " = *' arm64 '* ]]; then install_foreign arm64 || true; fi
 for name in "${chosen[@]}"; do do_step "$name"; done
 
 printf '\n== done (%d s)\n' "$SECONDS"
+list_steps
 echo "$passed passed, $failed failed"
 [ "$failed" -eq 0 ] && [ "$passed" -gt 0 ]
