@@ -234,6 +234,9 @@ test('a turntable of the model as it is seen is drawn on one sheet and saved', (
     await page.getByText('Saved: 3 views of 96 \u00d7 96 pixels.').waitFor();
     const shown = page.getByRole('img', { name: 'The sheet of 3 views' });
     assert.deepEqual(await shown.evaluate((it) => [it.naturalWidth, it.naturalHeight]), [192, 192]);
+    const line = await page.locator('.turn-shell pre').innerText();
+    assert.match(line, /^curl -o tia-model-part-turntable\.png 'http.*'$/);
+    assert.deepEqual(await on.tia.get(line.match(/'http:\/\/[^/]*(.*)'/)[1]), sheet);
     assert.deepEqual(await faults(page, '#panel-model'), []);
     await page.locator('.model-shown select[name=studio]').selectOption('sun');
     await shown.waitFor({ state: 'detached' });

@@ -1,10 +1,12 @@
-// A model's turntable: so many views from all around on one sheet, drawn as it is seen now, and saved.
+// A model's turntable: so many views from all around on one sheet, drawn as it is seen now, and saved;
+// and the line for a shell that fetches it.
 
 import { fetchPicture } from '../picture/server.js';
-import { fileName } from '../state/request.js';
+import { curlLine, fileName } from '../state/request.js';
 import { sizeOf } from '../state/window.js';
 import { t } from '../words/words.js';
 import { save } from './carry.js';
+import { copiedLine } from './copied_line.js';
 import { imageOf } from './cover.js';
 import { element } from './element.js';
 import { showProblem } from './problem_view.js';
@@ -24,7 +26,8 @@ export function modelTurn(studio) {
     element('div', { class: 'row' }, labelled('views', views), labelled('columns', columns),
       element('button', { type: 'submit' }, t('model.turnSave'))), said, sheet);
   let abort = new AbortController();
-  let image = null;
+  let [image, asked] = [null, null];
+  const shell = copiedLine('turn-shell', 'take.shell', () => curlLine(asked, document.baseURI));
 
   async function draw(event) {
     event.preventDefault();
@@ -34,14 +37,15 @@ export function modelTurn(studio) {
     const { signal } = abort;
     said.textContent = t('model.turnBusy', { views: count });
     try {
-      const asked = { ...request, ...NOT_OF_SHEETS, turntable: count, columns: columns.valueAsNumber || null };
+      asked = { ...request, ...NOT_OF_SHEETS, turntable: count, columns: columns.valueAsNumber || null };
       const { blob } = await fetchPicture(asked, signal);
       const made = await imageOf(blob);
       if (signal.aborted) return URL.revokeObjectURL(made.src);
-      save(blob, `tia${fileName(request)}-turntable.png`);
+      save(blob, `tia${fileName(asked)}.png`);
+      shell.draw();
       image = made;
       image.alt = t('model.turnShown', { views: count });
-      sheet.replaceChildren(image);
+      sheet.replaceChildren(image, shell.node);
       const [width, height] = sizeOf(request);
       said.textContent = t('model.turnDone', { views: count, width, height });
     } catch (problem) {

@@ -111,9 +111,9 @@ export function curlLine(request, base) {
 }
 
 /** What tells this picture's file from others: "-thesis-a"; letters, digits and dashes only. */
-export function fileName({ scene, key, light, model }) {
+export function fileName({ scene, key, light, model, turntable }) {
   const named = model ? `model-${model.slice(0, 8)}` : typeof scene === 'string' ? scene.slice(0, 40) : scene && 'scene';
-  const parts = [named, key ?? (light && 'light')].filter(Boolean);
+  const parts = [named, key ?? (light && 'light'), turntable && 'turntable'].filter(Boolean);
   return parts.map((part) => `-${part.replace(/[^\w-]+/g, '-')}`).join('');
 }
 
