@@ -88,3 +88,18 @@ test('a picture that takes long is seen to clear up, and ends as the plain one',
     await given;
     await until(() => streams().length === 3, 'a third stream');
   }, { at: LONG, patience: 60_000, panel: 'numbers', ready: (page) => page.locator('#tab-numbers').click() }));
+
+test('a hand that has rested sees it clear up at once, and may act meanwhile; one that goes on has quick pictures', () =>
+  on.open(async (page, { asked }) => {
+    const kinds = () => asked.map((request) => request.url())
+      .map((url) => (url.includes('stream=') ? 'stream' : url.includes('width=8&height=6&') ? 'small' : 'quick'))
+      .filter((kind) => kind !== 'small'); // tells the scene
+    await page.locator('.lamp-mark').waitFor({ state: 'attached' });
+    assert.equal(await page.locator('#frame').getAttribute('aria-busy'), 'true');
+    assert.deepEqual(kinds(), ['stream']);
+    await page.evaluate(() => ['d', 's'].forEach((key) =>
+      document.getElementById('hand').dispatchEvent(new KeyboardEvent('keydown', { key, bubbles: true }))));
+    await until(() => kinds().length === 3, 'the picture of the last key');
+    assert.deepEqual(kinds(), ['stream', 'quick', 'stream']);
+    assert.ok(asked.filter((request) => !request.url().includes('key=a')).every((request) => request.url().includes('key=s')));
+  }, { at: '/?scene=thesis&key=a&integrator=path&width=64&height=48&samples=16384', ready: () => {} }));

@@ -1,6 +1,7 @@
 // How a wish becomes pictures: at once one that is quick enough for the hand, then the one that was
-// asked for, where rays are chance in rounds, or in one answer that clears up where that takes long,
-// then the same with smooth edges. One request at a time; of wishes that come meanwhile only the newest
+// asked for, where rays are chance in rounds, then the same with smooth edges. Where rays are chance and
+// it takes long, it is one answer that clears up: its first parts are there as soon as a quick picture,
+// which is left out unless the hand moves. One request at a time; of wishes that come meanwhile only the newest
 // counts, and it does not wait for a finer picture of an older one.
 
 import { ONE_RAY } from '../state/request.js';
@@ -66,6 +67,9 @@ export function clearsUp(request, options, pace) {
     && pixelsOf(request) * samplesOf(request, options) * perPixel > LONG_MS;
 }
 
+/** The smallest picture of a request, with one ray a pixel. */
+export const smallest = (request, options) => scaled(plain(request, options), SCALES.at(-1));
+
 /** The next finer picture of a wish after `drawn`; null where that is the finest. */
 export function finerOf(drawn, request, options, smooth, pace = FIRST_GUESS) {
   const last = finest(request, options, smooth);
@@ -78,9 +82,9 @@ export function finerOf(drawn, request, options, smooth, pace = FIRST_GUESS) {
 const same = (a, b) => a === b || JSON.stringify(a) === JSON.stringify(b);
 
 /**
- * Passes: `ask(request)` draws; `draw(request, signal, clearing)` fetches and shows, also what there is until
- * then where it is `clearing` up, giving { ms, drawn, cached }, the milliseconds in all and of the server's
- * drawing, or throwing a Problem; `told(problem or null, last, request)` hears how it went;
+ * Passes: `ask(request)` draws; `draw(request, signal, learn)` fetches and shows, giving { ms, drawn, cached },
+ * the milliseconds in all and of the server's drawing, or throwing a Problem; where there is `learn`, it
+ * shows also what there is until then, each part told to that as { ms, drawn, samples }; `told(problem or null, last, request)` hears how it went;
  * `optionsOf(request)` gives a scene's options as far as known.
  */
 export class Passes {
@@ -90,10 +94,11 @@ export class Passes {
   #optionsOf;
   #pace = FIRST_GUESS;
   #took = []; // what the pace is the middle of
-  #waiting = null; // { request, from }
+  #waiting = null; // { request, from, rested }
+  #asked = -Infinity; // when something was asked for
   #running = false;
   #paused = false;
-  #underWay = null; // { abort, finer }
+  #underWay = null; // { request, abort, finer, clearing }
   #wake = () => {};
 
   constructor({ draw, told, optionsOf }) {
@@ -102,7 +107,7 @@ export class Passes {
 
   /** Another scene may be another matter: begin small again. */
   forget() {
-    [this.#pace, this.#took] = [FIRST_GUESS, []];
+    [this.#pace, this.#took, this.#asked] = [FIRST_GUESS, [], -Infinity];
   }
 
   /** Whether something newer is wanted than what is being drawn. */
@@ -111,11 +116,14 @@ export class Passes {
   }
 
   /**
-   * Draws `request`, now or when the picture under way has come; `anew`, without waiting for that; after
-   * `from`, the request of a coarser picture of the same that is there.
+   * Draws `request`, now or when the picture under way has come; `anew`, without waiting for that, unless it
+   * is the same, clearing up; after `from`, the request of a coarser picture of the same that is there.
    */
   async ask(request, { anew = false, from = null } = {}) {
-    this.#waiting = { request, from };
+    if (anew && this.#underWay?.clearing && same(this.#underWay.request, request)) return;
+    const now = performance.now();
+    this.#waiting = { request, from, rested: anew || now - this.#asked > QUIET_MS };
+    this.#asked = now;
     this.#paused = false;
     if (anew || this.#underWay?.finer) this.#underWay?.abort.abort();
     this.#wake();
@@ -137,12 +145,14 @@ export class Passes {
   }
 
   async #drawWish() {
-    const { request: wish, from } = this.#waiting;
+    const { request: wish, from, rested } = this.#waiting;
     this.#waiting = null;
     try {
       const options = this.#optionsOf(wish);
-      let pass = from ? finerOf(from, wish, options, !this.still, this.#pace) ?? wish : quickOf(wish, options, this.#pace);
-      for (let finer = Boolean(from); pass && !this.#waiting && !this.#paused; finer = true) {
+      const atOnce = !from && rested && clearsUp(wish, options, this.#pace);
+      let pass = atOnce ? wish : quickOf(wish, options, this.#pace);
+      if (from) pass = finerOf(from, wish, options, !this.still, this.#pace) ?? wish;
+      for (let finer = atOnce || Boolean(from); pass && !this.#waiting && !this.#paused; finer = true) {
         await this.#drawPass(pass, finer);
         // How a scene that came by its name wants to be drawn may be known only now.
         const next = finerOf(pass, wish, this.#optionsOf(wish), !this.still, this.#pace);
@@ -156,10 +166,10 @@ export class Passes {
   }
 
   async #drawPass(request, finer) {
-    this.#underWay = { abort: new AbortController(), finer };
+    const clearing = finer && clearsUp(request, this.#optionsOf(request), this.#pace);
+    this.#underWay = { request, abort: new AbortController(), finer, clearing };
     try {
-      const clearing = finer && clearsUp(request, this.#optionsOf(request), this.#pace);
-      const took = await this.#draw(request, this.#underWay.abort.signal, clearing);
+      const took = await this.#draw(request, this.#underWay.abort.signal, clearing && ((part) => this.#learn(request, part)));
       if (!finer && !took.cached) this.#learn(request, took);
     } finally {
       this.#underWay = null;
@@ -167,8 +177,8 @@ export class Passes {
   }
 
   // The middle of the last few: one late picture is no reason for a coarse one.
-  #learn(request, { ms, drawn }) {
-    this.#took = [{ perPixel: drawn / pixelsOf(request), way: ms - drawn }, ...this.#took].slice(0, 5);
+  #learn(request, { ms, drawn, samples = 1 }) {
+    this.#took = [{ perPixel: drawn / pixelsOf(request) / samples, way: ms - drawn }, ...this.#took].slice(0, 5);
     const middle = (name) => this.#took.map((each) => each[name]).sort((a, b) => a - b)[this.#took.length >> 1];
     this.#pace = { perPixel: middle('perPixel'), way: middle('way') };
   }

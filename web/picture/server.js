@@ -47,6 +47,7 @@ function readHeaders(headers, all) {
     biased: all.get('Tia-Biased'),
     ignored: all.get('Tia-Ignored'),
     reached: Number(/&samples=(\d+)$/.exec(header('Content-Location'))?.[1]), // NaN: had no budget
+    resumed: /fwd=partial/.test(header('Cache-Status') ?? ''), // goes on from what was drawn before
     cached: /;\s*hit/.test(header('Cache-Status') ?? ''),
     copied: /detail=not-modified/.test(header('Cache-Status') ?? ''),
   };

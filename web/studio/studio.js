@@ -2,7 +2,7 @@
 // camera, lamp and what one looks at are in the picture shown.
 
 import { isChance } from '../picture/integrators.js';
-import { finest, Passes, plain, samplesOf, SMOOTH } from '../picture/passes.js';
+import { finest, Passes, plain, samplesOf, smallest, SMOOTH } from '../picture/passes.js';
 import { readRecipe } from '../picture/png_text.js';
 import { fetchExplanation, fetchPicture, fetchScene, fetchStillScene } from '../picture/server.js';
 import { countOf, totalMs } from '../picture/timing.js';
@@ -181,13 +181,18 @@ export class Studio {
     return source ? plain(request, source.options) : { ...request, ...ONE_RAY };
   }
 
-  async #draw(request, signal, clearing) {
+  async #draw(request, signal, learn) {
     const start = performance.now();
     const show = (picture, of) => this.#showNext(picture, of, start);
     const there = samplesThere(this.model.shown, request, this.model.source?.options);
-    const picture = await fetchPicture(request, signal, clearing && ((round) => {
+    const picture = await fetchPicture(request, signal, learn && (async (round) => {
       const samples = Math.floor(countOf(round.rays, 'primary') / pixelsOf(request));
-      return samples < (there ?? 0) ? null : show(round, { ...request, samples }); // else it is coarser than what is there
+      const drawn = totalMs(round.timing);
+      if (samples > 0 && drawn > 0 && !round.resumed) learn({ ms: round.ms, drawn, samples });
+      if (samples < (there ?? 0)) return; // it is coarser than what is there
+      const of = { ...request, samples };
+      await show(round, of);
+      if (!this.#knows(of)) this.#told(null, false, of);
     }));
     await show(picture, request);
     return { ms: picture.ms, drawn: totalMs(picture.timing), cached: picture.cached };
@@ -215,9 +220,14 @@ export class Studio {
     if (this.#passes.behind) return; // the hand has gone on
     if (last) this.model.tell('rest');
     if (!last && this.#knows(request)) return; // a hand moves things: one look is enough, at its end
-    if (this.model.shown?.request !== request) return; // the hand was quicker
+    if (!this.#isShown(request)) return; // the hand was quicker
     await this.#look(request, this.model.shown.blob)
       .catch((error) => console.warn('The scene of the picture:', error.message));
+  }
+
+  // Whether what is shown is that, or the same of other samples.
+  #isShown(request) {
+    return samplesThere(this.model.shown, request) !== null;
   }
 
   // Whether the world is the one of this request's scene and key.
@@ -225,10 +235,11 @@ export class Studio {
     return this.model.world !== null && this.#matter === matterOf(request);
   }
 
-  // What the picture was drawn from, told by itself, and what its middle shows.
+  // What the picture was drawn from, told by itself, or by a small one while it clears up, and what its
+  // middle shows.
   async #look(request, blob) {
-    const recipe = await readRecipe(blob);
-    if (!recipe || this.model.shown.request !== request) return;
+    const recipe = await readRecipe(blob) ?? await this.#recipeOf(request);
+    if (!recipe || !this.#isShown(request)) return;
     this.#matter = matterOf(request);
     this.model.world = this.#whole(recipe.request.scene, request.key);
     // An edited scene goes on about the same point: what moves away from there is not run after.
@@ -236,7 +247,12 @@ export class Studio {
     if (request.model && this.model.source) this.model.know(this.model.world); // its eye and lights go with it
     if (middle !== this.#middle || !this.pivot)
       await this.#findPivot(request, middle).catch((error) => console.warn('The picture\u2019s middle:', error.message));
-    if (this.model.shown.request === request) this.model.tell('world');
+    if (this.#isShown(request)) this.model.tell('world');
+  }
+
+  async #recipeOf(request) {
+    const { blob } = await fetchPicture(smallest(request, this.model.source?.options));
+    return readRecipe(blob);
   }
 
   // A recipe does not tell very many objects again; they are the source's, as the key leaves them.
@@ -251,7 +267,7 @@ export class Studio {
     const [x, y] = middleOf(request);
     const asked = { ...request, ...ONE_RAY, integrator: 'whitted' };
     const { hits } = await fetchExplanation({ ...asked, x, y });
-    if (this.model.shown.request !== request) return; // the hand was quicker
+    if (!this.#isShown(request)) return; // the hand was quicker
     this.#middle = middle;
     this.pivot = pivotOf(this.view, this.camera, hits);
   }
