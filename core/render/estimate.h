@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <vector>
 
 #include "core/film/tone.h"
 #include "core/integrators/guides.h"
@@ -18,7 +19,7 @@ struct Estimate {
   int count = 0;
   int met = 0;      ///< how many of the samples met an object; only before a backdrop
   Vec3d ground{};   ///< of those on a shadow ground: light with objects, without, how many
-  float error = 1;  ///< what Convergence makes of them
+  float error = 1;  ///< what Convergence makes of them where noise is to be small enough
 
   Vec3f mean() const {
     return {static_cast<float>(light.x / count), static_cast<float>(light.y / count),
@@ -80,11 +81,16 @@ class Convergence {
   /// Whether errors are as a display shows them.
   bool shows() const { return shows_; }
 
-  /// Tells the estimate its error. Returns: whether it needs no more samples.
+  /// Tells the estimate its error, where noise settles it. Returns: whether it needs no more
+  /// samples.
   bool settle(Estimate& estimate) const;
+  /// The largest error of these, as a display shows it. Domain: errors are shown; estimates that
+  /// settle() has seen.
+  float largest_error(const std::vector<Estimate>& estimates) const;
 
  private:
   double shown_error(const Estimate& estimate) const;
+  double most_error(const Estimate& estimate) const;
 
   Rule rule_;
   ToneMap tone_;

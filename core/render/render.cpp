@@ -151,7 +151,7 @@ class Render {
     TilePixels pixels = std::move(begun).pixels();
     trace_rounds(shot_, options_.scalar, first, sampler_.rounds(), pixels);
     ShownTile shown = shown_of(pixels, options_.layers);
-    if (convergence_.shows() || is_watched()) tally_.add(shown.pixels);
+    if (convergence_.shows() || is_watched()) tally_.add(shown);
     fill(tile, std::move(shown));
     if (denoised_ != nullptr) denoised_->put(tile, halves_of(pixels));
   }
@@ -204,7 +204,7 @@ class Render {
     const auto shown_of_tile = [&](int i, const FilmTile& tile) -> const ShownTile& {
       RoundsOfTile& of_tile = all[static_cast<std::size_t>(i)];
       const ShownTile& shown = of_tile.after(rounds, options_.layers);
-      tally.add(shown.pixels);
+      tally.add(shown);
       if (denoised_ != nullptr) denoised_->put(tile, of_tile.halves());
       return shown;
     };

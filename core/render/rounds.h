@@ -20,26 +20,33 @@ namespace tia {
 /// Shown: what a pixel is after some rounds.
 struct Shown {
   Vec3f light{};
-  float error = 1;
   int count = 0;
   float alpha = 0;
 };
 inline Shown shown_of(const Estimate& estimate) {
-  return {estimate.mean(), estimate.error, estimate.count, estimate.alpha()};
+  return {estimate.mean(), estimate.count, estimate.alpha()};
 }
+
+/// ShownTile: its pixels, and the planes of layers as FilmTile has them.
+struct ShownTile {
+  std::vector<Shown> pixels;
+  std::vector<float> more;
+  RayCounts rays = {};
+  float error = 1;  ///< the largest of its pixels
+};
 
 /// Tally: sums up how far pixels have come. Any thread may add.
 class Tally {
  public:
-  void add(const std::vector<Shown>& pixels) {
+  void add(const ShownTile& tile) {
     const std::lock_guard lock(mutex_);
-    for (const Shown& pixel : pixels) {
+    for (const Shown& pixel : tile.pixels) {
       least_ = std::min(least_, pixel.count);
       most_ = std::max(most_, pixel.count);
       all_ += pixel.count;
-      error_ = std::max(error_, pixel.error);
     }
-    pixels_ += static_cast<std::int64_t>(pixels.size());
+    error_ = std::max(error_, tile.error);
+    pixels_ += static_cast<std::int64_t>(tile.pixels.size());
   }
   Reached reached(int samples) const {
     const double mean = static_cast<double>(all_) / static_cast<double>(pixels_);
@@ -53,12 +60,6 @@ class Tally {
   float error_ = 0;
 };
 
-/// ShownTile: its pixels, and the planes of layers as FilmTile has them.
-struct ShownTile {
-  std::vector<Shown> pixels;
-  std::vector<float> more;
-  RayCounts rays = {};
-};
 inline ShownTile shown_of(const TilePixels& tile, LayerSet layers) {
   ShownTile shown;
   shown.pixels.resize(tile.estimates.size());
@@ -66,6 +67,7 @@ inline ShownTile shown_of(const TilePixels& tile, LayerSet layers) {
                          [](const Estimate& each) { return shown_of(each); });
   shown.more = planes_of(tile, layers);
   shown.rays = tile.rays;
+  shown.error = tile.error;
   return shown;
 }
 

@@ -107,15 +107,15 @@ class Tracer {
   }
 
   const Shot& shot_;
+  const Color beyond_ = beyond();
+  RayCounts all_rays_;
   Guides guides_;
   AnyWorldView world_view_;
-  RayCounts all_rays_;
-  const bool hides_beyond_ = has_backdrop() && gathers_light(shot_.integrator);
-  const Color beyond_ = beyond();
   const Vec3<Real> backdrop_ = lift<Real>(rgb_of(beyond_));
-  std::optional<GroundShadow<Real>> ground_;
   GroundLight<Real> on_ground_;
+  std::optional<GroundShadow<Real>> ground_;
   LightParts parts_{};
+  const bool hides_beyond_ = has_backdrop() && gathers_light(shot_.integrator);
 };
 
 // ---- one ray a pixel of a perspective view, as for most pictures --------------------------------
@@ -236,6 +236,7 @@ void trace_round(const Shot& shot, int round, Tracer<Real, AnyWorldView>& tracer
   std::erase_if(unsettled, [&](int pixel) {
     return shot.convergence.settle(tile.estimates[static_cast<std::size_t>(pixel)]);
   });
+  if (shot.convergence.shows()) tile.error = shot.convergence.largest_error(tile.estimates);
 }
 
 template <class Real, class AnyWorldView>

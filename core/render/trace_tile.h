@@ -40,6 +40,7 @@ struct TilePixels {
   std::vector<GuidedSums> guided;  ///< the same
   std::vector<int> unsettled;      ///< the numbers of those that need more samples
   RayCounts rays = {};             ///< that its whole rounds have taken
+  float error = 1;                 ///< the largest of its pixels, where errors are shown
 
   TilePixels(int x, int y, int w, int h, bool has_parts, bool has_guides);
 };

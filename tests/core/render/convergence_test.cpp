@@ -18,6 +18,14 @@ Estimate of_values(const std::vector<double>& values) {
   return estimate;
 }
 
+// The same samples in another channel.
+Estimate in_one_of_three(Random& random, Estimate e) {
+  const auto axis =
+      std::array{&Vec3d::x, &Vec3d::y, &Vec3d::z}[static_cast<std::size_t>(random.below(3))];
+  for (Vec3d* sum : {&e.light, &e.deviations, &e.squares}) std::swap(sum->x, (*sum).*axis);
+  return e;
+}
+
 TEST(Convergence, ByThresholdIsTheStandardErrorOfTheMean) {
   // Values 0, 0, 0, 1: mean 1/4, variance (3/16 + 9/16) / 3 = 1/4, standard error sqrt(1/16).
   Estimate values = of_values({0, 0, 0, 1}), turned = of_values({1, 0, 0, 0});
@@ -108,6 +116,32 @@ TEST(Convergence, BoundsTheChangeOfColoursThatRiseAndFallTogether) {
       }
     }
   }
+}
+
+// Where a table rules pixels out, it rules out none that has the largest: that is what each is told
+// when it is settled for itself.
+TEST(Convergence, TellsTheLargestErrorOfManyAsOfEach) {
+  Random random(142);
+  for (const Tone& tone : {Tone{}, Tone{Transfer::srgb, 2}, Tone{Transfer::srgb, 0, 4000},
+                           Tone{Transfer::linear, -1}, Tone{Transfer::agx}}) {
+    const Convergence each({.noise = 1e-9, .tone = tone});
+    const Convergence all({.tells_errors = true, .tone = tone});
+    for (int i = 0; i < 40; ++i) {
+      std::vector<Estimate> estimates;
+      float largest = 0;
+      const double most = std::exp2(random.in(-8, 3));
+      for (int k = 0; k < 64; ++k) {
+        const double first = random.in(0, most), second = random.in(0, most);
+        Estimate e = in_one_of_three(random, of_values({first, second}));
+        estimates.push_back(e);
+        EXPECT_FALSE(all.settle(estimates.back()));
+        each.settle(e);
+        largest = std::max(largest, e.error);
+      }
+      ASSERT_EQ(all.largest_error(estimates), largest);
+    }
+  }
+  EXPECT_EQ(Convergence({.tells_errors = true}).largest_error({of_values({1})}), 1);
 }
 
 }  // namespace
