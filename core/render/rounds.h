@@ -99,12 +99,13 @@ inline void lay_under(const Vec3f& color, FilmTile& tile) {
 /// for layers, which are 0. The tile's other pixels are spent. Domain: a centred sampler.
 inline ShownTile blocks_of(const Shot& shot, Scalar scalar, int side, TilePixels& pixels) {
   const auto middle_of = [&](int pixel) { return middle_of_block(pixels, side, pixel); };
+  pixels.begin();
   std::erase_if(pixels.unsettled, [&](int pixel) { return pixel != middle_of(pixel); });
   trace_rounds(shot, scalar, 0, 1, pixels);
   ShownTile shown;
   for (int i = 0; i < pixels.width * pixels.height; ++i)
     shown.pixels.push_back(shown_of(pixels.estimates[static_cast<std::size_t>(middle_of(i))]));
-  shown.more = planes_of(TilePixels(0, 0, 0, 0, false, false), shot.layers);
+  shown.more = planes_of(TilePixels{}, shot.layers);
   return shown;
 }
 
@@ -112,8 +113,11 @@ inline ShownTile blocks_of(const Shot& shot, Scalar scalar, int side, TilePixels
 class RoundsOfTile {
  public:
   explicit RoundsOfTile(TilePixels&& pixels) : pixels_(std::move(pixels)) {}
-  bool settled() const { return pixels_.unsettled.empty(); }
-  std::int64_t unsettled() const { return static_cast<std::int64_t>(pixels_.unsettled.size()); }
+  bool settled() const { return begun_ > 0 && pixels_.unsettled.empty(); }
+  std::int64_t unsettled() const {
+    if (begun_ == 0) return std::int64_t{pixels_.width} * pixels_.height;
+    return static_cast<std::int64_t>(pixels_.unsettled.size());
+  }
 
   // A round that does not come to its end must not be seen: what the ones before it have come to is
   // kept.
@@ -142,8 +146,11 @@ class RoundsOfTile {
   /// Puts what its pixels have come to, after all rounds that have begun. The same domain.
   void put(const FilmTile& place, PreviewLight& light) const { light.put(place, pixels_); }
   /// Begins to sum guides, and ends. Domain: before the first round; after it.
-  void guide() { pixels_.guided.resize(pixels_.estimates.size()); }
-  void unguide() { pixels_.guided = {}; }
+  void guide() { pixels_.has_guides = true; }
+  void unguide() {
+    pixels_.has_guides = false;
+    pixels_.guided = {};
+  }
 
   RayCounts rays_after(int rounds) const { return begun_ > rounds ? shown_.rays : pixels_.rays; }
 

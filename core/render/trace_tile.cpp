@@ -282,17 +282,16 @@ std::vector<int> in_patches(int width, int height) {
 
 }  // namespace
 
-TilePixels::TilePixels(int x, int y, int w, int h, bool has_parts, bool has_guides)
-    : x0(x),
-      y0(y),
-      width(w),
-      height(h),
-      estimates(static_cast<std::size_t>(w * h)),
-      parts(has_parts ? estimates.size() : 0),
-      guided(has_guides ? estimates.size() : 0),
-      unsettled(in_patches(w, h)) {}
+void TilePixels::begin() {
+  if (!estimates.empty()) return;
+  estimates.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+  if (has_parts) parts.resize(estimates.size());
+  if (has_guides) guided.resize(estimates.size());
+  unsettled = in_patches(width, height);
+}
 
 void trace_rounds(const Shot& shot, Scalar scalar, int first, int last, TilePixels& tile) {
+  tile.begin();
   with_types(shot, scalar, [&]<class Real, class AnyWorldView>() {
     trace_rounds_in<Real, AnyWorldView>(shot, first, last, tile);
   });

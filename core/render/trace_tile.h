@@ -31,18 +31,21 @@ struct Shot {
   bool watches() const { return convergence.watches() || layers.has(Layer::variance); }
 };
 
-/// TilePixels: a tile of a picture whose pixels take samples by rounds. Shape: row by row.
+/// TilePixels: a tile of a picture whose pixels take samples by rounds. Shape: row by row, and
+/// nothing before the first round: a large picture's sums take seconds to make.
 struct TilePixels {
   int x0 = 0, y0 = 0;  ///< the corner's place in the picture
   int width = 0, height = 0;
-  std::vector<Estimate> estimates;
-  std::vector<PartSums> parts;     ///< where they are asked for, else none
-  std::vector<GuidedSums> guided;  ///< the same
-  std::vector<int> unsettled;      ///< the numbers of those that need more samples
-  RayCounts rays = {};             ///< that its whole rounds have taken
-  float error = 1;                 ///< the largest of its pixels, where errors are shown
+  bool has_parts = false, has_guides = false;
+  std::vector<Estimate> estimates = {};
+  std::vector<PartSums> parts = {};     ///< where they are asked for, else none
+  std::vector<GuidedSums> guided = {};  ///< the same
+  std::vector<int> unsettled = {};      ///< the numbers of those that need more samples
+  RayCounts rays = {};                  ///< that its whole rounds have taken
+  float error = 1;                      ///< the largest of its pixels, where errors are shown
 
-  TilePixels(int x, int y, int w, int h, bool has_parts, bool has_guides);
+  /// Makes what a first round needs, where there is nothing yet.
+  void begin();
 };
 
 /// Traces rounds first .. last - 1 of the tile's unsettled pixels, and counts their rays.

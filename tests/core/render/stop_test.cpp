@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <chrono>
 
 #include "tests/core/random_scene.h"
 
@@ -49,6 +50,33 @@ TEST(Stop, BeforeTheStartNothingIsTraced) {
                       source.get_token(), [&](const FilmTile&) { ++developed; }),
                Stopped);
   EXPECT_EQ(developed, 0);
+}
+
+// A picture of so many pixels that their sums alone take seconds to make: none are made before the
+// first round comes to them.
+TEST(Stop, EndsALargePictureThatIsWatchedWithin100Ms) {
+  using Clock = std::chrono::steady_clock;
+  const World world = compile(test::thesis_scene('a'));
+  const int side = test::sanitized() ? 1024 : 4096;
+  RenderOptions options = threads(2);
+  options.integrator = IntegratorName::path;
+  options.samples = 64;
+  Pool pool(2);
+  double nearest = 1e9;
+  for (int i = 0; i < 3 && nearest > 100; ++i) {
+    std::stop_source source;
+    Clock::time_point left;
+    options.watch = [&](const Glimpse&) {
+      left = Clock::now();
+      source.request_stop();
+    };
+    EXPECT_THROW(render(world, view_of(Camera{}, side, side), {0, 0, side, side}, options, pool,
+                        source.get_token(), [](const FilmTile&) {}),
+                 Stopped);
+    const std::chrono::duration<double, std::milli> took = Clock::now() - left;
+    nearest = std::min(nearest, took.count());
+  }
+  EXPECT_LT(nearest, 100);
 }
 
 TEST(Stop, PoolRendersTheNextPictureAsIfNothingHadHappened) {

@@ -13,7 +13,9 @@ using server::PictureStore;
 
 // Of 16 x 16 pixels that have had so many rounds of 16, 32, 64 ... samples.
 SharedRounds kept_rounds(int rounds) {
-  RoundsOfTile tile(TilePixels(0, 0, 16, 16, false, false));
+  TilePixels pixels{.width = 16, .height = 16};
+  pixels.begin();
+  RoundsOfTile tile(std::move(pixels));
   tile.number_rounds(rounds);
   return std::make_shared<const KeptRounds>(
       std::vector{tile}, Sampler(Sampling{.samples = 1024, .is_chance = true, .in_rounds = true}));
