@@ -162,10 +162,12 @@ class Render {
   bool goes_on(const OpenTiles& open, int rounds) const {
     if (open.tiles.empty() || rounds == sampler_.rounds()) return false;
     if (!options_.budget || !sampler_.may_end_after(rounds)) return true;
+    // A sample takes a ray at least: no round is begun of more samples than there are rays left.
+    const std::int64_t samples = open.pixels * sampler_.count(rounds);
+    if (meter_.counts().all() + samples > options_.budget->max_rays) return false;
     const std::int64_t done = meter_.counts().primary - before_.primary;
     if (done == 0) return options_.budget->has_time(0);
-    return options_.budget->has_time(static_cast<double>(open.pixels * sampler_.count(rounds)) /
-                                     static_cast<double>(done));
+    return options_.budget->has_time(static_cast<double>(samples) / static_cast<double>(done));
   }
 
   // Returns: whether it came to its end.

@@ -38,6 +38,24 @@ TEST(Budget, OfRaysKeepsTheLastWholeRoundWithinIt) {
   }
 }
 
+// Each sample takes a ray from the eye at least.
+TEST(Budget, OfFewerRaysThanARoundHasSamplesBeginsNone) {
+  const Picture first = of_room(chance(16));
+  std::atomic<std::int64_t> spent = 0;
+  const auto draw = [&](std::int64_t more) {
+    RenderOptions options =
+        with_budget(chance(256), {.max_rays = first.rays.all() + first.rays.primary + more});
+    options.spent = [&](std::int64_t rays, std::int64_t) { spent = rays; };
+    const Picture drawn = of_room(options);
+    EXPECT_EQ(bits_of(drawn.image), bits_of(first.image));
+    EXPECT_EQ(drawn.rays, first.rays);
+  };
+  draw(-1);
+  EXPECT_EQ(spent, first.rays.all());
+  draw(0);
+  EXPECT_GT(spent, first.rays.all());
+}
+
 TEST(Budget, WithoutARoundWithinItIsRefused) {
   const std::int64_t rays = of_room(chance(16)).rays.all();
   try {
