@@ -224,7 +224,7 @@ class Render {
   void show(std::vector<RoundsOfTile>& all, int rounds) {
     const int samples = sampler_.before(rounds);
     const bool quickly = samples == 1 || (denoised_ != nullptr && !is_worth_denoising());
-    options_.watch({quickly, rays_after(rounds, all), [&](const Develop& develop) {
+    options_.watch({quickly, rays_after(rounds, all), before_, [&](const Develop& develop) {
                       Tally tally;
                       if (denoised_ != nullptr) show_denoised(all, rounds, quickly, tally, develop);
                       else show_plainly(all, rounds, tally, develop);

@@ -27,7 +27,8 @@ using Develop = std::function<void(const FilmTile&)>;
 struct Glimpse {
   /// One ray for each block of pixels, one sample a pixel, or what is not denoised as it will be.
   bool is_preview = false;
-  RayCounts rays = {};  ///< without those of the preview by blocks
+  RayCounts rays = {};    ///< without those of the preview by blocks
+  RayCounts before = {};  ///< those of them that RenderOptions::from had taken
   /// Hands over all tiles; of the preview by blocks, layers beside its light are 0.
   /// Returns: how far they have come. Errors: as render().
   std::function<Reached(const Develop&)> show;

@@ -53,6 +53,7 @@ Glimpse of_sheet(const Glimpse& of_part, const Part& part, const Rendered& befor
                  const Sheet& sheet) {
   Rendered all = before;
   all.rays += of_part.rays;
+  all.before += of_part.before;
   const auto show = [&of_part, &part, before, number, &sheet](const Develop& develop) {
     const auto moving = [&](const FilmTile& tile) { develop(moved(tile, part)); };
     Rendered shown = before;
@@ -62,7 +63,7 @@ Glimpse of_sheet(const Glimpse& of_part, const Part& part, const Rendered& befor
     if (number + 1 < views) shown.reached->least = 0;
     return *shown.reached;
   };
-  return {true, all.rays, show};
+  return {true, all.rays, all.before, show};
 }
 
 }  // namespace tia::server

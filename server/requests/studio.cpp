@@ -124,7 +124,7 @@ void Studio::draw_on(Film film, const World& world, Picture& picture) {
       recipe = recipe_of_reached(plan_, picture.reached->samples);
       picture.etag = etag_of(recipe);
     });
-  tell_errors(picture);
+  tell_reached(picture);
   picture.timing.trace = watch_.lap_ms();
   picture.trace_seconds = static_cast<double>(flow_.attained - before) * 1e-9;
   make_file(std::move(film), recipe, picture);
@@ -153,9 +153,18 @@ void Studio::make_file(Film&& film, const std::string& recipe, Picture& picture)
   picture.media_type = media_type_of(plan_.format);
 }
 
+// Where nobody counts, each pixel has all its samples, but by a threshold: then that is not known.
+void Studio::tell_reached(Picture& picture) const {
+  const int all = plan_.options.samples;
+  if (!picture.reached && plan_.options.threshold == 0)
+    picture.reached = Reached{all, all, static_cast<double>(all), 1, all};
+  tell_errors(picture);
+}
+
 void Studio::tell_errors(Picture& picture) const {
   picture.tells_reached = plan_.options.noise > 0 || plan_.asked->has_budget();
-  picture.tells_noise = row_of(plan_.options.integrator).is_chance() &&
+  const bool is_counted = picture.tells_reached || onlooker_ != nullptr;
+  picture.tells_noise = is_counted && row_of(plan_.options.integrator).is_chance() &&
                         plan_.options.threshold == 0 && plan_.options.samples > 1;
 }
 
@@ -169,6 +178,7 @@ void Studio::show(const Glimpse& glimpse, Film& film) {
   Picture picture;
   picture.reached = glimpse.show([&](const FilmTile& tile) { film.put(tile); });
   picture.rays = glimpse.rays;
+  picture.rays_before = glimpse.before.all();
   Stopwatch so_far = watch_;
   picture.timing.trace = so_far.lap_ms();
   tell_errors(picture);

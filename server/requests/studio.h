@@ -31,6 +31,7 @@ class Studio {
 
   template <class Film>
   void make_file(Film&& film, const std::string& recipe, Picture& picture) const;
+  void tell_reached(Picture& picture) const;
   void tell_errors(Picture& picture) const;
   template <class Film>
   void show(const Glimpse& glimpse, Film& film);

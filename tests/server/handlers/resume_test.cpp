@@ -76,6 +76,22 @@ TEST(Resume, ShowsWhatThereIsFirst) {
             plain_bytes(left_room(2 * samples, of)));
 }
 
+// Each part that has come of rounds that were kept says so.
+TEST(Resume, SaysInAllPartsThatTheyGoOn) {
+  Host host;
+  const std::string of = "&seed=330";
+  const int samples = leave(host, left_room(65536, of));
+  Request request{"GET", left_room(2 * samples, of) + "&stream=multipart", {}, "", "seen"};
+  std::vector<std::string> parts;
+  const SendPart send{[](std::string_view) {},
+                      [&](std::string_view part) { parts.emplace_back(part); }};
+  answer(request, host.service()).parts(send);
+  ASSERT_EQ(parts.size(), 2U);
+  for (const std::string& part : parts)
+    EXPECT_THAT(part.substr(0, part.find("\r\n\r\n")),
+                testing::HasSubstr("Cache-Status: Tia; fwd=partial"));
+}
+
 TEST(Resume, KeepsNothingWhereThereIsNoCache) {
   Config config;
   config.cache_bytes = 0;

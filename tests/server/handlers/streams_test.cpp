@@ -121,6 +121,25 @@ TEST(Streams, OfAKeptPictureAreThatAlone) {
   }
 }
 
+// Its drawing has not counted: each pixel has all samples, but where a threshold ends them.
+TEST(Streams, OfPicturesThatWereDrawnPlainlyTellTheirSamples) {
+  Server server;
+  const auto told = [&](const std::string& target) {
+    EXPECT_EQ(ask_on(server.port(), target).status, 200);
+    return events_in(ask_on(server.port(), target + "&stream=events").body).at(0).data;
+  };
+  const std::string thesis = "/render?scene=thesis&width=32&height=24";
+  const std::vector<std::pair<std::string, double>> all{
+      {thesis, 1}, {thesis + "&samples=5", 5}, {room(9, 16), 16}};
+  for (const auto& [target, samples] : all) {
+    const Value data = told(target);
+    for (const char* name : {"min", "mean", "max"})
+      EXPECT_EQ(number_at(at(data, "samples"), name), samples) << target;
+    EXPECT_EQ(at(data, "noise"), Value());
+  }
+  EXPECT_EQ(at(told(thesis + "&threshold=0.02"), "samples"), Value());
+}
+
 // A view is drawn after the other; what is shown meanwhile is no picture of its own.
 TEST(Streams, OfASheetShowItsViewsOneAfterAnother) {
   Server server;
