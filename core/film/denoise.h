@@ -11,7 +11,7 @@ namespace tia {
 /// How far off a pixel what decides it may be: of a window that is so much larger on every side
 /// where the picture goes on, the inner part is that of the whole picture, bit for bit.
 /// Space/units: pixels.
-inline constexpr int denoise_margin = 32;
+inline constexpr int denoise_margin = 36;
 
 /// The picture's light with less noise. Albedo is divided out; features are filtered by non-local
 /// means, each half with weights from the other one; around every second pixel of every second row

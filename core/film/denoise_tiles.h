@@ -36,7 +36,10 @@ struct TileGrid {
 
   int columns() const { return (left + width + tile - 1) / tile; }
   int rows() const { return (top + height + tile - 1) / tile; }
-  std::size_t stride() const { return static_cast<std::size_t>(columns() * tile + 2 * border); }
+  std::size_t stride() const {
+    const int across = columns() * tile + 2 * border;
+    return static_cast<std::size_t>(across);
+  }
   std::size_t size() const {
     return stride() * static_cast<std::size_t>(rows() * tile + 2 * border);
   }

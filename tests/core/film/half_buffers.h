@@ -36,9 +36,11 @@ inline HalfBuffers blank(int w = width, int h = height) {
 }
 inline void fill(PixelPlanes& half, int plane, const Field& field) {
   for (int y = 0; y < half.height; ++y)
-    for (int x = 0; x < half.width; ++x)
-      half.planes[static_cast<std::size_t>(plane)][static_cast<std::size_t>(y * half.width + x)] =
+    for (int x = 0; x < half.width; ++x) {
+      const int at = y * half.width + x;
+      half.planes[static_cast<std::size_t>(plane)][static_cast<std::size_t>(at)] =
           static_cast<float>(field(x, y));
+    }
 }
 inline void fill(HalfBuffers& halves, int plane, const Field& field) {
   fill(halves.a, plane, field);
