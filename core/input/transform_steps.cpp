@@ -61,7 +61,8 @@ namespace {
 using Step = TransformSteps::Step;
 
 std::string one_step() {
-  return "one of " + listed({Translate::key, RotateDegrees::key, Scale::key, Matrix::key});
+  return "one of " + listed({Translate::key, RotateDegrees::key, Scale::key, Matrix::key,
+                             RotateQuaternion::key});
 }
 
 void check_map(const Affine& map, const Place& at, const Value& got, const char* what,
@@ -96,6 +97,7 @@ void read_step(const Value& v, const Place& at, Faults& faults, Step& out) {
   read_kind<RotateDegrees>(from, out);
   read_kind<Scale>(from, out);
   read_kind<Matrix>(from, out);
+  read_kind<RotateQuaternion>(from, out);
   from.finish();
   if (faults.count() == before && object->size() > 1)
     faults.add({FaultKind::conflict, at.pointer(), excerpt(v), "one key a step, " + one_step()});
@@ -140,7 +142,8 @@ Value Codec<TransformSteps>::write(const TransformSteps& v) {
 Value Codec<TransformSteps>::schema(const Spec&, Definitions& named) {
   const Value step = Value::Object{
       {"oneOf", Value::Array{kind_schema<Translate>(named), kind_schema<RotateDegrees>(named),
-                             kind_schema<Scale>(named), kind_schema<Matrix>(named)}}};
+                             kind_schema<Scale>(named), kind_schema<Matrix>(named),
+                             kind_schema<RotateQuaternion>(named)}}};
   return Value::Object{{"type", "array"}, {"items", step}};
 }
 

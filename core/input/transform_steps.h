@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/input/codec.h"
-#include "core/math/transform.h"
+#include "core/math/quaternion.h"
 
 namespace tia {
 
@@ -55,11 +55,23 @@ struct Matrix {
   bool operator==(const Matrix&) const = default;
 };
 
+struct RotateQuaternion {
+  static constexpr std::string_view key = "rotate_quaternion";
+  static constexpr Spec spec{.about =
+                                 "x, y, z, w of a quaternion of any length but 0: an axis "
+                                 "times the sine of half the angle, and its cosine",
+                             .min = -1e9,
+                             .max = 1e9};
+  Quaternion by{0, 0, 0, 1};
+  Affine affine() const { return rotation_of(by); }
+  bool operator==(const RotateQuaternion&) const = default;
+};
+
 /// TransformSteps: steps that move a shape, the first step first. They are kept as written, so that
 /// canonical text repeats them.
 struct TransformSteps {
   static constexpr std::string_view schema_name = "transform";
-  using Step = std::variant<Translate, RotateDegrees, Scale, Matrix>;
+  using Step = std::variant<Translate, RotateDegrees, Scale, Matrix, RotateQuaternion>;
   std::vector<Step> steps;
 
   /// The product of all steps. Once read, it has an inverse.

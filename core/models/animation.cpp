@@ -1,9 +1,8 @@
 #include "core/models/animation.h"
 
 #include <algorithm>
-#include <cmath>
 
-#include "core/math/deterministic.h"
+#include "core/math/quaternion.h"
 
 namespace tia {
 namespace {
@@ -25,28 +24,8 @@ KeyTime key_time_of(const std::vector<float>& times, double seconds) {
   return {key, (seconds - from) / (to - from), to - from};
 }
 
-void normalise(ChannelNumbers& q) {
-  const double length = std::sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
-  if (!(length > 0)) q = {0, 0, 0, 1};
-  else
-    for (double& each : q) each /= length;
-}
-
-ChannelNumbers slerp(ChannelNumbers a, ChannelNumbers b, double share) {
-  normalise(a), normalise(b);
-  double cosine = a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3];
-  const double side = cosine < 0 ? -1 : 1;  // q and -q are the same rotation
-  cosine = std::min(1.0, cosine * side);
-  const double angle = acos_of(cosine), sine = sin_of(angle);
-  // Where the angle is so small, the sphere is flat to double's precision.
-  const bool flat = sine < 1e-9;
-  const double of_a = flat ? 1 - share : sin_of((1 - share) * angle) / sine;
-  const double of_b = side * (flat ? share : sin_of(share * angle) / sine);
-  ChannelNumbers q(4);
-  for (std::size_t i = 0; i < 4; ++i) q[i] = of_a * a[i] + of_b * b[i];
-  normalise(q);
-  return q;
-}
+Quaternion quaternion_of(const ChannelNumbers& q) { return {q[0], q[1], q[2], q[3]}; }
+ChannelNumbers numbers_of(const Quaternion& q) { return {q.begin(), q.end()}; }
 
 // `which` of a key's n numbers: of a cubic spline 0 its in-tangent, 1 its value, 2 its out-tangent.
 ChannelNumbers numbers_at(const AnimationChannel& channel, std::size_t key, std::size_t which,
@@ -72,7 +51,8 @@ ChannelNumbers cubic_at(const AnimationChannel& channel, const KeyTime& at, std:
 ChannelNumbers linear_at(const AnimationChannel& channel, const KeyTime& at, std::size_t n) {
   ChannelNumbers a = numbers_at(channel, at.key, 1, n);
   const ChannelNumbers b = numbers_at(channel, at.key + 1, 1, n);
-  if (channel.path == AnimatedPath::rotation) return slerp(std::move(a), b, at.share);
+  if (channel.path == AnimatedPath::rotation)
+    return numbers_of(slerp(quaternion_of(a), quaternion_of(b), at.share));
   for (std::size_t i = 0; i < n; ++i) a[i] += at.share * (b[i] - a[i]);
   return a;
 }
@@ -95,7 +75,7 @@ std::vector<double> sampled(const AnimationChannel& channel, double seconds) {
   ChannelNumbers out = !between ? numbers_at(channel, at.key, 1, n)
                        : cubic  ? cubic_at(channel, at, n)
                                 : linear_at(channel, at, n);
-  if (channel.path == AnimatedPath::rotation) normalise(out);
+  if (channel.path == AnimatedPath::rotation) out = numbers_of(normalized(quaternion_of(out)));
   return out;
 }
 

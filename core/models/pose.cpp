@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/math/quaternion.h"
 #include "core/models/animation.h"
 
 namespace tia {
@@ -142,13 +143,8 @@ bool has_nothing(const std::vector<double>& normals) {
 }  // namespace
 
 Affine affine_of(const Placement& own) {
-  auto [x, y, z, w] = own.rotation;
-  const double length = std::sqrt(x * x + y * y + z * z + w * w);
-  x /= length, y /= length, z /= length, w /= length;
-  return {Vec3d{1 - 2 * (y * y + z * z), 2 * (x * y + w * z), 2 * (x * z - w * y)} * own.scale.x,
-          Vec3d{2 * (x * y - w * z), 1 - 2 * (x * x + z * z), 2 * (y * z + w * x)} * own.scale.y,
-          Vec3d{2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y)} * own.scale.z,
-          own.translation};
+  const Affine turned = rotation_of(own.rotation);
+  return {turned.x * own.scale.x, turned.y * own.scale.y, turned.z * own.scale.z, own.translation};
 }
 
 std::vector<Affine> places_of(const ModelNode& node, const Affine& place) {

@@ -35,6 +35,12 @@ TEST(TransformSteps, EachStepDoesWhatItSays) {
   EXPECT_EQ(moved(R"([{"rotate_degrees":[0,0,90]}])", {1, 2, 3}), (Vec3d{-2, 1, 3}));
   EXPECT_EQ(moved(R"([{"rotate_degrees":[90,0,0]}])", {1, 2, 3}), (Vec3d{1, -3, 2}));
   EXPECT_EQ(moved(R"([{"rotate_degrees":[0,90,0]}])", {1, 2, 3}), (Vec3d{3, 2, -1}));
+  // By q = (v, w) of length 1, p becomes p + 2 v x (v x p + w p): here v = (0, 0, 0.6), w = 0.8,
+  // and the length 5 of what is written changes nothing. v x p = (-1.2, 0.6, 0), so v x (v x p + w
+  // p) =
+  // (-0.36 - 0.96, -0.72 + 0.48, 0).
+  const Vec3d turned = moved(R"([{"rotate_quaternion":[0,0,3,4]}])", {1, 2, 3});
+  EXPECT_LT(length(turned - Vec3d{1 - 2 * 1.32, 2 - 2 * 0.24, 3}), 1e-15);
   // Rows times the column (1, 2, 3, 1): 1+4+9+4, 0+2+0+5, 0+0+3+6.
   EXPECT_EQ(moved(R"([{"matrix":[[1,2,3,4],[0,1,0,5],[0,0,1,6],[0,0,0,1]]}])", {1, 2, 3}),
             (Vec3d{18, 7, 9}));
@@ -70,13 +76,23 @@ TEST(TransformSteps, IsTheProductOfItsSteps) {
 TEST(TransformSteps, IsWrittenAsItWasGiven) {
   for (const char* text :
        {R"([{"translate":[1,2,3]},{"scale":2},{"scale":[2,2,2]},{"rotate_degrees":[0,0,450]}])",
+        R"([{"rotate_quaternion":[0,0,3,4]}])",
         R"([{"matrix":[[1,2,3,4],[0,1,0,5],[0,0,1,6],[0,0,0,1]]}])", "[]"})
     EXPECT_EQ(to_json(write_value(read_placement(text))), text);
   EXPECT_NE(read_placement(R"([{"scale":2}])"), read_placement(R"([{"scale":[2,2,2]}])"));
 }
 
+TEST(TransformSteps, AQuaternionHasFourNumbersAndALength) {
+  expect_placement_refused(
+      R"([{"rotate_quaternion":[0,0,0,0]}])",
+      {{out_of_range, "/transform/0/rotate_quaternion", "[0,0,0,0]", "numbers that"}});
+  expect_placement_refused(
+      R"([{"rotate_quaternion":[0,0,1]}])",
+      {{wrong_type, "/transform/0/rotate_quaternion", "[0,0,1]", "4 numbers"}});
+}
+
 TEST(TransformSteps, StepsHaveExactlyOneKnownKey) {
-  const char* keys = "one of translate, rotate_degrees, scale, matrix";
+  const char* keys = "one of translate, rotate_degrees, scale, matrix, rotate_quaternion";
   expect_placement_refused("[{}]", {{missing, "/transform/0", "", keys}});
   expect_placement_refused(
       R"([{"scale":2},{"rotate":[0,0,90]}])",

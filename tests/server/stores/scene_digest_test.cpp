@@ -61,7 +61,8 @@ constexpr const char* rare = R"({"objects": [
       "materials": [{"color": 0.5}, {"color": 0.25}]},
     {"type": "voxels", "size": [4, 3, 4], "occupied": [[1, 2, 3], [3, 2, 1]]},
     {"type": "triangle", "a": [0, 0, 0], "b": [1, 0, 0], "c": [0, 1, 0], "transform":
-      [{"translate": [1, 2, 3]}, {"rotate_degrees": [1, 2, 3]}, {"scale": [1, 2, 3]}]},
+      [{"translate": [1, 2, 3]}, {"rotate_degrees": [1, 2, 3]}, {"scale": [1, 2, 3]},
+       {"rotate_quaternion": [1, 2, 3, 4]}]},
     {"type": "mesh", "positions": [0, 0, 0, 1, 0, 0, 0, 1, 0], "indices": [0, 1, 2],
       "normals": [0, 0, 1, 0, 0.5, 1, 0, 0.25, 1], "uvs": [0, 0, 1, 0, 0, 1],
       "colors": [0, 0.5, 0.25, 1, 0.125, 0.5, 0.25, 1, 0, 0.5, 0.75, 0.5]},
