@@ -15,6 +15,7 @@
 #include "core/input/shared_list.h"
 #include "core/input/shared_value.h"
 #include "core/lights/light.h"
+#include "core/scene/animation.h"
 #include "core/scene/backdrop.h"
 #include "core/scene/camera.h"
 #include "core/scene/fog.h"
@@ -133,6 +134,7 @@ struct Scene {
   std::vector<Light> lights;
   std::optional<Light> key_light;
   std::map<std::string, KeyBinding> keys;
+  std::optional<Animation> animation;  ///< none: nothing moves
   SceneOptions options;
 
   template <class Visitor>
@@ -162,6 +164,8 @@ struct Scene {
     visit("lights", &Scene::lights, Spec{.about = "what sends light"});
     visit("key_light", &Scene::key_light, Spec{.about = "the light that keys move"});
     visit("keys", &Scene::keys, Spec{.about = "what each key does"});
+    visit("animation", &Scene::animation,
+          Spec{.about = "what changes in time; without one a picture is of the time 0"});
     visit("options", &Scene::options, Spec{.about = "how the picture is made"});
   }
   /// Names that point nowhere, lights without a place, more copies than can be told apart.

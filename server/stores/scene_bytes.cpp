@@ -79,6 +79,10 @@ std::size_t heap(const PictureFile& file) {
 std::size_t heap(const SkyFile& file) {
   return heap_of(file.base64) + (file.map ? 2 * block + file.map->bytes() : 0);
 }
+std::size_t heap(const AnimationKey& key) {
+  return heap_of(key.value) + heap_of(key.before) + heap_of(key.after);
+}
+std::size_t heap(const TimeFormula& formula) { return heap_of(formula.parts); }
 template <Described T>
 std::size_t heap(const T& value) {
   FieldsHeap<T> fields{value};

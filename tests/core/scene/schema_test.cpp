@@ -92,6 +92,11 @@ TEST(SceneSchema, AcceptsWhatTheReaderAccepts) {
       R"({"keys":{"a":{"light":[1,2,3]},"b":{"title":"x"},"c":{"light":1,"title":"x"},"d":{}}})",
       R"({"options":{"integrator":"thesis","transfer":"srgb","seed":9007199254740991}})",
       R"({"options":{"integrator":"path","noise":0.01,"samples":256}})",
+      R"({"animation":{"duration":2,"tracks":[
+          {"target":"/a","keys":[[0,1,"in"],[1,{}]],"interpolation":"step","repeat":"loop"},
+          {"target":"/b","keys":[[0,1,2,3]],"interpolation":"bezier"},
+          {"target":"/c","formula":["t","a"],"parameters":{"a":1}},
+          {"target":"/d","visible":[[0,1]]}]}})",
       R"({"options":{"transfer":"agx","exposure":-32,"white_balance_kelvin":1000}})"};
   for (const char* json : scenes) {
     EXPECT_NO_THROW(read_scene(json)) << json;
@@ -168,6 +173,10 @@ const std::vector<std::string> beyond_scene_schema = {
     "a point other than location", "a direction of some length", "not zero, not parallel",
     "a view plane of some size", "of the view plane's size", "a vector of length 1",
     "perpendicular to u", "u x v", "more than near",
+    // animations: what a track is made of, keys that belong together
+    "one of keys, formula and visible", "keys, formula or visible", "with keys", "with a formula",
+    "with interpolation step", "as many numbers in each key", "tangents", "times that ascend",
+    "of which to is later", "duration times fps",
     // sheets, and the ground that shadows fall on
     "a scene that has a backdrop", "at most as many columns",
     // shapes
