@@ -4,11 +4,13 @@
 #include <array>
 
 #include "core/input/object_schema.h"
+#include "core/scene/at_time.h"
 #include "core/scene/keys.h"
 #include "core/scene/read_scene.h"
 #include "server/contract/answers.h"
 #include "server/contract/parameters.h"
 #include "server/contract/problem.h"
+#include "server/contract/query_parameters.h"
 #include "server/handlers/bodies.h"
 #include "server/handlers/handlers.h"
 #include "server/operation/memory_costs.h"
@@ -41,8 +43,23 @@ Response get_scenes(const Request&, const std::string&, Service& service) {
   return {.content_type = "application/json", .body = service.rendering.gallery.listing()};
 }
 
+// The plain scene of that moment, which /render draws.
+Response scene_at(const Moment& moment, const std::string& name, const Requester& requester,
+                  Service& service) {
+  ViewRequest asked;
+  asked.scene = name;
+  static_cast<Moment&>(asked) = moment;
+  const KnownScene scene = scene_of(asked, service.rendering, requester);
+  return service.rendering.go_through(scene.others + scene.objects.bytes, requester,
+                                      [&] { return scene_text(canonical_text(*scene)); });
+}
+
 Response get_scene(const Request& request, const std::string& name, Service& service) {
   const Gallery& gallery = service.rendering.gallery;
+  const auto moment = read_described<Moment>(query_object<Moment>(request.query()));
+  const bool is_known =
+      gallery.find(name) || service.rendering.kept.find(name, requester_of(request));
+  if (moment.is_asked() && is_known) return scene_at(moment, name, requester_of(request), service);
   if (gallery.find(name)) return scene_text(gallery.text(name));
   const Requester requester = requester_of(request);
   if (const KnownScene kept = service.rendering.kept.find(name, requester)) {
@@ -61,6 +78,7 @@ Response post_scene(const Request& request, const std::string&, Service& service
     Scene read = read_described<Scene>(body_json(request, what, service.config.json_limits()), {},
                                        request.stop);  // the JSON tree ends here
     check_keys(read, request.stop);
+    check_animation(read, request.stop);
     return NewScene(std::move(read));
   });
   const std::string key = random_key(), key_hash = sha256_hex(key);
@@ -139,12 +157,13 @@ std::vector<Route> scene_routes() {
           {.method = "GET",
            .path = "/scenes/{}",
            .name = "get_scene",
-           .about = "one scene's canonical JSON",
+           .about = "one scene's canonical JSON; with time or frame the plain scene of that moment",
            .pace = Pace::in_turn,
            .handler = get_scene,
            .answers = {ok("the scene, fields at their defaults left out (RFC 8785)", media::json,
                           schema_for<Scene>)},
            .gives = {media::json},
+           .query = query_parameters<Moment>,
            .segment = {"name", "a name of the gallery, or the id of a kept scene"},
            .examples = {"/scenes/thesis"}},
           {.method = "DELETE",

@@ -106,8 +106,8 @@ struct DrakeQueryFields {
 
   template <class Base, class Member>
   void operator()(std::string_view name, Member Base::*member, const Spec& spec) const {
-    for (const std::string_view told :
-         {"scene", "key", "light", "camera", "width", "height", "crop", "format", "depth_range"})
+    for (const std::string_view told : {"scene", "key", "light", "camera", "width", "height",
+                                        "crop", "format", "depth_range", "time", "frame"})
       if (name == told) return;
     Member DrakeQuery::*const own = member;
     visit(name, own, spec);

@@ -4,6 +4,7 @@
 #include <map>
 
 #include "core/input/object_schema.h"
+#include "core/scene/at_time.h"
 #include "core/scene/resolve_models.h"
 
 namespace tia::server {
@@ -91,8 +92,11 @@ KnownScene find_scene(const std::string& name, const RenderContext& context,
                     nearest_name(name, known)});
 }
 
-KnownScene scene_of(const ViewRequest& asked, const RenderContext& context,
-                    const Requester& requester) {
+namespace {
+
+// With its camera patched, then its key pressed or its light moved.
+KnownScene changed_scene_of(const ViewRequest& asked, const RenderContext& context,
+                            const Requester& requester) {
   const auto* name = std::get_if<std::string>(&asked.scene);
   KnownScene scene = name != nullptr ? find_scene(*name, context, requester)
                                      : told(std::get<Scene>(asked.scene), context, requester);
@@ -114,6 +118,39 @@ KnownScene scene_of(const ViewRequest& asked, const RenderContext& context,
     return asked.key ? press(*scene, *asked.key, *middles)
                      : with_light(*scene, *asked.light, *middles);
   });
+}
+
+// The plain scene of the moment that is asked for.
+KnownScene moment_of(const KnownScene& scene, const ViewRequest& asked,
+                     const RenderContext& context, const Requester& requester) {
+  const Animation& animation = *scene->animation;
+  const double seconds = asked.seconds_in(animation);
+  const PressedScenes::SharedMiddles middles =
+      moves_key_light(animation) ? context.pressed.middles_of(scene, requester) : nullptr;
+  const bool objects = moves_objects(animation);
+  const std::size_t bytes = scene.others + (objects ? scene.objects.bytes : 0);
+  return context.go_through(bytes, requester, [&] {
+    const Place all{};
+    auto plain = std::make_shared<const Scene>(
+        at_time(*scene, seconds, middles ? *middles : Middles{}, all.at("scene"), requester.stop));
+    if (objects) return known(std::move(plain));
+    return KnownScene{std::move(plain), scene.objects, scene.others, scene.models};
+  });
+}
+
+}  // namespace
+
+KnownScene scene_of(const ViewRequest& asked, const RenderContext& context,
+                    const Requester& requester) {
+  const KnownScene scene = changed_scene_of(asked, context, requester);
+  if (scene->animation)
+    return with_models(moment_of(scene, asked, context, requester), asked.along, context,
+                       requester);
+  if (asked.is_asked())
+    throw InputError({FaultKind::conflict, asked.time ? "/time" : "/frame",
+                      asked.time ? Value(*asked.time) : Value(*asked.frame),
+                      "a scene with an animation; this one does not move"});
+  return scene;
 }
 
 RenderOptions options_of(const SceneOptions& in_effect, const Limits& limits) {

@@ -50,9 +50,10 @@ KnownScene find_scene(const std::string& name, const RenderContext& context,
 SharedModel find_model(const std::string& name, const RenderContext& context,
                        const Requester& requester);
 
-/// The scene that is asked for: with what its models stand for, with its camera patched, then its
-/// key pressed or its light moved. It may be the request's own, and lives no longer.
-/// Errors: InputError; as PressedScenes::get, ModelStore::find.
+/// The scene that is asked for: with what its models stand for, with its camera patched, its key
+/// pressed or its light moved, then at the moment that is asked for: plain, without an animation.
+/// It may be the request's own, and lives no longer. Errors: InputError; as PressedScenes::get,
+/// ModelStore::find.
 KnownScene scene_of(const ViewRequest& asked, const RenderContext& context,
                     const Requester& requester);
 

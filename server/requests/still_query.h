@@ -70,6 +70,7 @@ struct StillFields {
   template <class Base, class Member>
   void operator()(std::string_view name, Member Base::*member, const Spec& spec) const {
     constexpr bool placed = std::is_same_v<Base, PlacedModel>;
+    if (std::is_same_v<Base, Moment>) return;  // a model's own time is PlacedModel's
     if (placed && (name == "id" || name == "ambient")) return;
     for (const std::string_view other : {"scene", "key", "light", "camera"})
       if (std::is_same_v<Base, ViewRequest> && name == other) return;

@@ -5,6 +5,7 @@
 namespace tia::server {
 
 void ViewRequest::check(const Place& at, Faults& faults) const {
+  Moment::check(at, faults);
   if (key && light)
     faults.add(
         {FaultKind::conflict, at.at("light").pointer(), write_value(*light), "key or light"});

@@ -9,6 +9,7 @@
 #include "core/models/kept_model.h"
 #include "core/scene/scene.h"
 #include "server/requests/camera_patch.h"
+#include "server/requests/moment.h"
 
 namespace tia::server {
 
@@ -19,7 +20,7 @@ struct ModelAlong {
 };
 
 /// ViewRequest: the parameters, in one table for query, JSON body and command line.
-struct ViewRequest {
+struct ViewRequest : Moment {
   static constexpr double most_px = 16'777'216;
   std::variant<std::string, Scene> scene = "thesis";
   std::optional<std::string> key;
@@ -40,8 +41,9 @@ struct ViewRequest {
     visit("height", &V::height,
           Spec{.about = "the picture's height", .unit = "pixels", .min = 1, .max = most_px});
     visit("camera", &V::camera, Spec{.about = "what replaces fields of the scene's camera"});
+    Moment::fields(visit);
   }
-  /// key with light.
+  /// key with light, time with frame.
   void check(const Place& at, Faults& faults) const;
 };
 
