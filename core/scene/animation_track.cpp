@@ -86,7 +86,7 @@ TrackNumbers smooth_between(TrackSpan span, std::size_t from, const Track& track
 
 TrackNumbers bezier_between(const TrackSpan& span, const AnimationKey& from, const AnimationKey& to,
                             TrackTarget target) {
-  const TrackNumbers out =
+  TrackNumbers out =
       hermite_between(span, numbers_of_value(**from.after), numbers_of_value(**to.before));
   if (target != TrackTarget::quaternion) return out;
   const Quaternion q = normalized({out[0], out[1], out[2], out[3]});

@@ -142,7 +142,7 @@ KnownScene moment_of(const KnownScene& scene, const ViewRequest& asked,
 
 KnownScene scene_of(const ViewRequest& asked, const RenderContext& context,
                     const Requester& requester) {
-  const KnownScene scene = changed_scene_of(asked, context, requester);
+  KnownScene scene = changed_scene_of(asked, context, requester);
   if (scene->animation)
     return with_models(moment_of(scene, asked, context, requester), asked.along, context,
                        requester);

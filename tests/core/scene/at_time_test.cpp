@@ -81,10 +81,9 @@ TEST(AtTime, LightsTheKeyLightAsTheParameterDoes) {
        {R"("key_light":{"type":"sphere","radius":3})", R"("lights":[])",
         R"("lights":[{"type":"sky"},{"type":"directional","direction":[0,-1,0]}])",
         R"("lights":[{"type":"point","position":[9,9,9]}])"}) {
-    const Scene plain = read_scene("{" + members + "," + two_balls + "}");
-    EXPECT_EQ(text_at_time(track, members + "," + two_balls, 2),
-              canonical_text(with_light(plain, {2, 5, 0})))
-        << members;
+    const std::string lit = std::string(members).append(",").append(two_balls);
+    const Scene plain = read_scene(std::string("{").append(lit).append("}"));
+    EXPECT_EQ(text_at_time(track, lit, 2), canonical_text(with_light(plain, {2, 5, 0}))) << members;
   }
 }
 
