@@ -61,7 +61,8 @@ struct TraceRequest : ViewRequest {
     using T = TraceRequest;
     ViewRequest::fields(visit);
     visit("integrator", &T::integrator,
-          Spec{.about = "how light is gathered; else as the scene says"});
+          Spec{.about = "how light is gathered; else as the scene says, whose samples, threshold and "
+                        "max_depth are no other's that gathers it by chance"});
     visit("samples", &T::samples,
           Spec{.about = "rays a pixel; 1 goes through its centre; else as the scene says",
                .min = 1,

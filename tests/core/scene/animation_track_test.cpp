@@ -125,9 +125,9 @@ TEST(AnimationTrack, SmoothNumbersStayMonotoneAndWithinTheirKeys) {
     }
     const Track track = track_in(R"("interpolation":"smooth","keys":[)" + text + "]");
     double before = number_at(track, 0);
-    for (double t = 0; t < time; t += time / 300) {
-      const double now = number_at(track, t);
-      EXPECT_GE(now, before) << text << " at " << t;
+    for (int step = 0; step < 300; ++step) {
+      const double now = number_at(track, time * step / 300);
+      EXPECT_GE(now, before) << text << " at step " << step;
       before = now;
     }
   }
@@ -138,7 +138,8 @@ TEST(AnimationTrack, SmoothKeepsLines) {
   const Track numbers = track_in(R"("interpolation":"smooth","keys":[[0,0],[1,2],[3,6],[4,8]])");
   const Track points = track_in(
       R"("interpolation":"smooth","keys":[[0,[0,0,0]],[1,[1,2,3]],[2,[2,4,6]],[3,[3,6,9]]])");
-  for (double t = 0; t < 3; t += 0.0625) {
+  for (int step = 0; step < 48; ++step) {
+    const double t = step / 16.0;
     EXPECT_NEAR(number_at(numbers, t), 2 * t, 1e-14);
     const auto p = list_at(points, t);
     for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(p[i], t * double(i + 1), 1e-14);
@@ -176,13 +177,13 @@ TEST(AnimationTrack, SmoothPointsAreTheCentripetalCatmullRomSpline) {
 TEST(AnimationTrack, SmoothColoursLeaveNoRangeOfTheirKeys) {
   const Track track =
       track_in(R"("interpolation":"smooth","keys":[[0,[1,1,1]],[1,[0,0,0]],[2,[0,1,0]]])");
-  for (double t = 0; t <= 2; t += 0.01)
-    for (const double each : list_at(track, t, TrackTarget::color)) {
+  for (int step = 0; step <= 200; ++step)
+    for (const double each : list_at(track, step / 100.0, TrackTarget::color)) {
       EXPECT_GE(each, 0);
       EXPECT_LE(each, 1);
     }
   double least = 0;  // as points they would
-  for (double t = 0; t <= 2; t += 0.01) least = std::min(least, list_at(track, t)[1]);
+  for (int step = 0; step <= 200; ++step) least = std::min(least, list_at(track, step / 100.0)[1]);
   EXPECT_LT(least, -0.005);
 }
 
@@ -228,7 +229,8 @@ TEST(AnimationTrack, QuaternionsTurnAtConstantSpeedTheShortWay) {
   for (const double side : {1.0, -1.0}) {
     const Track track = track_in(R"("keys":[[0,[0,0,0,1]],)" +
                                  key_text(2, Value::Array{0, 0, side * s, side * c}) + "]");
-    for (double t = 0; t < 2; t += 0.125) {
+    for (int step = 0; step < 16; ++step) {
+      const double t = step / 8.0;
       const auto q = list_at(track, t, TrackTarget::quaternion);
       EXPECT_NEAR(q[2], sin_of(t * pi / 6), 1e-14);
       EXPECT_NEAR(q[3], cos_of(t * pi / 6), 1e-14);
