@@ -60,9 +60,10 @@ struct TraceRequest : ViewRequest {
   static void fields(Visitor&& visit) {
     using T = TraceRequest;
     ViewRequest::fields(visit);
-    visit("integrator", &T::integrator,
-          Spec{.about = "how light is gathered; else as the scene says, whose samples, threshold and "
-                        "max_depth are no other's that gathers it by chance"});
+    visit(
+        "integrator", &T::integrator,
+        Spec{.about = "how light is gathered; else as the scene says, whose samples, threshold and "
+                      "max_depth are no other's that gathers it by chance"});
     visit("samples", &T::samples,
           Spec{.about = "rays a pixel; 1 goes through its centre; else as the scene says",
                .min = 1,
