@@ -214,7 +214,7 @@ TEST(NamedSchema, WithAnyWordLeftOutDisagreesWithTheReader) {
   for (const char* word : {"minimum", "exclusiveMinimum", "maximum", "required", "minItems",
                            "additionalProperties", "pattern", "prefixItems", "not"}) {
     const Value weaker = without(whole_schema<Node>(), word);
-    EXPECT_FALSE(test::judge<Node>(weaker, 300, beyond_node_schema).disputed.empty()) << word;
+    EXPECT_FALSE(test::judge<Node>(weaker, 600, beyond_node_schema).disputed.empty()) << word;
   }
 }
 
