@@ -100,7 +100,7 @@ test('a folder is chosen by its button; an upload that broke off is tried again'
       const choosing = page.waitForEvent('filechooser');
       await page.getByRole('button', { name: 'Open a folder\u2026' }).click();
       await (await choosing).setFiles(folder);
-      const again = page.locator('.model-ask button');
+      const again = page.locator('.model-ask button', { hasText: 'Try again' });
       await again.waitFor();
       await page.unroute('**/models?main=*');
       await again.click();
