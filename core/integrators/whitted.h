@@ -70,14 +70,14 @@ class Whitted {
       add_lights(L, ray, isect, {}, Real(1), path);
     } else {
       const Finishes<Real> finish = finishes(world_view_.world, hit, isect);
-      const Real there = world_view_.world.passable ? opacity_of(hit, isect, path) : Real(1);
+      const Real there = world_view_.world.see_through ? opacity_of(hit, isect, path) : Real(1);
       const Real keep = (Real(1) - finish.transmission) * there;  // of the surface's own light
       add(L, TermName::emission, keep, isect.emission);
       add(L, TermName::ambient, keep, finish.ambient * isect.tint);
       add_lights(L, ray, isect, finish.phong, keep, path);
       if (path.depth < world_view_.rules.max_depth)
         add_children(L, ray, hit, isect, finish, there, path);
-      if (world_view_.world.passable) add_straight(L, ray, hit, isect, there, path);
+      if (world_view_.world.see_through) add_straight(L, ray, hit, isect, there, path);
     }
     return L;
   }

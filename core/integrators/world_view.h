@@ -82,7 +82,7 @@ struct WorldView {
   template <class Real>
   Real visible(const Ray<Real>& ray, const Real& t_max, const WorldLight& light,
                Mask<Real> active) {
-    if (world.passable || shadows_are_transparent())
+    if (world.see_through || shadows_are_transparent())
       return transmitted(world, ray, t_max, shadows_of(light), active, work);
     const Mask<Real> dark = occluded(world, ray, t_max, light, active, work);
     return select(dark, Real(0), Real(1));
@@ -91,7 +91,7 @@ struct WorldView {
   template <class Real>
   Real passing(const Ray<Real>& ray, const Real& t_max, const Blocker& left_out,
                Mask<Real> active) {
-    if (world.passable) return transmitted(world, ray, t_max, {left_out}, active, work);
+    if (world.see_through) return transmitted(world, ray, t_max, {left_out}, active, work);
     return select(occluded(world, ray, t_max, left_out, active, work), Real(0), Real(1));
   }
   /// The first thing between the ray's origin and t_max that takes light.

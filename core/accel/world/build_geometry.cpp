@@ -34,7 +34,8 @@ class Compiler {
       shading.texture = pushed(geometry_.textures, prepare(*texture));
     if (auto form = textured_form_of(material, rgb_of(scene_.ambient_light)))
       shading.form = pushed(geometry_.forms, std::move(*form));
-    geometry_.passable = geometry_.passable || shading.see_through || shading.one_sided;
+    geometry_.see_through = geometry_.see_through || shading.see_through;
+    geometry_.passable = geometry_.see_through || geometry_.passable || shading.one_sided;
     return shading;
   }
   int shading_index(const MaterialRef& material) {

@@ -59,6 +59,7 @@ class Lighting {
     world_.lights = objects->lights;
     world_.origin = objects->origin;
     world_.passable = objects->passable;
+    world_.see_through = objects->see_through;
     lights_.first_primitive = static_cast<int>(objects->primitives.size());
     lights_.objects = objects->objects;
     world_.of_objects = std::move(objects);
@@ -162,6 +163,7 @@ WorldGround ground_of(const Scene& scene, const SharedGeometry& objects, const W
   Geometry none = geometry_of({}, workers);
   none.origin = objects->origin;
   none.passable = objects->passable;
+  none.see_through = objects->see_through;
   Plane plane = scene.shadow_ground->plane();
   plane.point = plane.point - objects->origin;
   return {prepare(plane), on_floor(scene, objects, plane, workers),

@@ -108,6 +108,7 @@ struct Geometry {
   int first_primitive = 0;            ///< the number of its first primitive, which is the world's
   int objects = 0;                    ///< how many, those of the primitives before it included
   bool passable = false;              ///< whether rays may go straight through some of it (Sight)
+  bool see_through = false;           ///< whether shadow rays may, too, which back faces stop
   std::size_t degenerate = 0;         ///< triangles without area, which nothing meets
 
   /// Domain: one of its own, by the number that the world has for it.

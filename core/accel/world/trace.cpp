@@ -119,16 +119,44 @@ Real share_lit(const World& world, const Ray<Real>& ray, const Hit<Real>& hit, M
         return 1 - opacity + (transparent ? opacity * transmission : 0);
       });
 }
+// The lanes that meet a primitive from in front, as surface() has it. A flat triangle's side is
+// that of its area times two, to which rays are not so flat that surface()'s roundings, which are
+// float's, could turn it: so neither points nor unit normals have to be found.
+template <class Real>
+Mask<Real> meet_front(const World& world, const Ray<Real>& ray, const Hit<Real>& hit, int primitive,
+                      Mask<Real> here) {
+  constexpr double least_cosine = 1e-4;
+  const Geometry& geometry = world.geometry_of(primitive);
+  const Primitive& own = geometry.primitive(primitive);
+  const auto by_surface = [&] { return surface(world, ray, hit, primitive, here).front; };
+  if (own.mesh < 0 || own.space != 0) return by_surface();
+  const MeshIndex& mesh = *geometry.meshes[static_cast<std::size_t>(own.mesh)];
+  if (!mesh.normals.empty()) return by_surface();
+  bool clear = true;
+  std::array<LaneOf<Real>, static_cast<std::size_t>(lanes<Real>)> cosines{};
+  for_each_lane(here, [&](int i) {
+    const auto& [a, b, c] = mesh.triangles[static_cast<std::size_t>(lane(hit.element, i))];
+    const Vec3d p = mesh.positions[a];
+    const Vec3d area = cross(mesh.positions[b] - p, mesh.positions[c] - p);
+    const Vec3d n = own.to_object.row(own.inverted ? -area : area);
+    const Vec3d d{lane(ray.direction.x, i), lane(ray.direction.y, i), lane(ray.direction.z, i)};
+    const double cosine = dot(n, d);
+    clear = clear && cosine * cosine > least_cosine * least_cosine * dot(n, n) * dot(d, d);
+    cosines[static_cast<std::size_t>(i)] = static_cast<LaneOf<Real>>(cosine < 0 ? -1 : 1);
+  });
+  return clear ? load<Real>(cosines.data()) <= Real(0) : by_surface();
+}
 template <class Real>
 Real share_seen(const World& world, const Ray<Real>& ray, const Hit<Real>& hit, Mask<Real> met,
                 Mask<Real> straight) {
-  Real passed = share_passed(
-      world, ray, hit, met, [](const ShadingParameters& shading) { return shading.see_through; },
-      [](double opacity, double) { return 1 - opacity; });
+  Real passed(0);
+  if (world.see_through)
+    passed = share_passed(
+        world, ray, hit, met, [](const ShadingParameters& shading) { return shading.see_through; },
+        [](double opacity, double) { return 1 - opacity; });
   for_each_winner(hit, met && straight, [&](int primitive, Mask<Real> here) {
     if (!world.shading_of(primitive).one_sided || !world.primitive(primitive).culls) return;
-    const SurfacePoint<Real> at = surface(world, ray, hit, primitive, here);
-    passed = select(here && !at.front, Real(1), passed);
+    passed = select(here && !meet_front(world, ray, hit, primitive, here), Real(1), passed);
   });
   return passed;
 }

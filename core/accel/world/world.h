@@ -48,10 +48,11 @@ struct World {
   WorldFog fog;
   int objects = 0;  ///< how many; the luminous lights are the last
   bool transparent_shadows =
-      false;               ///< whether shadow rays pass through transmitting objects, unbent
-  bool passable = false;   ///< whether rays may go straight through some surfaces (Sight)
-  bool few_balls = false;  ///< whether FewBallsView can draw it
-  int floor = -1;          ///< the primitive that scatters light to the camera alone; -1: none does
+      false;                 ///< whether shadow rays pass through transmitting objects, unbent
+  bool passable = false;     ///< whether rays may go straight through some surfaces (Sight)
+  bool see_through = false;  ///< whether shadow rays may, too, which back faces stop
+  bool few_balls = false;    ///< whether FewBallsView can draw it
+  int floor = -1;  ///< the primitive that scatters light to the camera alone; -1: none does
   std::size_t degenerate = 0;  ///< triangles without area, which no ray hits
 
   /// All that rays can hit, in the order of the primitives' numbers.
