@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "core/math/quaternion.h"
@@ -140,6 +141,14 @@ bool has_nothing(const std::vector<double>& normals) {
   return false;
 }
 
+// The box around vertices that a map places.
+Aabb box_around(const Affine& place, const std::vector<double>& positions) {
+  Aabb box;
+  for (std::size_t i = 0; i < positions.size() / 3; ++i)
+    box = around(box, place.point(three_at(positions, i)));
+  return box;
+}
+
 }  // namespace
 
 Affine affine_of(const Placement& own) {
@@ -174,6 +183,10 @@ Pose pose_of(const Model& model, const ModelMoment& moment) {
   return pose;
 }
 
+bool is_posed(const ModelNode& node, const ModelPart& part) {
+  return !part.targets.empty() || (node.skin && !part.joints.empty());
+}
+
 PartShape shape_of(const Model& model, const Pose& pose, ModelIndex number, const ModelPart& part) {
   PartShape shape{part.positions,
                   {part.normals.begin(), part.normals.end()},
@@ -193,16 +206,16 @@ PartShape shape_of(const Model& model, const Pose& pose, ModelIndex number, cons
 Aabb bounds_at(const std::vector<Affine>& places, const std::vector<double>& positions,
                std::uint64_t& left) {
   const std::size_t vertices = positions.size() / 3;
-  Aabb own, box;
-  for (std::size_t i = 0; i < vertices; ++i) own = around(own, three_at(positions, i));
+  Aabb box;
+  std::optional<Aabb> own;  // around the vertices as they are, once it is asked for
   for (const Affine& place : places) {
-    if (left < vertices) {
-      box = around(box, bounds_of(place, own));
-      continue;
+    if (left >= vertices) {
+      left -= vertices;
+      box = around(box, box_around(place, positions));
+    } else {
+      if (!own) own = box_around({}, positions);
+      box = around(box, bounds_of(place, *own));
     }
-    left -= vertices;
-    for (std::size_t i = 0; i < vertices; ++i)
-      box = around(box, place.point(three_at(positions, i)));
   }
   return box;
 }
@@ -216,7 +229,9 @@ Aabb bounds_of(const Model& model, const Pose& pose) {
     const std::vector<Affine> places =
         node.skin ? std::vector<Affine>{{}} : places_of(node, pose.places[number]);
     for (const ModelPart& part : model.meshes[*node.mesh].parts)
-      box = around(box, bounds_at(places, shape_of(model, pose, number, part).positions, left));
+      box = around(box, is_posed(node, part)
+                            ? bounds_at(places, shape_of(model, pose, number, part).positions, left)
+                            : bounds_at(places, part.positions, left));
   }
   return box;
 }

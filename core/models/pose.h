@@ -38,6 +38,8 @@ struct PartShape {
   std::vector<double> positions, normals;
   std::vector<double> tangents{};  ///< of any length; none where the part has none
 };
+/// Whether a node's part has another shape than in the file: its vertices are moved one by one.
+bool is_posed(const ModelNode& node, const ModelPart& part);
 PartShape shape_of(const Model& model, const Pose& pose, ModelIndex node, const ModelPart& part);
 
 /// So many vertices are placed one by one for their box, which takes a second; of those beyond a

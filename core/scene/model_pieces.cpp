@@ -11,11 +11,6 @@
 namespace tia {
 namespace {
 
-// Whether a node moves a part's vertices one by one.
-bool is_posed(const ModelNode& node, const ModelPart& part) {
-  return !part.targets.empty() || (node.skin && !part.joints.empty());
-}
-
 // glTF's v goes downward, the scene's upward.
 Numbers<float> uvs_of(std::vector<double> uvs) {
   for (std::size_t i = 1; i < uvs.size(); i += 2) uvs[i] = 1 - uvs[i];
