@@ -18,9 +18,41 @@ struct ObjRun {
   std::size_t first_corner = 0, corners = 0;
 };
 
+/// ObjCorners: a list of corners. What none of them names takes no room.
+class ObjCorners {
+ public:
+  std::size_t size() const { return positions_.size(); }
+  ObjCorner operator[](std::size_t i) const {
+    return {positions_[i], at(uvs_, i), at(normals_, i)};
+  }
+  void push_back(const ObjCorner& corner) {
+    add(corner.uv, uvs_), add(corner.normal, normals_);
+    positions_.push_back(corner.position);
+  }
+  /// Drops all behind the first ones. Domain: at most size().
+  void shrink(std::size_t size) {
+    for (auto* list : {&positions_, &uvs_, &normals_})
+      if (!list->empty()) list->resize(size);
+  }
+
+ private:
+  using Indices = std::vector<std::uint32_t>;
+  static std::uint32_t at(const Indices& list, std::size_t i) {
+    return list.empty() ? ObjCorner::none : list[i];
+  }
+  // The first that is named comes after all those that are not.
+  void add(std::uint32_t index, Indices& list) const {
+    if (list.empty() && index == ObjCorner::none) return;
+    if (list.empty()) list.assign(size(), ObjCorner::none);
+    list.push_back(index);
+  }
+
+  Indices positions_, uvs_, normals_;
+};
+
 /// ObjElements: faces, or points, of one corner each.
 struct ObjElements {
-  std::vector<ObjCorner> corners;
+  ObjCorners corners;
   std::vector<std::uint32_t> sizes;  ///< corners of each element
   std::vector<ObjRun> runs;
 };

@@ -1,6 +1,7 @@
 #include "core/models/obj_lines.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <system_error>
@@ -65,8 +66,42 @@ std::string_view ObjWords::take() {
   return {start, static_cast<std::size_t>(at_ - start)};
 }
 
+// A word that is a decimal number of few digits, as nearly all are: its digits are an integer, and
+// that and the power of ten below it are doubles, so that their quotient is the nearest double.
+// Returns: its end; null where it is another word.
+// Source: Clinger, How to read floating point numbers accurately (1990), section 2.
+const char* ObjWords::take_short(double& number) const {
+  constexpr std::array powers{1.0, 1e1, 1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
+                              1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
+  const char* at = at_;
+  const bool is_negative = *at == '-';
+  if (is_negative) ++at;
+  std::uint64_t digits = 0;
+  std::size_t count = 0, places = 0;
+  const auto take_digits = [&] {
+    const char* const start = at;
+    for (; at != end_ && *at >= '0' && *at <= '9'; ++at)
+      digits = 10 * digits + static_cast<unsigned>(*at - '0');
+    return static_cast<std::size_t>(at - start);
+  };
+  count = take_digits();
+  if (at != end_ && *at == '.') {
+    ++at;
+    places = take_digits();
+    count += places;
+  }
+  if (count == 0 || count >= powers.size() || (at != end_ && !is_blank(*at))) return nullptr;
+  const double quotient = static_cast<double>(digits) / powers[places];
+  number = is_negative ? -quotient : quotient;
+  return at;
+}
+
 ObjNumber ObjWords::take(double& number) {
   if (empty()) return ObjNumber::absent;
+  if (const char* const end = take_short(number)) {
+    at_ = end;
+    return ObjNumber::taken;
+  }
   const char* start = *at_ == '+' ? at_ + 1 : at_;
   if (start != at_ && start != end_ && *start == '-') return ObjNumber::malformed;
   const auto [end, error] = std::from_chars(start, end_, number);

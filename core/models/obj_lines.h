@@ -67,6 +67,7 @@ class ObjWords {
 
  private:
   static bool is_blank(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
+  const char* take_short(double& number) const;
 
   const char *at_, *end_;
 };

@@ -44,24 +44,24 @@ class ObjPartMaker {
   // What all corners of a part have. What only some have is of no use.
   struct Has {
     bool uvs = true, normals = true, colors = true;
+    bool any() const { return uvs || normals || colors; }
   };
 
   void look_at(const ObjRun& run) {
-    for (const ObjCorner& corner : corners_of(run)) {
+    const std::size_t end = run.first_corner + run.corners;
+    for (std::size_t i = run.first_corner; i < end && has_.any(); ++i) {
+      const ObjCorner corner = elements_.corners[i];
       has_.uvs = has_.uvs && corner.uv != ObjCorner::none;
       has_.normals = has_.normals && content_.has_normal(corner.normal);
       has_.colors = has_.colors && content_.has_color(corner.position);
     }
   }
-  std::span<const ObjCorner> corners_of(const ObjRun& run) const {
-    return std::span(elements_.corners).subspan(run.first_corner, run.corners);
-  }
   void add(const ObjRun& run) {
-    const ObjCorner* corner = corners_of(run).data();
+    std::size_t corner = run.first_corner;
     for (std::size_t i = run.first; i < run.first + run.count && !faults_.full(); ++i) {
       const std::size_t size = elements_.sizes[i];
       polygon_.resize(size);
-      for (std::uint32_t& each : polygon_) each = vertex(*corner++);
+      for (std::uint32_t& each : polygon_) each = vertex(elements_.corners[corner++]);
       if (!part_.points) triangulate(polygon_, part_.positions, part_.indices);
     }
   }

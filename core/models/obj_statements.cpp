@@ -30,17 +30,24 @@ class ObjReader {
  private:
   void statement(ObjWords words) {
     const std::string_view word = words.take();
-    if (word.empty() || word == "s") return;  // smoothing groups: what is smooth has normals
-    if (word == "v") read_obj_position(words, reading_, content_);
-    else if (word == "f") face(words);
-    else if (word == "vn") read_obj_normal(words, reading_, content_);
+    if (word.empty()) return;
+    if (word.size() == 1) return short_statement(word, words);
+    if (word == "vn") read_obj_normal(words, reading_, content_);
     else if (word == "vt") read_obj_uv(words, reading_, content_);
-    else if (word == "p") points(words);
     else if (word == "usemtl") use_material(words.rest());
-    else if (word == "o") begin_object(words.rest());
-    else if (word == "g") begin_group(words);
     else if (word == "mtllib") libraries_.read(words.rest(), reading_.number());
     else skip(word);
+  }
+  void short_statement(std::string_view letter, const ObjWords& words) {
+    switch (letter[0]) {
+      case 'v': return read_obj_position(words, reading_, content_);
+      case 'f': return face(words);
+      case 'p': return points(words);
+      case 'o': return begin_object(ObjWords(words).rest());
+      case 'g': return begin_group(words);
+      case 's': return;  // smoothing groups: what is smooth has normals
+      default: return skip(letter);
+    }
   }
   void skip(std::string_view word) {
     const std::string name = excerpt_of(word, 64);
@@ -51,15 +58,19 @@ class ObjReader {
 
   // Appends the corners of a line. Returns: how many; none, with a fault, where a word is no
   // corner.
-  std::size_t read_corners(ObjWords words, std::vector<ObjCorner>& corners, std::uint64_t most) {
+  std::size_t read_corners(ObjWords words, ObjCorners& corners, std::uint64_t most) {
     const ObjCounts counts{content_.positions.size() / 3, content_.uvs.size() / 2,
                            content_.normals.size() / 3};
     const std::size_t before = corners.size();
     while (!words.empty()) {
-      const auto wrong = take_obj_corner(words, counts, corners.emplace_back());
-      const bool too_many = corners.size() - before > most;
-      if (!wrong && !too_many) continue;
-      corners.resize(before);
+      ObjCorner corner;
+      const auto wrong = take_obj_corner(words, counts, corner);
+      const bool too_many = corners.size() - before >= most;
+      if (!wrong && !too_many) {
+        corners.push_back(corner);
+        continue;
+      }
+      corners.shrink(before);
       if (wrong) reading_.fault(*wrong, words.take(), obj_corner_words(*wrong, counts));
       else reading_.stop(reading_.line(), most, "corners of a polygon");
       return 0;
@@ -67,13 +78,13 @@ class ObjReader {
     return corners.size() - before;
   }
   void face(const ObjWords& words) {
-    std::vector<ObjCorner>& all = content_.faces.corners;
+    ObjCorners& all = content_.faces.corners;
     const ModelLimits& limits = reading_.limits();
     const std::size_t faults = reading_.faults();
     const std::size_t corners = read_corners(words, all, limits.polygon_corners);
     if (reading_.faults() != faults) return;
     if (corners < 3) {
-      all.resize(all.size() - corners);
+      all.shrink(all.size() - corners);
       return reading_.fault(FaultKind::malformed, reading_.line(), "f and three corners or more");
     }
     triangles_ += corners - 2;

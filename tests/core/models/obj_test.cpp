@@ -5,7 +5,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <string>
 #include <vector>
 
@@ -131,6 +133,25 @@ TEST(Obj, NumbersAreTheNearestDoubles) {
   EXPECT_THAT(std::vector(part.normals.begin(), part.normals.begin() + 3),
               ElementsAre(0.1F, 0.001F, 1.0F));
 }
+// As the C library reads them, of up to 20 digits on both sides of those that are read at once.
+TEST(Obj, NumbersOfAnyLengthAreTheNearestDoubles) {
+  Random random(22);
+  std::string text;
+  std::vector<double> expected;
+  for (int i = 0; i < 3 * 500; ++i) {
+    std::string word = random.below(2) == 0 ? "" : "-";
+    const int digits = random.whole(1, 20), point = random.whole(std::max(0, digits - 9), digits);
+    for (int k = 0; k < digits; ++k) {
+      if (k == digits - point) word += '.';
+      word += static_cast<char>('0' + random.below(10));
+    }
+    text += (i % 3 == 0 ? "v " : " ") + word + (i % 3 == 2 ? "\n" : "");
+    expected.push_back(std::strtod(word.c_str(), nullptr));
+  }
+  for (int i = 1; i <= 500; ++i) text += "p " + std::to_string(i) + '\n';
+  EXPECT_EQ(only_part(obj_model(text)).positions, expected);
+}
+
 TEST(Obj, ColorsAreDecoded) {
   // ((0.5 + 0.055) / 1.055)^2.4 and 0.04 / 12.92, by IEC 61966-2-1.
   const Model model = obj_model("v 0 0 0 0 0.5 1\nv 1 0 0 0.04 0 0\nv 0 1 0 -1 2 0.5\nf 1 2 3\n");
