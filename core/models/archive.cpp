@@ -1,7 +1,10 @@
 #include "core/models/archive.h"
 
+#include <algorithm>
+#include <array>
 #include <cstring>
 #include <type_traits>
+#include <utility>
 
 namespace tia {
 namespace {
@@ -13,11 +16,11 @@ concept HasMembers = requires {
   T::members;
 };
 
-/// ArchiveWriter: to the end of `bytes`; null: only counts.
+/// ArchiveWriter: gives all that is put to `Sink`, as bytes.
+template <class Sink>
 class ArchiveWriter {
  public:
-  explicit ArchiveWriter(std::vector<std::uint8_t>* bytes) : bytes_(bytes) {}
-  std::size_t size() const { return size_; }
+  explicit ArchiveWriter(Sink& sink) : sink_(sink) {}
 
   template <IsArchivedRaw T>
   void put(const T& value) {
@@ -53,14 +56,30 @@ class ArchiveWriter {
     put_raw(list.data(), list.size() * sizeof(list[0]));
   }
   void put_raw(const void* from, std::size_t size) {
-    size_ += size;
-    if (bytes_ == nullptr) return;
-    const auto* first = static_cast<const std::uint8_t*>(from);
-    bytes_->insert(bytes_->end(), first, first + size);
+    sink_({static_cast<const std::uint8_t*>(from), size});
   }
 
-  std::vector<std::uint8_t>* const bytes_;
-  std::size_t size_ = 0;
+  Sink& sink_;
+};
+
+/// ArchiveGathering: puts short pieces together, and passes on long ones as they are.
+class ArchiveGathering {
+ public:
+  explicit ArchiveGathering(const std::function<void(ModelBytes)>& write) : write_(write) {}
+  void operator()(ModelBytes piece) {
+    if (piece.size() > gathered_.size() - used_) flush();
+    if (piece.size() > gathered_.size()) return write_(piece);
+    std::copy(piece.begin(), piece.end(), gathered_.data() + used_);
+    used_ += piece.size();
+  }
+  void flush() {
+    if (used_ > 0) write_({gathered_.data(), std::exchange(used_, 0)});
+  }
+
+ private:
+  const std::function<void(ModelBytes)>& write_;
+  std::array<std::uint8_t, 4096> gathered_;
+  std::size_t used_ = 0;
 };
 
 class ArchiveReader {
@@ -132,11 +151,17 @@ class ArchiveReader {
 
 }  // namespace
 
-void append_archive(const Model& model, std::vector<std::uint8_t>& bytes) {
-  ArchiveWriter counting(nullptr), writing(&bytes);
-  counting.put(model);
-  bytes.reserve(bytes.size() + counting.size());  // it may be half of what the reader takes
-  writing.put(model);
+std::uint64_t archive_size(const Model& model) {
+  std::uint64_t size = 0;
+  const auto count = [&](ModelBytes piece) { size += piece.size(); };
+  ArchiveWriter(count).put(model);
+  return size;
+}
+
+void write_archive(const Model& model, const std::function<void(ModelBytes)>& write) {
+  ArchiveGathering gathering(write);
+  ArchiveWriter(gathering).put(model);
+  gathering.flush();
 }
 
 std::optional<Model> unarchived(ModelBytes bytes) {

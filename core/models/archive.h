@@ -3,16 +3,19 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
-#include <vector>
 
 #include "core/models/model.h"
 #include "core/models/model_files.h"
 
 namespace tia {
 
-/// Appends a model's bytes, about as many as its own lists have.
-void append_archive(const Model& model, std::vector<std::uint8_t>& bytes);
+/// How many bytes a model's archive has: about as many as its own lists.
+std::uint64_t archive_size(const Model& model);
+
+/// Calls write(bytes) with a model's archive, piece by piece: long lists are not copied.
+void write_archive(const Model& model, const std::function<void(ModelBytes)>& write);
 
 /// The model that such bytes hold, which anybody may have written: its lists are as long as they
 /// say, and check_model has still to say whether they fit together. None: the bytes end too early

@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "server/operation/byte_buffer.h"
+
 namespace tia::server {
 
 /// Confinement: the most that a process may take. Under sanitizers, which need more, only `cpu_s`.
@@ -26,7 +28,7 @@ void confine(const Confinement& confinement);
 /// How a process ended, as waitpid tells, and what it wrote.
 struct ChildEnd {
   int status = 0;
-  std::vector<std::uint8_t> output;
+  ByteBuffer output;
 };
 
 /// Starts a program with these arguments and without environment, sends it the pieces of input one

@@ -5,6 +5,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <csignal>
@@ -128,17 +129,19 @@ class Pieces {
   std::size_t at_ = 0, sent_ = 0;
 };
 
-// Takes what has come. Returns: whether more may.
-bool receive(int socket, std::vector<std::uint8_t>& output) {
-  std::array<std::uint8_t, 1 << 16> some;
-  const ssize_t got = recv(socket, some.data(), some.size(), 0);
+// Takes what has come, but no more than is needed to tell that it is too much. Domain: it is not
+// yet. Returns: whether more may come.
+bool receive(int socket, std::size_t most, ByteBuffer& output) {
+  constexpr std::size_t piece = 1 << 16;
+  const auto room = output.room(piece);
+  const ssize_t got = recv(socket, room.data(), std::min(room.size(), most - output.size() + 1), 0);
   if (got < 0) return errno == EAGAIN || errno == EINTR;
-  output.insert(output.end(), some.begin(), some.begin() + got);
+  output.add(static_cast<std::size_t>(got));
   return got > 0;
 }
 
 void exchange(int socket, Pieces input, std::size_t most, const std::stop_token& stop,
-              std::vector<std::uint8_t>& output) {
+              ByteBuffer& output) {
   constexpr int look_up_ms = 50;  // for a stop
   bool sending = true;
   for (;;) {
@@ -150,7 +153,8 @@ void exchange(int socket, Pieces input, std::size_t most, const std::stop_token&
     pollfd ready{socket, static_cast<short>(sending ? POLLIN | POLLOUT : POLLIN), 0};
     if (poll(&ready, 1, look_up_ms) <= 0) continue;
     if (sending && (ready.revents & POLLOUT) != 0 && !input.send_to(socket)) sending = false;
-    if ((ready.revents & (POLLIN | POLLHUP | POLLERR)) != 0 && !receive(socket, output)) return;
+    if ((ready.revents & (POLLIN | POLLHUP | POLLERR)) != 0 && !receive(socket, most, output))
+      return;
     if (output.size() > most) return;
   }
 }

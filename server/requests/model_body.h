@@ -9,6 +9,7 @@
 #include "core/input/fields.h"
 #include "core/models/paths.h"
 #include "server/http/message.h"
+#include "server/operation/byte_buffer.h"
 #include "server/stores/model_store.h"
 #include "server/stores/model_upload.h"
 
@@ -31,7 +32,7 @@ struct ModelQuery {
 /// has gone to the disk. The request outlives it.
 struct SentModel {
   std::unique_ptr<const std::string> body;
-  std::vector<std::uint8_t> unpacked;
+  ByteBuffer unpacked;
   ModelUpload upload;
 };
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cstring>
 #include <string_view>
+#include <utility>
 
 #include "core/input/json.h"
 #include "core/models/archive.h"
@@ -66,19 +66,17 @@ using PictureExtent = std::array<std::uint32_t, 2>;  // width, height; of none 0
 
 // After the letter: the archive's length, the archive, the sizes of all pictures, their pixels.
 ReaderAnswer model_answer(Model model, const ModelLimits& limits) {
-  ReaderAnswer answer{{model_follows}, {}, {}};
+  ReaderAnswer answer;
   Faults faults;
   answer.images = decode_images(model, limits, faults);
   faults.raise();
   for (ModelImage& each : model.images) each.file = {};
-  constexpr std::size_t before = 1 + sizeof(std::uint64_t);
-  put_number(std::uint64_t{0}, answer.bytes);
-  append_archive(model, answer.bytes);
-  const std::uint64_t length = answer.bytes.size() - before;
-  std::memcpy(answer.bytes.data() + 1, &length, sizeof length);
+  answer.bytes.push_back(model_follows);
+  put_number(archive_size(model), answer.bytes);
   for (const auto& image : answer.images)
     for (const int side : {image ? image->width : 0, image ? image->height : 0})
-      put_number(static_cast<std::uint32_t>(side), answer.bytes);
+      put_number(static_cast<std::uint32_t>(side), answer.extents);
+  answer.model = std::move(model);
   return answer;
 }
 
@@ -149,7 +147,9 @@ ReaderAnswer answer_to(std::span<const std::uint8_t> bytes) {
     const ModelRequest request = request_of(head, bytes);
     return model_answer(read_model(request.files, request.limits), request.limits);
   } catch (const InputError& error) {
-    return {faults_answer(error), {}, {}};
+    ReaderAnswer answer;
+    answer.bytes = faults_answer(error);
+    return answer;
   }
 }
 

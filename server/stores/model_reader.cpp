@@ -54,19 +54,17 @@ auto believed(const Read& read) {
 // ---- the process itself -------------------------------------------------------------------------
 
 // All of standard input. There is room for all of it once its head is there, and for its end.
-std::vector<std::uint8_t> read_input() {
+ByteBuffer read_input() {
   constexpr std::size_t piece = std::size_t{1} << 20U;
-  std::vector<std::uint8_t> all;
-  std::size_t size = 0;
+  ByteBuffer all;
   for (;;) {
-    if (size == all.size()) all.resize(std::max(size + piece, request_length(all) + 1));
-    const ssize_t got = read(STDIN_FILENO, all.data() + size, all.size() - size);
-    if (got == 0) break;
+    if (all.is_full()) all.reserve(std::max(all.size() + piece, request_length(all) + 1));
+    const auto room = all.room(1);
+    const ssize_t got = read(STDIN_FILENO, room.data(), room.size());
+    if (got == 0) return all;
     if (got < 0 && errno != EINTR) throw std::runtime_error("no request: it cannot be read");
-    if (got > 0) size += static_cast<std::size_t>(got);
+    if (got > 0) all.add(static_cast<std::size_t>(got));
   }
-  all.resize(size);
-  return all;
 }
 
 void write_output(std::span<const std::uint8_t> bytes) {
@@ -101,10 +99,8 @@ bool confined(const Confinement& confinement) {
 
 }  // namespace
 
-std::vector<std::uint8_t> ModelReader::answer_to(const std::string& head,
-                                                 std::vector<ModelBytes> pieces,
-                                                 std::size_t longest,
-                                                 const std::stop_token& stop) const {
+ByteBuffer ModelReader::answer_to(const std::string& head, std::vector<ModelBytes> pieces,
+                                  std::size_t longest, const std::stop_token& stop) const {
   pieces.insert(pieces.begin(), {reinterpret_cast<const std::uint8_t*>(head.data()), head.size()});
   ChildEnd end = run_child(
       program_,

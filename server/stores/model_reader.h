@@ -10,6 +10,7 @@
 #include "core/models/formats.h"
 #include "core/models/kept_model.h"
 #include "core/models/zip.h"
+#include "server/operation/byte_buffer.h"
 #include "server/operation/confined.h"
 
 namespace tia::server {
@@ -37,7 +38,7 @@ class ModelReader {
 
   /// Unpacked: the files of an archive, as views into the bytes beside them.
   struct Unpacked {
-    std::vector<std::uint8_t> bytes;
+    ByteBuffer bytes;
     std::vector<ModelFile> files;
   };
   /// Unpacks an archive. Cost, Errors: as read()'s, with unpack_zip's faults.
@@ -45,8 +46,8 @@ class ModelReader {
                   const std::stop_token& stop = {}) const;
 
  private:
-  std::vector<std::uint8_t> answer_to(const std::string& head, std::vector<ModelBytes> pieces,
-                                      std::size_t longest, const std::stop_token& stop) const;
+  ByteBuffer answer_to(const std::string& head, std::vector<ModelBytes> pieces, std::size_t longest,
+                       const std::stop_token& stop) const;
 
   Confinement confinement_;
   std::string program_;

@@ -54,7 +54,8 @@ ReaderAnswer unpacked_answer(const Value& head, ModelBytes archive) {
     return static_cast<std::uint64_t>(member<double>(head, name));
   };
   Faults faults;
-  ReaderAnswer answer{{files_follow}, {}, {}};
+  ReaderAnswer answer;
+  answer.bytes.push_back(files_follow);
   answer.files = unpack_zip(archive, {limit("bytes"), limit("files"), limit("ratio")}, faults);
   faults.raise();
   put_number(std::uint64_t{answer.files.size()}, answer.bytes);

@@ -50,7 +50,8 @@ void read(const ModelFiles& files) {
     const Model model = read_model(files, few);
     must(fits(model));
     std::vector<std::uint8_t> bytes;
-    append_archive(model, bytes);
+    write_archive(model,
+                  [&](ModelBytes piece) { bytes.insert(bytes.end(), piece.begin(), piece.end()); });
     const auto back = unarchived(bytes);
     must(back.has_value() && *back == model);
     use(model);

@@ -12,7 +12,9 @@ namespace {
 
 std::vector<std::uint8_t> archive_of(const Model& model) {
   std::vector<std::uint8_t> bytes;
-  append_archive(model, bytes);
+  write_archive(model,
+                [&](ModelBytes piece) { bytes.insert(bytes.end(), piece.begin(), piece.end()); });
+  EXPECT_EQ(bytes.size(), archive_size(model));
   return bytes;
 }
 std::size_t faults_of(const Model& model, const ModelLimits& limits = {}) {

@@ -20,7 +20,7 @@
 namespace tia::server {
 namespace {
 
-std::string text_of(const std::vector<std::uint8_t>& bytes) { return {bytes.begin(), bytes.end()}; }
+std::string text_of(const ByteBuffer& bytes) { return {bytes.begin(), bytes.end()}; }
 std::span<const std::uint8_t> bytes_of(const std::string& text) {
   return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
 }

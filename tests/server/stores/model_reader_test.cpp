@@ -127,10 +127,9 @@ std::vector<std::uint8_t> answer_here(const ModelFiles& files, const ModelLimits
   std::vector<std::uint8_t> request(head.begin(), head.end());
   for (const ModelFile& each : files.all)
     request.insert(request.end(), each.bytes.begin(), each.bytes.end());
-  const ReaderAnswer answer = answer_to(request);
-  std::vector<std::uint8_t> bytes = answer.bytes;
-  for (const auto& image : answer.images)
-    if (image) bytes.insert(bytes.end(), image->rgba.begin(), image->rgba.end());
+  std::vector<std::uint8_t> bytes;
+  answer_to(request).each_part(
+      [&](ModelBytes part) { bytes.insert(bytes.end(), part.begin(), part.end()); });
   return bytes;
 }
 
@@ -234,7 +233,8 @@ TEST(ModelReader, ChecksTheModelAsAStrangers) {
   Model model = read_model(files_of(tetrahedron));
   model.meshes[0].parts[0].indices[0] = 1'000'000;
   std::vector<std::uint8_t> archive;
-  append_archive(model, archive);
+  write_archive(model,
+                [&](ModelBytes part) { archive.insert(archive.end(), part.begin(), part.end()); });
   std::vector<std::uint8_t> answer{'M', 0, 0, 0, 0, 0, 0, 0, 0};
   const std::uint64_t length = archive.size();
   std::memcpy(answer.data() + 1, &length, sizeof length);
