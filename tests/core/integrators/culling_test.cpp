@@ -1,8 +1,13 @@
 // Back faces of what is not double-sided: who passes them.
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
+#include <vector>
+
 #include "tests/core/integrators/alphas.h"
 #include "tests/core/scene/models.h"
+#include "tests/core/support.h"
 
 namespace tia {
 namespace {
@@ -40,6 +45,36 @@ TEST(Culling, TheCameraPassesBackFacesAlone) {
     EXPECT_EQ(seen(false, true), seen(true, true));
     EXPECT_NE(seen(false, false), seen(true, true));
   }
+}
+
+// Seen along -y, the front is the side to which twice the area, (b - a) x (c - a), has y above 0;
+// of planes as steep as 1e5, to which the rays are almost parallel, too.
+TEST(Culling, TheSideOfATriangleIsThatOfItsWinding) {
+  Random random(31);
+  int fronts = 0;
+  for (int i = 0; i < 40; ++i) {
+    const double steep = std::pow(10, random.in(-3, 5)), turn = random.in(-3, 3);
+    Mesh mesh;
+    std::vector<double>& positions = mesh.positions.values.edit();
+    for (const auto& [x, z] : std::array<std::array<double, 2>, 3>{{{-9, 9}, {9, 9}, {0, -9}}})
+      positions.insert(positions.end(), {x, steep * (std::cos(turn) * x + std::sin(turn) * z), z});
+    const bool up = random.below(2) == 0;  // (18, 0) x (9, -18) in (x, z) turns up
+    mesh.indices.values =
+        up ? std::vector<std::uint32_t>{0, 1, 2} : std::vector<std::uint32_t>{0, 2, 1};
+    const auto seen = [&](bool there, bool double_sided) {
+      Principled p = glowing({1, 1, 1});
+      p.double_sided = double_sided;
+      Scene scene;
+      scene.camera = camera_above(3e6);
+      if (there) scene.objects = {wearing_principled(mesh, p)};
+      return bits_of(seen_by(scene, IntegratorName::whitted));
+    };
+    EXPECT_NE(seen(true, true), seen(false, true)) << steep;
+    EXPECT_EQ(seen(true, false), seen(up, true)) << steep;
+    fronts += up ? 1 : 0;
+  }
+  EXPECT_GT(fronts, 5);
+  EXPECT_LT(fronts, 35);
 }
 
 TEST(Culling, SoDoRaysOfMirrorsAndGlass) {
