@@ -27,13 +27,14 @@ Object floor_below(const StillPoints& points) {
   return floor;
 }
 
-/// Eye: a camera and the azimuth that its studio stands at.
-struct Eye {
+/// StillEye: a camera and the azimuth that its studio stands at.
+struct StillEye {
   Camera camera;
   double azimuth_degrees;
 };
 
-std::vector<Eye> turning(const StillRequest& request, const StillPoints& points, double aspect) {
+std::vector<StillEye> turning(const StillRequest& request, const StillPoints& points,
+                              double aspect) {
   std::vector<double> azimuths;
   std::vector<Basis> axes;
   for (int i = 0; i < *request.turntable; ++i) {
@@ -42,12 +43,12 @@ std::vector<Eye> turning(const StillRequest& request, const StillPoints& points,
   }
   const std::vector<Camera> cameras =
       framed_alike(points, axes, {{}, request.fov, request.zoom, aspect});
-  std::vector<Eye> eyes;
+  std::vector<StillEye> eyes;
   for (std::size_t i = 0; i < cameras.size(); ++i) eyes.push_back({cameras[i], azimuths[i]});
   return eyes;
 }
 
-std::vector<Eye> eyes_of(const StillRequest& request, const StillBody& body, double aspect) {
+std::vector<StillEye> eyes_of(const StillRequest& request, const StillBody& body, double aspect) {
   if (body.camera) {
     // Where it looks from; straight down that is its back's side.
     const Vec3d view = unit(axis_of(*body.camera));
@@ -162,7 +163,7 @@ Scene still_scene(const StillRequest& request, StillBody body, double aspect,
   const StillBall ball = ball_around(body.points);
   Scene scene;
   Sheet sheet;
-  for (const Eye& eye : eyes_of(request, body, aspect)) {
+  for (const StillEye& eye : eyes_of(request, body, aspect)) {
     StudioLight light = studio_light(
         request.studio, {ball, eye.azimuth_degrees, unit(axis_of(eye.camera)), integrator});
     scene.ambient_light = light.ambient_light;
