@@ -1,8 +1,8 @@
 // How a wish becomes pictures: at once one that is quick enough for the hand, then the one that was
 // asked for, where rays are chance in rounds, then the same with smooth edges. Where rays are chance and
 // it takes long, it is one answer that clears up: its first parts are there as soon as a quick picture,
-// which is left out unless the hand moves. One request at a time; of wishes that come meanwhile only the newest
-// counts, and it does not wait for a finer picture of an older one.
+// which is left out unless the hand moves. One request at a time; of wishes that come meanwhile only the
+// newest counts, and it does not wait for a finer picture of an older one.
 
 import { ONE_RAY } from '../state/request.js';
 import { pixelsOf, scaled } from '../state/window.js';
@@ -83,9 +83,9 @@ const same = (a, b) => a === b || JSON.stringify(a) === JSON.stringify(b);
 
 /**
  * Passes: `ask(request)` draws; `draw(request, signal, learn)` fetches and shows, giving { ms, drawn, cached },
- * the milliseconds in all and of the server's drawing, or throwing a Problem; where there is `learn`, it
- * shows also what there is until then, each part told to that as { ms, drawn, samples }; `told(problem or null, last, request)` hears how it went;
- * `optionsOf(request)` gives a scene's options as far as known.
+ * the milliseconds in all and of the server's drawing, or throwing a Problem; where there is `learn`, it shows
+ * also what there is until then, each part told to that as { ms, drawn, samples }; `told(problem or null, last,
+ * request)` hears how it went; `optionsOf(request)` gives a scene's options as far as known.
  */
 export class Passes {
   still = false; // not for now: one ray a pixel is wanted
