@@ -16,9 +16,9 @@
 
 namespace tia {
 
-/// Ball: it is there in [enters, leaves) and has its centre and velocity when it enters.
+/// MovingBall: it is there in [enters, leaves) and has its centre and velocity when it enters.
 /// Domain: radius, mass > 0, all finite but `leaves`; enters >= 0.
-struct Ball {
+struct MovingBall {
   Vec3d center{}, velocity{};
   double radius = 1, mass = 1;
   double enters = 0, leaves = std::numeric_limits<double>::infinity();
@@ -60,7 +60,7 @@ using FixedShape =
 struct ExactWorld {
   Vec3d gravity{};
   double duration = 0;
-  std::vector<Ball> balls;
+  std::vector<MovingBall> balls;
   std::vector<FixedShape> fixed;
   /// Of a pair a < b, numbered as BodyContact's; in [0, 1]. None: 1.
   std::function<double(std::size_t a, std::size_t b)> restitution = {};

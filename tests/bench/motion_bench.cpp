@@ -1,0 +1,47 @@
+// The exact solver of balls: events a second, in a room that they fill to a sixth.
+#include <benchmark/benchmark.h>
+
+#include "core/motion/exact.h"
+
+namespace tia::bench {
+namespace {
+
+ExactWorld balls_in_room(std::size_t n, bool fall) {
+  ExactWorld world;
+  if (fall) world.gravity = {0, -9.81, 0};
+  std::size_t along = 1;
+  while (along * along * along < n) ++along;
+  const double pitch = 1.5, side = pitch * static_cast<double>(along);
+  world.fixed.push_back(FixedBox{{}, {Vec3d{side, 0, 0}, Vec3d{0, side, 0}, Vec3d{0, 0, side}}});
+  std::uint64_t state = 1;
+  const auto speed = [&] {  // in [-5, 5): Knuth's MMIX generator, its upper bits
+    state = state * 6364136223846793005U + 1442695040888963407U;
+    return static_cast<double>(state >> 11U) * 0x1p-53 * 10 - 5;
+  };
+  const auto middle = [&](std::size_t i) { return (static_cast<double>(i) + 0.5) * pitch; };
+  for (std::size_t i = 0; i < n; ++i) {
+    const double x = speed(), y = speed();
+    world.balls.push_back(
+        {{middle(i % along), middle(i / along % along), middle(i / along / along)},
+         {x, y, speed()},
+         0.5});
+  }
+  world.duration = 2e3 / static_cast<double>(n);
+  return world;
+}
+
+void exact_events(benchmark::State& state) {
+  const ExactWorld world =
+      balls_in_room(static_cast<std::size_t>(state.range(0)), state.range(1) != 0);
+  std::size_t events = 0;
+  for ([[maybe_unused]] auto _ : state) events += solve_exact(world, 10'000'000).events;
+  state.counters["events_a_second"] =
+      benchmark::Counter(static_cast<double>(events), benchmark::Counter::kIsRate);
+}
+BENCHMARK(exact_events)
+    ->ArgNames({"balls", "fall"})
+    ->ArgsProduct({{8, 100, 1000, 10'000}, {0, 1}})
+    ->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace tia::bench
