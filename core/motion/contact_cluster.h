@@ -30,7 +30,7 @@ struct ClusterContact {
   // Found by the cluster:
   double bend = 0;   ///< see bend_of
   double force = 0;  ///< a resting contact's, mass times acceleration
-  bool resting = false, held = false;
+  bool resting = false, stops = false, held = false;
 };
 
 class ContactCluster {
@@ -74,6 +74,7 @@ class ContactCluster {
   ContactMatrix matrix_of(const std::vector<std::size_t>& chosen) const;
   bool drop_bouncing();
   void stop_resting();
+  bool stop_more();
   double slowest_bounce(const ClusterContact& c) const;
   void find_bends(const std::vector<ContactPatch>& patches);
 

@@ -138,8 +138,8 @@ bool ContactCluster::drop_bouncing() {
 // Takes away what is left of the velocities of those that rest, at once where they are few.
 void ContactCluster::stop_resting() {
   std::vector<std::size_t> all;
-  for (const std::size_t i : resting())
-    if (contacts[i].force > 0) all.push_back(i);
+  for (std::size_t i = 0; i < contacts.size(); ++i)
+    if (contacts[i].stops) all.push_back(i);
   const auto in_turn = [&](int rounds) {
     for (bool moves = true; moves && rounds > 0; --rounds) {
       moves = false;
@@ -163,13 +163,28 @@ void ContactCluster::stop_resting() {
   }
 }
 
+// Those that thereby approach, as slowly as what rests, are stopped with them: one after another
+// they would take too long where their directions are nearly the same.
+bool ContactCluster::stop_more() {
+  bool more = false;
+  for (ClusterContact& c : contacts) {
+    const double rate = gap_rate(c);
+    if (c.stops || c.lies_below || rate >= -slack(c) || rate < -slowest_bounce(c)) continue;
+    c.stops = true;
+    more = true;
+  }
+  return more;
+}
+
 bool ContactCluster::settle(const std::vector<ContactPatch>& patches) {
   find_bends(patches);
   for (ClusterContact& c : contacts)
     c.resting = !c.lies_below && gap_rate(c) <= std::max(slowest_bounce(c), slack(c));
   do find_forces();
   while (drop_bouncing());
-  stop_resting();
+  for (ClusterContact& c : contacts) c.stops = c.resting && c.force > 0;
+  do stop_resting();
+  while (stop_more());
   settled_ = true;
   bool approaches = false;
   for (ClusterContact& c : contacts) {

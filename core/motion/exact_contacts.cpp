@@ -84,8 +84,9 @@ void ExactSolver::solve(bool slides) {
   gather();
   cluster_.begin();
   const std::size_t left = most_events_ - events_;
+  std::size_t rounds = 0;
   do {
-    if (!cluster_.collide(left)) throw TooManyEvents(most_events_, now_);
+    if (!cluster_.collide(left) || rounds++ > left) throw TooManyEvents(most_events_, now_);
   } while (cluster_.settle(patches_.all()));
   cluster_.close_gaps(1024 * touch_, touch_ / 64);
   if (slides && cluster_.impulses.empty())
