@@ -48,6 +48,27 @@ double polished(double t, const GapAt& gap_at) {
   return t;
 }
 
+double first_fall(std::span<const double> polynomial, double until) {
+  const Falls falls = falls_of(polynomial, until, GapStart::apart);
+  return falls.count > 0 ? falls.times[0] : never;
+}
+
+// Calls visit(p) for each straight bound of a patch, where p, of a centre on the flight, is above 0
+// inside of it.
+template <class Visit>
+void for_each_bound(const ContactPatch& patch, const Flight& f, Visit visit) {
+  if (const auto* plane = std::get_if<PlanePatch>(&patch)) {
+    for (std::size_t i = 0; i < static_cast<std::size_t>(plane->sides); ++i)
+      visit(height_of(plane->inward[i], plane->offset[i], f));
+  } else if (const auto* side = std::get_if<CylinderPatch>(&patch)) {
+    const double base = dot(side->axis, side->base);
+    visit(height_of(side->axis, base, f));
+    visit(height_of(-side->axis, -base - side->length, f));
+  } else if (const auto* ball = std::get_if<SpherePatch>(&patch); ball && ball->half != Vec3d{}) {
+    visit(height_of(ball->half, dot(ball->half, ball->center), f));
+  }
+}
+
 // Sides from which a patch can be met: of planes by the sign of their normals, of what is round
 // from outside or from inside.
 enum class Side { positive, negative };
@@ -67,6 +88,7 @@ class Search {
       if (!approaches) start_ = GapStart::touching;
     }
     std::visit([&](const auto& kind) { try_sides(kind); }, patch_);
+    try_entries();
     return first_;
   }
 
@@ -118,6 +140,19 @@ class Search {
     try_falls(torus, Side::positive);
   }
 
+  // Where a ball comes over the patch from beside it as it leaves its neighbour, it may be in it by
+  // rounding already, and the fall before.
+  void try_entries() {
+    if (is_thin()) return;
+    for_each_bound(patch_, flight_, [&](std::array<double, 3> inside) {
+      for (double& each : inside) each = -each;
+      const double t = first_fall(inside, std::min(until_, first_));
+      if (!(t < first_)) return;
+      const Touch touch = touch_of(patch_, flight_.position_at(t), radius_, margin());
+      if (touch.gap < -deepest() || touch.gap > 0) return;
+      if (dot(touch.normal, flight_.velocity_at(t)) < -tolerance_.approach) first_ = t;
+    });
+  }
   void try_falls(std::span<const double> polynomial, Side side) {
     for (const double fall : falls_of(polynomial, std::min(until_, first_), start_)) {
       const double t = polished(fall, [&](double at) {
@@ -151,34 +186,6 @@ class Search {
   double first_ = never;
 };
 
-double first_fall(std::span<const double> polynomial, double until) {
-  const Falls falls = falls_of(polynomial, until, GapStart::apart);
-  return falls.count > 0 ? falls.times[0] : never;
-}
-
-double end_of(const PlanePatch& plane, const Flight& f, double until, double beyond) {
-  double first = never;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(plane.sides); ++i)
-    first =
-        std::min(first, first_fall(height_of(plane.inward[i], plane.offset[i] - beyond, f), until));
-  if (plane.disc_radius == 0) return first;
-  Quartic inside = square_of(across(from_point(f, plane.point), plane.normal));
-  for (double& each : inside) each = -each;
-  const double most = plane.disc_radius + beyond;
-  inside[0] += most * most;
-  return first_fall(inside, until);
-}
-double end_of(const CylinderPatch& side, const Flight& f, double until, double beyond) {
-  const double base = dot(side.axis, side.base);
-  return std::min(first_fall(height_of(side.axis, base - beyond, f), until),
-                  first_fall(height_of(-side.axis, -base - side.length - beyond, f), until));
-}
-double end_of(const SpherePatch& ball, const Flight& f, double until, double beyond) {
-  if (ball.half == Vec3d{}) return never;
-  return first_fall(height_of(ball.half, dot(ball.half, ball.center) - beyond, f), until);
-}
-double end_of(const CirclePatch&, const Flight&, double, double) { return never; }
-
 }  // namespace
 
 double contact_time(const ContactPatch& patch, const Flight& flight, double radius, double until,
@@ -210,8 +217,18 @@ double pair_time(const Flight& flight, double radii, double until, const GapTole
 }
 
 double end_of_patch(const ContactPatch& patch, const Flight& flight, double until, double touch) {
-  return std::visit([&](const auto& kind) { return end_of(kind, flight, until, touch / 2); },
-                    patch);
+  double first = never;
+  for_each_bound(patch, flight, [&](std::array<double, 3> inside) {
+    inside[0] += touch / 2;
+    first = std::min(first, first_fall(inside, until));
+  });
+  const auto* disc = std::get_if<PlanePatch>(&patch);
+  if (disc == nullptr || disc->disc_radius == 0) return first;
+  Quartic inside = square_of(across(from_point(flight, disc->point), disc->normal));
+  for (double& each : inside) each = -each;
+  const double most = disc->disc_radius + touch / 2;
+  inside[0] += most * most;
+  return first_fall(inside, until);
 }
 
 }  // namespace tia
