@@ -8,7 +8,7 @@ struct MovableFields {
   std::vector<std::string_view> names = {};
   template <class Member>
   void operator()(std::string_view name, Member Scene::*, const Spec&) {
-    if (name != "animation" && name != "keys") names.push_back(name);
+    if (name != "animation" && name != "physics" && name != "keys") names.push_back(name);
   }
 };
 

@@ -21,6 +21,7 @@
 #include "core/scene/fog.h"
 #include "core/scene/integrators.h"
 #include "core/scene/object.h"
+#include "core/scene/physics.h"
 #include "core/scene/shadow_ground.h"
 #include "core/scene/sheet.h"
 
@@ -135,6 +136,7 @@ struct Scene {
   std::optional<Light> key_light;
   std::map<std::string, KeyBinding> keys;
   std::optional<Animation> animation;  ///< none: nothing moves
+  std::optional<Physics> physics;      ///< none: nothing falls
   SceneOptions options;
 
   template <class Visitor>
@@ -166,6 +168,9 @@ struct Scene {
     visit("keys", &Scene::keys, Spec{.about = "what each key does"});
     visit("animation", &Scene::animation,
           Spec{.about = "what changes in time; without one a picture is of the time 0"});
+    visit("physics", &Scene::physics,
+          Spec{.about = "which objects are bodies that fall and collide; their motion is found "
+                        "first, and becomes tracks of the animation"});
     visit("options", &Scene::options, Spec{.about = "how the picture is made"});
   }
   /// Names that point nowhere, lights without a place, more copies than can be told apart.

@@ -97,6 +97,9 @@ TEST(SceneSchema, AcceptsWhatTheReaderAccepts) {
           {"target":"/b","keys":[[0,1,2,3]],"interpolation":"bezier"},
           {"target":"/c","formula":["t","a"],"parameters":{"a":1}},
           {"target":"/d","visible":[[0,1]]}]}})",
+      R"({"physics":{"gravity":[0,0,0],"solver":"rigid","bodies":[
+          {"object":"a","mass":1,"spin":[0,1,0]},{"object":"/objects/1","density":2}],
+          "fixed":[{"object":"c"}],"pairs":[{"objects":["a","c"],"friction":0}]}})",
       R"({"options":{"transfer":"agx","exposure":-32,"white_balance_kelvin":1000}})"};
   for (const char* json : scenes) {
     EXPECT_NO_THROW(read_scene(json)) << json;
@@ -177,6 +180,8 @@ const std::vector<std::string> beyond_scene_schema = {
     "one of keys, formula and visible", "keys, formula or visible", "with keys", "with a formula",
     "with interpolation step", "as many numbers in each key", "tangents", "times that ascend",
     "of which to is later", "duration times fps",
+    // physics: what belongs together
+    "mass or density", "two objects", "another object", "none by exact",
     // sheets, and the ground that shadows fall on
     "a scene that has a backdrop", "at most as many columns",
     // shapes
