@@ -42,6 +42,7 @@ const std::vector<Wrapped> libraries = {
     {"webp/", {"core/models/webp.cpp"}},
     {"draco/", {"core/models/draco.cpp"}},
     {"meshoptimizer", {"core/models/meshopt.cpp"}},
+    {"btBullet", {"core/motion/rigid.cpp"}},
     {"seccomp", {"server/operation/confine.cpp"}},
     {"sleef", {"core/math/"}},
     {"xsimd", {"core/math/registers.h"}},
