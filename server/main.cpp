@@ -1,5 +1,5 @@
-// The command line: subcommands `serve` (default), `render`, `still` and `model`. Bad use exits
-// with 2.
+// The command line: subcommands `serve` (default), `render`, `simulate`, `still` and `model`.
+// Bad use exits with 2.
 #include <CLI/CLI.hpp>
 #include <csignal>
 #include <iostream>
@@ -14,6 +14,7 @@
 #include "server/requests/picture_request.h"
 #include "server/requests/still_query.h"
 #include "server/serve_command.h"
+#include "server/simulate_command.h"
 #include "server/still_command.h"
 #include "server/stores/model_reader.h"
 
@@ -118,6 +119,20 @@ CLI::App* add_render(CLI::App& app, Asked& asked) {
   return render;
 }
 
+CLI::App* add_simulate(CLI::App& app, Asked& asked) {
+  CLI::App* simulate =
+      app.add_subcommand("simulate", "put tracks in the place of a scene's physics")->fallthrough();
+  simulate
+      ->add_option("scene", asked.scene,
+                   "a gallery scene's name, or a scene file: NAME.json or a path")
+      ->required()
+      ->type_name("");
+  simulate->add_option("-o,--output", asked.file, "NAME.json, or - for standard output")
+      ->required()
+      ->type_name("");
+  return simulate;
+}
+
 CLI::App* add_model(CLI::App& app, Asked& asked) {
   CLI::App* model = app.add_subcommand("model", "tell what is in a model's file, as JSON");
   add_model_files(*model, asked);
@@ -149,6 +164,7 @@ int run(int argc, char** argv) {
                "ask the server on this machine whether it lives");
   add_serve(app, asked);
   const CLI::App* render = add_render(app, asked);
+  const CLI::App* simulate = add_simulate(app, asked);
   const CLI::App* still = add_still(app, asked);
   const CLI::App* model = add_model(app, asked);
   const CLI::App* reader = add_read_model(app, asked);
@@ -170,6 +186,7 @@ int run(int argc, char** argv) {
   if (asked.print_config) std::cout << env_file(config) << std::flush;
   else if (render->parsed())
     render_to_file(asked.scene, asked.file, asked.parameters, asked.plain, asked.watching, config);
+  else if (simulate->parsed()) simulate_to_file(asked.scene, asked.file, config);
   else if (still->parsed())
     still_to_file(asked.model_files, asked.file, asked.parameters, asked.plain, config);
   else serve(config);

@@ -128,6 +128,7 @@ OPTIONS = [
     ("max_pixels", SERVER, "RenderLimits.MaxPixels*"),
     ("max_rays", SERVER, "RenderLimits.*Rays*"),
     ("max_work", SERVER, "OptionLimits.APictureMayTake*"),
+    ("max_events", SERVER, "OptionLimits.AMotionMayHave*"),
     ("memory_bytes", SERVER, "OptionLimits.ARequest*"),
 ]
 

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "core/input/object_schema.h"
+#include "core/motion/simulate.h"
 #include "core/scene/at_time.h"
 #include "core/scene/keys.h"
 #include "core/scene/read_scene.h"
@@ -79,6 +80,7 @@ Response post_scene(const Request& request, const std::string&, Service& service
                                        request.stop);  // the JSON tree ends here
     check_keys(read, request.stop);
     check_animation(read, request.stop);
+    check_physics(read, {}, request.stop);
     return NewScene(std::move(read));
   });
   const std::string key = random_key(), key_hash = sha256_hex(key);

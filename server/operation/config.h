@@ -45,6 +45,7 @@ struct Config {
   std::int64_t max_pixels = Limits{}.max_pixels;
   std::int64_t max_rays = Limits{}.max_rays;
   std::int64_t max_work = Limits{}.max_work;
+  std::int64_t max_events = Limits{}.max_events;
   std::vector<Origin> cors_origins;
   std::vector<Network> trusted_proxies;
   std::vector<HostName> hosts;
@@ -165,6 +166,11 @@ struct Config {
                .unit = "tests",
                .min = 1,
                .max = 1e15});
+    visit("max_events", &Config::max_events,
+          Spec{.about = "most collisions of a motion, or, by rigid, most steps of all its bodies",
+               .unit = "events",
+               .min = 1,
+               .max = 1e9});
     visit("cors_origins", &Config::cors_origins,
           Spec{.about = "origins whose pages may read answers (CORS)"});
     visit("trusted_proxies", &Config::trusted_proxies,
@@ -177,7 +183,7 @@ struct Config {
   /// An empty host.
   void check(const Place& at, Faults& faults) const;
   /// What one request may ask for.
-  Limits limits() const { return {max_pixels, max_rays, max_work}; }
+  Limits limits() const { return {max_pixels, max_rays, max_work, max_events}; }
   /// What is read of a model.
   ModelLimits model_limits() const;
   /// What a text may hold.

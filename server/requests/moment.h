@@ -16,12 +16,12 @@ struct Moment {
   template <class Visitor>
   static void fields(Visitor&& visit) {
     visit("time", &Moment::time,
-          Spec{.about = "the time of an animated scene, from 0 to its duration; else 0",
+          Spec{.about = "the time of a scene that moves, from 0 to its duration; else 0",
                .unit = "s",
                .min = 0,
                .max = 86400});
     visit("frame", &Moment::frame,
-          Spec{.about = "the frame of an animated scene instead: frame k is at time k / fps",
+          Spec{.about = "the frame of a scene that moves instead: frame k is at time k / fps",
                .min = 0,
                .max = Animation::most_frames - 1});
   }

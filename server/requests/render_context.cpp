@@ -92,9 +92,6 @@ KnownScene find_scene(const std::string& name, const RenderContext& context,
                     nearest_name(name, known)});
 }
 
-namespace {
-
-// With its camera patched, then its key pressed or its light moved.
 KnownScene changed_scene_of(const ViewRequest& asked, const RenderContext& context,
                             const Requester& requester) {
   const auto* name = std::get_if<std::string>(&asked.scene);
@@ -120,6 +117,21 @@ KnownScene changed_scene_of(const ViewRequest& asked, const RenderContext& conte
   });
 }
 
+KnownScene scene_in_motion(const KnownScene& scene, const RenderContext& context,
+                           const Requester& requester) {
+  if (!scene->physics) return scene;
+  const auto simulation =
+      context.pressed.simulation_of(scene, context.limits.max_events, requester);
+  const std::size_t bytes = scene.others + scene.objects.bytes + bytes_of(*simulation);
+  return context.go_through(bytes, requester, [&] {
+    // At the time 0 all is where it was, and so the middles of its objects are the same.
+    return KnownScene{std::make_shared<const Scene>(with_motion(*scene, *simulation)),
+                      scene.objects, scene.others + bytes_of(*simulation), scene.models};
+  });
+}
+
+namespace {
+
 // The plain scene of the moment that is asked for.
 KnownScene moment_of(const KnownScene& scene, const ViewRequest& asked,
                      const RenderContext& context, const Requester& requester) {
@@ -142,14 +154,15 @@ KnownScene moment_of(const KnownScene& scene, const ViewRequest& asked,
 
 KnownScene scene_of(const ViewRequest& asked, const RenderContext& context,
                     const Requester& requester) {
-  KnownScene scene = changed_scene_of(asked, context, requester);
+  KnownScene scene =
+      scene_in_motion(changed_scene_of(asked, context, requester), context, requester);
   if (scene->animation)
     return with_models(moment_of(scene, asked, context, requester), asked.along, context,
                        requester);
   if (asked.is_asked())
     throw InputError({FaultKind::conflict, asked.time ? "/time" : "/frame",
                       asked.time ? Value(*asked.time) : Value(*asked.frame),
-                      "a scene with an animation; this one does not move"});
+                      "a scene with an animation or physics; this one does not move"});
   return scene;
 }
 

@@ -50,10 +50,19 @@ KnownScene find_scene(const std::string& name, const RenderContext& context,
 SharedModel find_model(const std::string& name, const RenderContext& context,
                        const Requester& requester);
 
-/// The scene that is asked for: with what its models stand for, with its camera patched, its key
-/// pressed or its light moved, then at the moment that is asked for: plain, without an animation.
-/// It may be the request's own, and lives no longer. Errors: InputError; as PressedScenes::get,
-/// ModelStore::find.
+/// The scene that is asked for, in all of its time: with what its models stand for, with its camera
+/// patched, its key pressed or its light moved. Errors: as scene_of.
+KnownScene changed_scene_of(const ViewRequest& asked, const RenderContext& context,
+                            const Requester& requester);
+
+/// The same with tracks in the place of its physics, where it has bodies that move.
+/// Errors: as PressedScenes::simulation_of.
+KnownScene scene_in_motion(const KnownScene& scene, const RenderContext& context,
+                           const Requester& requester);
+
+/// The scene that is asked for, its bodies' motion found, then at the moment that is asked for:
+/// plain, without an animation. It may be the request's own, and lives no longer. Errors:
+/// InputError; as PressedScenes::get, ModelStore::find.
 KnownScene scene_of(const ViewRequest& asked, const RenderContext& context,
                     const Requester& requester);
 

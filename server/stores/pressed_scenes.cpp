@@ -1,13 +1,25 @@
 #include "server/stores/pressed_scenes.h"
 
+#include <algorithm>
 #include <memory>
 #include <utility>
 
+#include "core/input/json.h"
+#include "core/motion/simulate.h"
 #include "server/operation/memory_costs.h"
 #include "server/stores/digest.h"
 #include "server/stores/scene_bytes.h"
 
 namespace tia::server {
+namespace {
+
+// All that a motion depends on: the objects with their names, and when they are there.
+std::string motion_name(const KnownScene& scene) {
+  const Value said = Value::Array{write_value(*scene->physics), write_value(scene->animation)};
+  return "motion\n" + hex(scene.objects.digest) + sha256_hex(to_json(said));
+}
+
+}  // namespace
 
 KnownScene PressedScenes::get(const std::string& name, const KnownScene& scene,
                               const std::string& key, const Requester& requester) {
@@ -19,7 +31,7 @@ KnownScene PressedScenes::get(const std::string& name, const KnownScene& scene,
     if (KnownScene made = find(both).scene) return made;  // by somebody meanwhile
     const KnownScene made =
         known(std::make_shared<const Scene>(press(*scene, key, Middles{}, "/key", requester.stop)));
-    if (!both.empty()) keep(both, {made, nullptr, bytes_of(*made)});
+    if (!both.empty()) keep(both, {made, nullptr, nullptr, bytes_of(*made)});
     return made;
   });
 }
@@ -32,8 +44,26 @@ PressedScenes::SharedMiddles PressedScenes::middles_of(const KnownScene& scene,
   if (SharedMiddles made = find(name).middles) return made;
   return long_work_({scene.objects.bytes, 0, "the scene's objects"}, requester, [&] {
     const auto made = std::make_shared<const Middles>(tia::middles_of(*scene, requester.stop));
-    keep(name, {{}, made, made->capacity() * sizeof(Vec3d)});
+    keep(name, {{}, made, nullptr, made->capacity() * sizeof(Vec3d)});
     return made;
+  });
+}
+
+PressedScenes::SharedSimulation PressedScenes::simulation_of(const KnownScene& scene,
+                                                             std::int64_t most_events,
+                                                             const Requester& requester) {
+  const std::string name = motion_name(scene);
+  if (SharedSimulation made = find(name).simulation) return made;
+  // However short the scene, its motion may take long: that counts as a long text.
+  const std::size_t bytes = std::max(scene.objects.bytes, Admission::longest_short_text + 1);
+  const std::int64_t memory = memory_for(memory_cost::patch, scene.objects.bytes);
+  return long_work_({bytes, memory, "the motion of the scene's bodies"}, requester, [&] {
+    if (SharedSimulation made = find(name).simulation) return made;  // by somebody meanwhile
+    const Place all{};
+    const auto made = std::make_shared<const Simulation>(
+        simulate(*scene, static_cast<std::size_t>(most_events), all.at("scene"), requester.stop));
+    keep(name, {{}, nullptr, made, bytes_of(*made)});
+    return SharedSimulation(made);
   });
 }
 

@@ -1,6 +1,6 @@
-// What keys and lights need to know of a scene: the scene after a patch, which is written, patched
-// and read again, and the middles of its objects, which may have to be built for that. Both are
-// made as long work and kept in bounded memory. Any thread may call.
+// What keys, lights and times need to know of a scene: the scene after a patch, which is written,
+// patched and read again; the middles of its objects, which may have to be built for that; how its
+// bodies move. All are made as long work and kept in bounded memory. Any thread may call.
 #pragma once
 
 #include <cstdint>
@@ -8,6 +8,7 @@
 #include <mutex>
 #include <string>
 
+#include "core/motion/simulation.h"
 #include "core/scene/keys.h"
 #include "server/operation/long_work.h"
 #include "server/operation/lru_map.h"
@@ -30,14 +31,20 @@ class PressedScenes {
   /// Errors: HttpError (busy); Stopped.
   using SharedMiddles = std::shared_ptr<const Middles>;
   SharedMiddles middles_of(const KnownScene& scene, const Requester& requester);
+  /// How the bodies of a scene with physics move, in at most so many events.
+  /// Errors: as simulate(), at /scene; HttpError (busy, too-large); Stopped.
+  using SharedSimulation = std::shared_ptr<const Simulation>;
+  SharedSimulation simulation_of(const KnownScene& scene, std::int64_t most_events,
+                                 const Requester& requester);
   /// Lets go of those that nobody has asked for longest. Returns: how many bytes.
   std::int64_t give_way(std::int64_t bytes);
 
  private:
-  /// Kept: one of both.
+  /// Kept: one of them.
   struct Kept {
     KnownScene scene;
     SharedMiddles middles;
+    SharedSimulation simulation;
     std::size_t bytes = 0;
   };
   using All = LruMap<std::string, Kept>;

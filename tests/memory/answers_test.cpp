@@ -97,6 +97,7 @@ std::vector<Asked> requests() {
       {"Verified", 200, {"POST", "/verify", {}, small_picture(), "id"}},
       {"Explanation", 200, get("/explain?scene=snell&width=64&height=48&x=32&y=20")},
       {"KeptScene", 201, post("/scenes", all_kinds)},
+      {"Simulated", 200, post("/simulate", R"({"scene":"newcomer"})")},
       {"Scene", 200, get("/scenes/klein")},
       {"Scenes", 200, get("/scenes")},
       {"Schema", 200, get("/schema/scene.json")},

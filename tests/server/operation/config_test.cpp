@@ -71,6 +71,8 @@ const Numeric numerics[] = {
      [](const Config& c) { return c.max_rays; }},
     {"max_work", "--max-work", "TIA_MAX_WORK", 10'000'000'000, 1, 1'000'000'000'000'000,
      [](const Config& c) { return c.max_work; }},
+    {"max_events", "--max-events", "TIA_MAX_EVENTS", 1'000'000, 1, 1'000'000'000,
+     [](const Config& c) { return c.max_events; }},
     {"max_pixels", "--max-pixels", "TIA_MAX_PIXELS", 16'777'216, 1, 268'435'456,
      [](const Config& c) { return c.max_pixels; }},
 };

@@ -78,6 +78,20 @@ TEST(OptionLimits, APictureMayTakeMaxWorkTests) {
   EXPECT_THROW(meter.add_work(1), InputError);
 }
 
+// A body has 240 steps a second.
+TEST(OptionLimits, AMotionMayHaveMaxEventsSteps) {
+  const std::string scene = R"({"scene":{
+    "objects":[{"name":"b","type":"sphere","center":[0,0,0],"radius":1}],
+    "physics":{"solver":"rigid","duration":0.25,"bodies":[{"object":"b","mass":1}]}}})";
+  const auto status = [&](std::int64_t most) {
+    return Host(with([&](Config& config) { config.max_events = most; }))
+        .post("/simulate", scene)
+        .status;
+  };
+  EXPECT_EQ(status(60), 200);
+  EXPECT_EQ(status(59), 422);
+}
+
 // ---- memory ---------------------------------------------------------------------------------
 
 // 256 MiB less 64 for the program and an eighth.

@@ -1,0 +1,30 @@
+#include "server/simulate_command.h"
+
+#include <stdexcept>
+
+#include "core/motion/simulate.h"
+#include "core/scene/read_scene.h"
+#include "server/files.h"
+#include "server/stores/gallery.h"
+
+namespace tia::server {
+namespace {
+
+Scene scene_called(const std::string& scene) {
+  if (scene.find_first_of("./") != scene.npos) return read_scene(read_file(scene));
+  const Gallery gallery;
+  if (const KnownScene known = gallery.find(scene)) return *known;
+  throw std::runtime_error("no scene is called " + scene + "; there are: " +
+                           listed(gallery.names()) + ", and files, NAME.json or a path");
+}
+
+}  // namespace
+
+void simulate_to_file(const std::string& scene, const std::string& file, const Config& config) {
+  const Scene read = scene_called(scene);
+  if (!read.physics) throw std::runtime_error(scene + ": a scene without physics");
+  const auto most_events = static_cast<std::size_t>(config.max_events);
+  write_file(file, canonical_text(with_motion(read, simulate(read, most_events))));
+}
+
+}  // namespace tia::server
