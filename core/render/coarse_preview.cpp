@@ -20,9 +20,10 @@ Reached CoarsePreview::show(const WindowTiles::Develop& develop) const {
   const Sampler centers(1, 0, seed_);
   const Convergence none({});
   RayMeter meter(no_limit, no_limit, stop_, spent_);
-  show_blocks({shot_.world, shot_.view, shot_.integrator, shot_.rules, centers, none, meter,
-               shot_.layers, is_filtered()},
-              develop);
+  const Instants middle = shot_.instants.subspan(shot_.instants.size() / 2, 1);
+  show_blocks(
+      {middle, shot_.integrator, shot_.rules, centers, none, meter, shot_.layers, is_filtered()},
+      develop);
   const int of = block() * block();
   return Reached{of > 1 ? 0 : 1, 1, 1.0 / of, 1, 1};
 }

@@ -9,8 +9,8 @@
 
 namespace tia {
 
-/// CoarsePreview: blocks of pixels, each as a ray through its middle says; they are few, whatever
-/// the size of the picture. What it is made of must outlive it.
+/// CoarsePreview: blocks of pixels, each as a ray through its middle says, in the middle of the
+/// open time; they are few, whatever the size of the picture. What it is made of must outlive it.
 class CoarsePreview {
  public:
   /// `shot`: the picture's. `spent`, `stop`: as of RayMeter.

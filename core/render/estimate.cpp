@@ -74,7 +74,7 @@ bool Convergence::settle(Estimate& e) const {
   if (shows_) {
     if (rule_.noise == 0) return false;
     e.error = static_cast<float>(shown_error(e));
-    return n >= least_samples && e.error < rule_.noise;
+    return n >= std::max(least_samples, rule_.blur_steps) && e.error < rule_.noise;
   }
   const double most = rule_.threshold * rule_.threshold * n;
   const auto known = [&](double sum, double squares) {

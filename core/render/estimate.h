@@ -54,14 +54,15 @@ struct GuidedSums {
 /// By `threshold` a pixel is settled when the standard error of its mean light, each sample clamped
 /// to [0,1], is at most that.
 ///
-/// By `noise` it is settled when it has at least 32 samples and its error is below that, as a
-/// display shows it: after exposure, white balance and transfer, in [0,1]. The curve bends, so the
-/// error is not its slope's: each channel's mean is moved by its standard error, up and down, and
-/// the larger change of what is shown counts. Of curves that mix channels the changes by the three
-/// are added: no correlation of the channels makes more of them (the triangle inequality). The
-/// standard error is that of independent samples; Sobol's points are at least as good.
-/// Source: D. Kirk, J. Arvo, "Unbiased sampling techniques for image synthesis" (1991), for what
-/// stopping by the samples themselves costs: a mean that is off by less than its error.
+/// By `noise` it is settled when it has at least 32 samples, one at least of each time, and its
+/// error is below that, as a display shows it: after exposure, white balance and transfer, in
+/// [0,1]. The curve bends, so the error is not its slope's: each channel's mean is moved by its
+/// standard error, up and down, and the larger change of what is shown counts. Of curves that mix
+/// channels the changes by the three are added: no correlation of the channels makes more of them
+/// (the triangle inequality). The standard error is that of independent samples; Sobol's points are
+/// at least as good. Source: D. Kirk, J. Arvo, "Unbiased sampling techniques for image synthesis"
+/// (1991), for what stopping by the samples themselves costs: a mean that is off by less than its
+/// error.
 class Convergence {
  public:
   static constexpr int least_samples = 32;
@@ -71,6 +72,7 @@ class Convergence {
     double threshold = 0, noise = 0;  ///< 0: none
     bool tells_errors = false;
     Tone tone = {};
+    int blur_steps = 1;  ///< strata of the open time, of each of which a pixel has a sample
   };
   explicit Convergence(const Rule& rule)
       : rule_(rule), tone_(rule.tone), shows_(rule.noise > 0 || rule.tells_errors) {}

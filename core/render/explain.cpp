@@ -41,9 +41,11 @@ Explanation explain(const Scene& scene, World world, const Ray<double>& ray,
 Explanation explain(const Scene& scene, World world, const View& view, int x, int y, int sample,
                     const RenderOptions& options, const std::stop_token& stop) {
   const View in_world = view.seen_from(world.origin);
-  const PixelRays rays(view, in_world, x, y, options);
-  Explanation all{
-      std::move(world), object_labels(scene), rays.pixel(sample), rays.exact(sample), {}, {}};
+  Explanation all{std::move(world), object_labels(scene), {}, {}, {}, {}};
+  const Instant at{all.world, view};
+  const PixelRays rays({&at, 1}, x, y, options);
+  all.pixel = rays.pixel(sample);
+  all.ray = rays.exact(sample);
   explain_rays(all, scene, rays.traced(sample), rays.state(sample), &in_world, options, stop);
   return all;
 }

@@ -27,6 +27,8 @@ struct ExplainedPath {
 /// paths.
 struct PathExplanation {
   Explanation ray;  ///< of the first path that is told: all but the tree
+  /// Sample s is of number s mod their count. Their objects have the same numbers.
+  std::vector<World> worlds;
   int count = 0;
   Vec3f mean{};  ///< the pixel of a picture that stops at no noise, bit for bit
   std::vector<PathGroup> groups{};
@@ -40,10 +42,22 @@ struct PathExplanation {
 PathExplanation explain_paths(const Scene& scene, World world, const Ray<double>& ray,
                               const WhichPaths& which, const RenderOptions& options,
                               const std::stop_token& stop = {});
-/// A pixel of the view; each path's colour is its sample's, bit for bit. Domain, errors: as above.
-PathExplanation explain_paths(const Scene& scene, World world, const View& view, int x, int y,
+/// SeenWorlds: those of a picture's strata of time, and how each is seen, in the scene's space.
+struct SeenWorlds {
+  std::vector<World> worlds;
+  std::vector<View> views;
+};
+/// A pixel of such a picture; each path's colour is its sample's, bit for bit. Domain: as above;
+/// options.blur_steps worlds of the same objects (object_labels). Errors: as above.
+PathExplanation explain_paths(const Scene& scene, SeenWorlds seen, int x, int y,
                               const WhichPaths& which, const RenderOptions& options,
                               const std::stop_token& stop = {});
+/// The same of one time.
+inline PathExplanation explain_paths(const Scene& scene, World world, const View& view, int x,
+                                     int y, const WhichPaths& which, const RenderOptions& options,
+                                     const std::stop_token& stop = {}) {
+  return explain_paths(scene, SeenWorlds{{std::move(world)}, {view}}, x, y, which, options, stop);
+}
 
 /// As explain.h says, but in place of "tree": "count", "mean", "groups": [{"expression", "mean",
 /// "error", "share", "paths"}], "over": [{"object", "id" and the same}] and "samples": [{"sample",

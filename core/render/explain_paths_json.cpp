@@ -11,7 +11,9 @@ namespace {
 /// PathWriter: writes what is told of paths.
 class PathWriter {
  public:
-  explicit PathWriter(const Explanation& all) : all_(all), world_(all.world) { name_lights(); }
+  PathWriter(const Explanation& all, const World& world) : all_(all), world_(world) {
+    name_lights();
+  }
 
   Value::Object path(const ExplainedPath& told) const {
     Value::Array vertices;
@@ -35,7 +37,7 @@ class PathWriter {
 
   Value::Object surface(const PathSurface& over, int count) const {
     Value::Object told;
-    add_object(told, "object", over.primitive);
+    add_object(told, "object", over.object);
     add_share(told, over, count);
     return told;
   }
@@ -69,13 +71,12 @@ class PathWriter {
   }
   Vec3d in_scene(const Vec3f& p) const { return static_cast<Vec3d>(p) + world_.origin; }
 
-  void add_object(Value::Object& to, const std::string& as, int primitive) const {
-    const int object = world_.primitive(primitive).object;
+  void add_object(Value::Object& to, const std::string& as, int object) const {
     to.emplace_back(as, all_.labels[static_cast<std::size_t>(object)].name);
     to.emplace_back(as == "object" ? "id" : as + "_id", object + 1);
   }
   void add_thing(Value::Object& to, const std::string& as, int primitive, std::int64_t copy) const {
-    add_object(to, as, primitive);
+    add_object(to, as, world_.primitive(primitive).object);
     add_copy(world_, to, as == "object" ? "copy" : "light_copy", primitive, copy);
   }
   static int primitive_of(const PathVertex& at) { return static_cast<int>(at.hit.primitive); }
@@ -233,15 +234,18 @@ Value surface_schema() {
 }  // namespace
 
 Value::Object value_of(const PathExplanation& all) {
-  const PathWriter writer(all.ray);
+  std::vector<PathWriter> writers;
+  for (const World& world : all.worlds) writers.emplace_back(all.ray, world);
   Value::Object answer = value_of(all.ray);
   Value::Array samples;
-  for (const ExplainedPath& each : all.paths) samples.push_back(writer.path(each));
+  for (const ExplainedPath& each : all.paths)
+    samples.push_back(writers[static_cast<std::size_t>(each.sample) % writers.size()].path(each));
   answer.emplace_back("count", all.count);
   answer.emplace_back("mean", triple_value(all.mean));
   answer.emplace_back("groups", groups_value(all));
   Value::Array over;
-  for (const PathSurface& each : all.surfaces) over.push_back(writer.surface(each, all.count));
+  for (const PathSurface& each : all.surfaces)
+    over.push_back(writers.front().surface(each, all.count));
   answer.emplace_back("over", std::move(over));
   answer.emplace_back("samples", std::move(samples));
   return answer;

@@ -30,40 +30,41 @@ std::vector<Note> notes_of(const Scene& scene, const World& world, IntegratorNam
 
 }  // namespace
 
-PixelRays::PixelRays(const View& view, const View& in_world, int x, int y,
-                     const RenderOptions& options)
-    : view_(view),
-      in_world_(in_world),
+PixelRays::PixelRays(Instants instants, int x, int y, const RenderOptions& options)
+    : instants_(instants),
       x_(x),
       y_(y),
       sampler_({.samples = options.samples,
                 .threshold = options.threshold,
                 .seed = options.seed,
                 .is_chance = row_of(options.integrator).is_chance(),
-                .in_rounds = options.noise > 0}) {}
+                .in_rounds = options.noise > 0,
+                .blur_steps = options.blur_steps}) {}
 
 Aim<float> PixelRays::aim(int sample) const {
   return sampler_.centered() ? Aim<float>{} : sampler_.aim(x_, y_, sample);
 }
 
 Ray<float> PixelRays::traced(int sample) const {
-  return ray_through<float>(in_world_, x_, y_, aim(sample));
+  const auto& [world, view] = at(sample);
+  return ray_through<float>(view.seen_from(world.origin), x_, y_, aim(sample));
 }
 Ray<double> PixelRays::exact(int sample) const {
-  return ray_through<double>(view_, x_, y_, aim(sample));
+  return ray_through<double>(at(sample).view, x_, y_, aim(sample));
 }
 
 ExplainedPixel PixelRays::pixel(int sample) const {
-  const Aim<float> at = aim(sample);
-  const Vec2d raster{x_ + 0.5 + at.dx, y_ + 0.5 + at.dy};
-  const Vec2d ndc{raster.u / view_.width, raster.v / view_.height};
+  const Aim<float> to = aim(sample);
+  const View& view = at(sample).view;
+  const Vec2d raster{x_ + 0.5 + to.dx, y_ + 0.5 + to.dy};
+  const Vec2d ndc{raster.u / view.width, raster.v / view.height};
   return {x_, y_, sample, raster, ndc, {2 * ndc.u - 1, 1 - 2 * ndc.v}};
 }
 
 SamplerState<float> PixelRays::state(int sample) const {
   return {{static_cast<std::uint32_t>(x_)},
           {static_cast<std::uint32_t>(y_)},
-          static_cast<std::uint32_t>(sample),
+          static_cast<std::uint32_t>(sampler_.point(sample)),
           sampler_.key()};
 }
 

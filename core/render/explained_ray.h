@@ -10,11 +10,11 @@
 
 namespace tia {
 
-/// PixelRays: the rays of a pixel's samples, as the picture traces them.
-/// Domain: both views, the scene's and the same in the world, outlive it.
+/// PixelRays: the rays of a pixel's samples, as the picture traces them. Of one instant all are
+/// its. Domain: instants whose views are the scene's; they outlive it.
 class PixelRays {
  public:
-  PixelRays(const View& view, const View& in_world, int x, int y, const RenderOptions& options);
+  PixelRays(Instants instants, int x, int y, const RenderOptions& options);
 
   Ray<float> traced(int sample) const;
   /// The same in double, and in the scene.
@@ -25,7 +25,11 @@ class PixelRays {
  private:
   Aim<float> aim(int sample) const;
 
-  const View &view_, &in_world_;
+  const Instant& at(int sample) const {
+    return instants_[static_cast<std::size_t>(sample) % instants_.size()];
+  }
+
+  Instants instants_;
   int x_, y_;
   Sampler sampler_;
 };

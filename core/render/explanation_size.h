@@ -29,9 +29,10 @@ class ExplanationSize {
   void hit(const Meeting& at);
   void ray(const Hit<float>& hit);
   void term(TermName name, const LightRecord& record);
-  void path(const PathRecord& path);
+  /// Domain: a path of that world, of the same objects.
+  void path(const PathRecord& path, const World& world);
   void path_group();
-  void path_surface(int primitive);
+  void path_surface(int object);
   void note(std::string_view pointer, std::string_view about);
 
   std::size_t bytes() const { return bytes_; }
@@ -41,8 +42,9 @@ class ExplanationSize {
  private:
   void take(std::size_t bytes, const char* pointer, const char* remedy);
   // Of the member that names a primitive's object, and, the first time, of the object's entry.
-  std::size_t naming(int primitive);
-  std::size_t copy_bytes(int primitive) const;
+  std::size_t naming(int primitive) { return naming(primitive, world_); }
+  std::size_t naming(int primitive, const World& world);
+  std::size_t naming_object(int object, std::size_t copy_bytes);
   void take_of_path(std::size_t bytes);
 
   const World& world_;

@@ -16,7 +16,7 @@ double error_of(double sum, double squares, int n) {
 
 }  // namespace
 
-void PathGroups::add(const PathRecord& path) {
+void PathGroups::add(const PathRecord& path, const World& world) {
   all_.light = all_.light + static_cast<Vec3d>(path.color);
   ++all_.count;
   const double share = path.clamp;
@@ -27,9 +27,8 @@ void PathGroups::add(const PathRecord& path) {
         Vec3d& sum = sums_[by].of_path;
         sum = sum + value;
         if (over < 0) return;
-        Sums& surface = over_[world_.primitive(over).object];
+        Sums& surface = over_[world.primitive(over).object];
         surface.of_path = surface.of_path + value;
-        surface.primitive = over;
       });
   for (auto& each : sums_) each.second.end_path();
   for (auto& each : over_) each.second.end_path();
@@ -61,7 +60,7 @@ std::vector<PathGroup> PathGroups::groups() const {
 
 std::vector<PathSurface> PathGroups::surfaces() const {
   std::vector<PathSurface> surfaces;
-  for (const auto& [object, sums] : over_) surfaces.push_back({share_of(sums), sums.primitive});
+  for (const auto& [object, sums] : over_) surfaces.push_back({share_of(sums), object});
   std::ranges::stable_sort(surfaces, std::ranges::greater{}, &PathSurface::share);
   if (surfaces.size() > most_surfaces) surfaces.resize(most_surfaces);
   return surfaces;

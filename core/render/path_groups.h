@@ -62,16 +62,16 @@ struct PathGroup : PathShare {
 };
 /// PathSurface: what came to the first thing that is met over further surfaces of one object.
 struct PathSurface : PathShare {
-  int primitive = -1;  ///< one of the object's
+  int object = -1;  ///< its number in the world
 };
 /// The most of them that are told.
 inline constexpr std::size_t most_surfaces = 16;
 
-/// PathGroups: sums over a pixel's paths, which are the world's. That outlives it.
+/// PathGroups: sums over a pixel's paths.
 class PathGroups {
  public:
-  explicit PathGroups(const World& world) : world_(world) {}
-  void add(const PathRecord& path);
+  /// Domain: a path of that world; of all worlds that are given the objects have the same numbers.
+  void add(const PathRecord& path, const World& world);
   int count() const { return all_.count; }
   /// As the picture has it, bit for bit.
   Vec3f mean() const { return all_.mean(); }
@@ -83,12 +83,11 @@ class PathGroups {
  private:
   struct Sums {
     Vec3d of_path{}, light{}, squares{};
-    int paths = 0, primitive = -1;
+    int paths = 0;
     void end_path();
   };
   PathShare share_of(const Sums& sums) const;
 
-  const World& world_;
   Estimate all_;
   std::map<std::string, Sums> sums_;
   std::map<int, Sums> over_;  // by object

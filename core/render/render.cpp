@@ -15,6 +15,12 @@ namespace {
 constexpr std::int64_t no_limit = std::numeric_limits<std::int64_t>::max();
 HostLimits limits_of(const RenderOptions& options) { return {options.max_rays, options.max_work}; }
 
+std::vector<Instant> in_worlds(Instants instants) {
+  std::vector<Instant> seen;
+  for (const auto& [world, view] : instants) seen.push_back({world, view.seen_from(world.origin)});
+  return seen;
+}
+
 // Whether rounds have all that decides what comes of them in sums that are kept.
 bool may_be_left(const RenderOptions& options, const DenoisedWindow* denoised) {
   return row_of(options.integrator).is_chance() && options.threshold == 0 && denoised == nullptr;
@@ -28,26 +34,27 @@ bool may_go_on(const RenderOptions& options, const DenoisedWindow* denoised) {
 /// Render: one picture.
 class Render {
  public:
-  Render(const World& world, const View& view, const Window& window, const RenderOptions& options,
-         Pool& pool, const std::stop_token& stop, DenoisedWindow* denoised = nullptr)
+  Render(Instants instants, const Window& window, const RenderOptions& options, Pool& pool,
+         const std::stop_token& stop, DenoisedWindow* denoised = nullptr)
       : options_(options),
-        tiles_(world, window, options.integrator, options.tile,
+        tiles_(instants.front().world, window, options.integrator, options.tile,
                PoolShare{pool, options.threads, stop, options.flow}),
-        in_world_(view.seen_from(world.origin)),
-        sampler_(
-            {.samples = options.samples,
-             .threshold = options.threshold,
-             .seed = options.seed,
-             .is_chance = row_of(options.integrator).is_chance(),
-             .in_rounds = options.noise > 0 || options.budget,
-             .is_watched = is_watched() || denoised != nullptr || may_go_on(options, denoised)}),
-        convergence_({options.threshold, options.noise, tells_errors(), options.tone}),
+        instants_(in_worlds(instants)),
+        sampler_({.samples = options.samples,
+                  .threshold = options.threshold,
+                  .seed = options.seed,
+                  .is_chance = row_of(options.integrator).is_chance(),
+                  .in_rounds = options.noise > 0 || options.budget,
+                  .is_watched = is_watched() || denoised != nullptr || may_go_on(options, denoised),
+                  .blur_steps = options.blur_steps}),
+        convergence_(
+            {options.threshold, options.noise, tells_errors(), options.tone, options.blur_steps}),
         meter_(options.budget ? no_limit : options.max_rays,
                options.budget ? no_limit : options.max_work, stop,
                spent_within(options.budget, options.spent, limits_of(options))),
         denoised_(denoised),
-        shot_{world,        in_world_, options.integrator, rules_of(options),  sampler_,
-              convergence_, meter_,    options.layers,     denoised != nullptr},
+        shot_{instants_, options.integrator, rules_of(options),  sampler_, convergence_,
+              meter_,    options.layers,     denoised != nullptr},
         preview_(tiles_, shot_, options.scalar, options.seed, options.spent, stop),
         from_(may_go_on(options, denoised) && options.from->fits(sampler_) &&
                       options.from->tiles() == static_cast<std::size_t>(tiles_.count())
@@ -143,7 +150,7 @@ class Render {
   }
 
   void trace(int i, FilmTile& tile) {
-    if (sampler_.centered() && !in_world_.orthographic() && !tells_more_)
+    if (sampler_.centered() && !shot_.first().view.orthographic() && !tells_more_)
       return trace_centers(shot_, options_.scalar, tiles_.window().x0 + tile.x,
                            tiles_.window().y0 + tile.y, tile);
     RoundsOfTile begun = begun_tile(i);
@@ -268,7 +275,7 @@ class Render {
 
   const RenderOptions& options_;
   const WindowTiles tiles_;
-  const View in_world_;
+  const std::vector<Instant> instants_;  // in the worlds' spaces
   const Sampler sampler_;
   const Convergence convergence_;
   RayMeter meter_;
@@ -283,21 +290,20 @@ class Render {
 };
 
 // The first preview needs no margin.
-Rendered render_denoised(const World& world, const View& view, const Window& window,
-                         const RenderOptions& options, Pool& pool, const std::stop_token& stop,
-                         const Develop& develop) {
-  if (options.watch) Render(world, view, window, options, pool, stop).show_preview();
+Rendered render_denoised(Instants instants, const Window& window, const RenderOptions& options,
+                         Pool& pool, const std::stop_token& stop, const Develop& develop) {
+  if (options.watch) Render(instants, window, options, pool, stop).show_preview();
+  const View& view = instants.front().view;
   DenoisedWindow denoised(window, view.width, view.height);
-  return Render(world, view, denoised.traced(), options, pool, stop, &denoised).picture(develop);
+  return Render(instants, denoised.traced(), options, pool, stop, &denoised).picture(develop);
 }
 
 }  // namespace
 
-Rendered render(const World& world, const View& view, const Window& window,
-                const RenderOptions& options, Pool& pool, const std::stop_token& stop,
-                const Develop& develop) {
-  if (options.denoise) return render_denoised(world, view, window, options, pool, stop, develop);
-  return Render(world, view, window, options, pool, stop).picture(develop);
+Rendered render(Instants instants, const Window& window, const RenderOptions& options, Pool& pool,
+                const std::stop_token& stop, const Develop& develop) {
+  if (options.denoise) return render_denoised(instants, window, options, pool, stop, develop);
+  return Render(instants, window, options, pool, stop).picture(develop);
 }
 
 }  // namespace tia

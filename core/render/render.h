@@ -12,6 +12,7 @@
 #include "core/film/image.h"
 #include "core/parallel/pool.h"
 #include "core/render/budget.h"
+#include "core/render/instant.h"
 #include "core/render/reached.h"
 #include "core/render/trace_tile.h"
 #include "core/render/window.h"
@@ -57,6 +58,7 @@ struct RenderOptions {
   double noise = 0;      ///< the same of what is shown by `tone`, 0 .. 1 (Convergence)
   Tone tone = {};        ///< how the picture is going to be shown
   std::int64_t seed = 0;
+  int blur_steps = 1;                         ///< strata of the open time, 1 .. samples
   std::int64_t max_rays = Limits{}.max_rays;  ///< of all kinds, of the whole window
   std::int64_t max_work = Limits{}.max_work;  ///< of the whole window
   /// Whether noise is taken off it (core/film/denoise.h), for which denoise_margin more pixels are
@@ -89,12 +91,19 @@ struct Rendered {
   RayCounts before = {};                ///< those of `rays` that RenderOptions::from had taken
 };
 
-/// Traces the window and hands each finished tile to `develop`.
+/// Traces the window and hands each finished tile to `develop`. `instants`: as many as
+/// options.blur_steps; the views are the scene's.
 /// Errors: Stopped when `stop` is requested; InputError of one `limit` fault, at /samples when more
 /// than max_rays are traced, at /scene when more than max_work is done. They come between tiles, or
 /// within one that takes long. BudgetSpent. What options.spent throws.
-Rendered render(const World& world, const View& view, const Window& window,
-                const RenderOptions& options, Pool& pool, const std::stop_token& stop,
-                const Develop& develop);
+Rendered render(Instants instants, const Window& window, const RenderOptions& options, Pool& pool,
+                const std::stop_token& stop, const Develop& develop);
+/// The same of one time.
+inline Rendered render(const World& world, const View& view, const Window& window,
+                       const RenderOptions& options, Pool& pool, const std::stop_token& stop,
+                       const Develop& develop) {
+  const Instant at{world, view};
+  return render({&at, 1}, window, options, pool, stop, develop);
+}
 
 }  // namespace tia

@@ -2,6 +2,7 @@
 // and the pixel alone, so that a window of a picture takes the full picture's.
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "core/math/rng.h"
@@ -21,6 +22,7 @@ struct Sampling {
   bool is_chance = false;   ///< whether what a ray finds is chance
   bool in_rounds = false;   ///< whether pixels may stop, or the picture, before all samples
   bool is_watched = false;  ///< whether somebody looks at the picture after each round
+  int blur_steps = 1;       ///< strata of the open time, at most as many as samples
 };
 
 /// Sampler: the rays of each pixel, in rounds. Without a threshold there are `samples`: in rounds
@@ -33,6 +35,11 @@ struct Sampling {
 /// first rays of a pixel are those of the picture that has no others. Else each round has one ray
 /// in each of as many strata of the pixel, which leaves the least error where edges are all there
 /// is.
+///
+/// Sample s is of stratum s mod blur_steps of the open time. Strata of the pixel are then taken in
+/// another order, by which those of one time lie about the pixel's centre, and not below each
+/// other; they are the same as of a picture of one time, so that what stands still looks as it does
+/// there. Sobol's points are in an order of their own already.
 class Sampler {
  public:
   static constexpr int first_round = 16;
@@ -46,7 +53,7 @@ class Sampler {
   bool is_chance() const { return is_chance_; }
   /// Whether a picture may end after so many rounds.
   bool may_end_after(int rounds) const {
-    return rounds == this->rounds() || before(rounds) >= first_round;
+    return rounds == this->rounds() || before(rounds) >= std::max(first_round, blur_steps_);
   }
   int rounds() const { return static_cast<int>(ends_.size()); }
   /// The number of samples before a round, and of it. Domain: before() also of the one after all.
@@ -59,13 +66,23 @@ class Sampler {
     return strata_[static_cast<std::size_t>(round == 0 ? 0 : round - 1)];
   }
   RandomKey key() const { return key_; }
+  /// Which of a round's points its i-th sample takes: each takes another.
+  int point(int round, int i) const;
+  /// The same, all rounds counted through.
+  int point(int sample) const {
+    const int round = round_of(sample);
+    return before(round) + point(round, sample - before(round));
+  }
 
   /// Where sample 0, 1, 2 ... of a pixel goes, all rounds counted through.
   Aim<float> aim(int x, int y, int sample) const;
 
  private:
+  int round_of(int sample) const;
+
   RandomKey key_;
   bool is_chance_;
+  int blur_steps_;
   std::vector<int> ends_;       // how many samples there are after each round
   std::vector<Strata> strata_;  // of the first two rounds together, the third, the fourth ...
 };
@@ -94,7 +111,7 @@ class Aims {
         has_lens_(has_lens),
         centered_(sampler.centered()) {}
 
-  /// The rays of the round's i-th sample. Domain: 0 <= i < the round's count. Cost: least in order.
+  /// The rays of the round's point i. Domain: 0 <= i < the round's count. Cost: least in order.
   Aim<Real> operator()(int i) {
     if (centered_) return {Real(0), Real(0), Real(0), Real(0)};
     const auto index = static_cast<std::uint32_t>(i);

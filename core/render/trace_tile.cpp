@@ -1,6 +1,7 @@
 #include "core/render/trace_tile.h"
 
 #include <algorithm>
+#include <deque>
 #include <numeric>
 #include <tuple>
 
@@ -12,15 +13,15 @@
 namespace tia {
 namespace {
 
-// One tile's rays through a world view.
+// One tile's rays through a world view, at one instant.
 template <class Real, class AnyWorldView>
 class Tracer {
  public:
-  Tracer(const Shot& shot, int x0, int y0, int width, int height)
-      : eye(shot.view), shot_(shot), world_view_{world_view_of(x0, y0, width, height)} {
+  Tracer(const Shot& shot, const Instant& at, int x0, int y0, int width, int height)
+      : eye(at.view), shot_(shot), at_(at), world_view_{world_view_of(x0, y0, width, height)} {
     if constexpr (may_have_backdrop) {
-      if (hides_beyond_ && shot.world.ground)
-        ground_.emplace(shot.world, shot.integrator, shot.rules, cone_of(shot.view),
+      if (hides_beyond_ && at.world.ground)
+        ground_.emplace(at.world, shot.integrator, shot.rules, cone_of(at.view),
                         [this](std::int64_t work) { spent(work); });
       if (shot.parts_light()) world_view_.parts = &parts_;
       if (shot.guided) world_view_.guides = &guides_;
@@ -43,7 +44,7 @@ class Tracer {
     }
   }
   /// Whether the world has a backdrop, and which lanes of the last rays met an object, as bits.
-  bool has_backdrop() const { return shot_.world.backdrop.has_value(); }
+  bool has_backdrop() const { return at_.world.backdrop.has_value(); }
   unsigned met() const { return world_view_.met; }
   /// 1 in those lanes, else 0, or what a shadow there covers.
   Real alpha() const { return ground_ ? met_lanes() + on_ground_.alpha() : met_lanes(); }
@@ -52,7 +53,7 @@ class Tracer {
   const GroundLight<Real>& on_ground() const { return on_ground_; }
   /// What the last rays show, whose light that is: before white, if it is before nothing.
   Vec3<Real> shown(const Vec3<Real>& light) const {
-    const Color wall = shot_.world.backdrop->color.value_or(Color{1, 1, 1});
+    const Color wall = at_.world.backdrop->color.value_or(Color{1, 1, 1});
     if constexpr (may_have_backdrop) return light + lift<Real>(rgb_of(wall)) * (Real(1) - alpha());
     else return light;
   }
@@ -79,6 +80,8 @@ class Tracer {
     return guides_;
   }
 
+  const View& view() const { return at_.view; }
+
   Eye<Real> eye;
 
  private:
@@ -90,23 +93,24 @@ class Tracer {
   }
   AnyWorldView world_view_of(int x0, int y0, int width, int height) {
     if constexpr (std::is_same_v<AnyWorldView, FewBallsView>) {
-      const Beam beam(shot_.view, x0, y0, x0 + width, y0 + height);
-      return {shot_.world, candidates(shot_.world, beam)};
+      const Beam beam(at_.view, x0, y0, x0 + width, y0 + height);
+      return {at_.world, candidates(at_.world, beam)};
     } else {
-      return {shot_.world, WorkCounter([this](std::int64_t work) { spent(work); }),
+      return {at_.world,   WorkCounter([this](std::int64_t work) { spent(work); }),
               shot_.rules, {},
-              0,           cone_of(shot_.view),
-              &shot_.view};
+              0,           cone_of(at_.view),
+              &at_.view};
     }
   }
 
   // A transparent one is black: light is multiplied by alpha. So is one with a ground, till later.
   Color beyond() const {
-    return has_backdrop() && !shot_.world.ground ? shot_.world.backdrop->color.value_or(Color{})
-                                                 : Color{};
+    return has_backdrop() && !at_.world.ground ? at_.world.backdrop->color.value_or(Color{})
+                                               : Color{};
   }
 
   const Shot& shot_;
+  const Instant& at_;
   const Color beyond_ = beyond();
   RayCounts all_rays_;
   Guides guides_;
@@ -118,6 +122,34 @@ class Tracer {
   const bool hides_beyond_ = has_backdrop() && gathers_light(shot_.integrator);
 };
 
+/// Tracers: of one tile, one for each of the picture's instants.
+template <class Real, class AnyWorldView>
+class Tracers {
+ public:
+  using OfInstant = Tracer<Real, AnyWorldView>;
+
+  Tracers(const Shot& shot, const TilePixels& tile) {
+    for (const Instant& at : shot.instants)
+      all_.emplace_back(shot, at, tile.x0, tile.y0, tile.width, tile.height);
+  }
+  bool blur() const { return all_.size() > 1; }
+  OfInstant& first() { return all_.front(); }
+  OfInstant& of(int sample) { return all_[static_cast<std::size_t>(sample) % all_.size()]; }
+  bool have_ground() const { return std::ranges::any_of(all_, &OfInstant::has_ground); }
+  /// Tells the meter. Returns: the rays of all.
+  RayCounts tell_rays() {
+    RayCounts rays;
+    for (OfInstant& each : all_) {
+      each.tell_rays();
+      rays += each.all_rays();
+    }
+    return rays;
+  }
+
+ private:
+  std::deque<OfInstant> all_;  // which do not move
+};
+
 // ---- one ray a pixel of a perspective view, as for most pictures --------------------------------
 
 template <class Real, class AnyWorldView>
@@ -126,17 +158,18 @@ template <class Real, class AnyWorldView>
   constexpr bool draws_much = std::is_same_v<AnyWorldView, WorldView>;
   SamplerState<Real> sampler_state;
   sampler_state.key = shot.sampler.key();
-  Tracer<Real, AnyWorldView> tracer(shot, x0, y0, tile.width, tile.height);
-  const Vec3<Real> origin = lift<Real>(shot.view.origin);
+  const View& view = shot.first().view;
+  Tracer<Real, AnyWorldView> tracer(shot, shot.first(), x0, y0, tile.width, tile.height);
+  const Vec3<Real> origin = lift<Real>(view.origin);
   const Real column_of = PacketPixels::column(), row_of = PacketPixels::row();
   const auto number = [](int i) { return Real(static_cast<float>(i)); };
   std::array<Vec3<Real>, FilmTile::size / PacketPixels::width> columns;
   for (int x = 0; x < tile.width; x += PacketPixels::width)
     columns[static_cast<std::size_t>(x / PacketPixels::width)] =
-        shot.view.column(number(x0 + x) + column_of);
+        view.column(number(x0 + x) + column_of);
 
   for (int y = 0; y < tile.height; y += PacketPixels::height) {
-    const Vec3<Real> row = shot.view.row(number(y0 + y) + row_of);
+    const Vec3<Real> row = view.row(number(y0 + y) + row_of);
     const Mask<Real> rows = row_of < number(tile.height - y);
     for (int x = 0; x < tile.width; x += PacketPixels::width) {
       const Vec3<Real>& column = columns[static_cast<std::size_t>(x / PacketPixels::width)];
@@ -176,22 +209,29 @@ Vec3<Real> clamped(const Vec3<Real>& v) {
 }
 
 template <class Real, class AnyWorldView>
-[[gnu::flatten]] void trace_round(const Shot& shot, int round, Tracer<Real, AnyWorldView>& tracer,
+[[gnu::flatten]] void trace_round(const Shot& shot, int round, Tracers<Real, AnyWorldView>& tracers,
                                   const Pixels<Real>& pixels) {
-  Aims<Real> aims(shot.sampler, round, pixels.x, pixels.y, shot.view.has_lens());
-  const Vec3<Real> center = pixels.center(shot.view);
+  Tracer<Real, AnyWorldView>* at = &tracers.first();
+  Aims<Real> aims(shot.sampler, round, pixels.x, pixels.y, shot.has_lens());
+  Vec3<Real> center = pixels.center(at->view());
   const Mask<Real> active = pixels.active();
   const int count = shot.sampler.count(round), before = shot.sampler.before(round);
   const int half = doubles(shot.sampler, round) ? 0 : (count + 1) / 2;  // is added to one of guides
   const bool watches = shot.watches(), clamps = shot.convergence.clamps();
-  const bool has_backdrop = tracer.has_backdrop(), has_ground = tracer.has_ground();
+  const bool has_backdrop = at->has_backdrop(), has_ground = tracers.have_ground();
   Vec3<Real> first = pixels.first_light();
   SamplerState<Real> sampler_state{pixels.x, pixels.y, 0, shot.sampler.key()};
   Sums<Real> sums(pixels);
   if (has_ground) sums.begin_ground(pixels);
   for (int i = 0; i < count; ++i) {
-    sampler_state.sample = static_cast<std::uint32_t>(before + i);
-    const Ray<Real> ray = tracer.eye.ray(center, aims(i));
+    if (tracers.blur()) {
+      at = &tracers.of(before + i);
+      center = pixels.center(at->view());
+    }
+    Tracer<Real, AnyWorldView>& tracer = *at;
+    const int point = shot.sampler.point(round, i);
+    sampler_state.sample = static_cast<std::uint32_t>(before + point);
+    const Ray<Real> ray = tracer.eye.ray(center, aims(point));
     const Vec3<Real> light = tracer.light(ray, active, sampler_state);
     sums.add(light);
     if (pixels.parts[0] != nullptr) pixels.add(tracer.parts());
@@ -215,7 +255,7 @@ template <class Real, class AnyWorldView>
 }
 
 template <class Real, class AnyWorldView>
-void trace_round(const Shot& shot, int round, Tracer<Real, AnyWorldView>& tracer,
+void trace_round(const Shot& shot, int round, Tracers<Real, AnyWorldView>& tracers,
                  TilePixels& tile) {
   std::vector<int>& unsettled = tile.unsettled;
   if (shot.guided && doubles(shot.sampler, round)) begin_half(tile);
@@ -230,7 +270,7 @@ void trace_round(const Shot& shot, int round, Tracer<Real, AnyWorldView>& tracer
       pixels.x[i] = static_cast<std::uint32_t>(tile.x0 + pixel % tile.width);
       pixels.y[i] = static_cast<std::uint32_t>(tile.y0 + pixel / tile.width);
     }
-    trace_round(shot, round, tracer, pixels);
+    trace_round(shot, round, tracers, pixels);
   }
   if (!shot.convergence.watches()) return;
   std::erase_if(unsettled, [&](int pixel) {
@@ -241,11 +281,10 @@ void trace_round(const Shot& shot, int round, Tracer<Real, AnyWorldView>& tracer
 
 template <class Real, class AnyWorldView>
 void trace_rounds_in(const Shot& shot, int begin, int end, TilePixels& tile) {
-  Tracer<Real, AnyWorldView> tracer(shot, tile.x0, tile.y0, tile.width, tile.height);
+  Tracers<Real, AnyWorldView> tracers(shot, tile);
   for (int round = begin; round < end && !tile.unsettled.empty(); ++round)
-    trace_round(shot, round, tracer, tile);
-  tracer.tell_rays();
-  tile.rays += tracer.all_rays();
+    trace_round(shot, round, tracers, tile);
+  tile.rays += tracers.tell_rays();
 }
 
 // ---- which of them ------------------------------------------------------------------------------
@@ -255,8 +294,11 @@ void trace_rounds_in(const Shot& shot, int begin, int end, TilePixels& tile) {
 template <class Trace>
 void with_types(const Shot& shot, Scalar scalar, const Trace& trace) {
   const auto by_view = [&]<class Real>(std::type_identity<Real>) {
-    if (shot.world.few_balls && row_of(shot.integrator).is_whitted && !shot.view.is_clipped() &&
-        !shot.guided)
+    const auto is_few = [](const Instant& at) {
+      return at.world.few_balls && !at.view.is_clipped();
+    };
+    if (row_of(shot.integrator).is_whitted && !shot.guided &&
+        std::ranges::all_of(shot.instants, is_few))
       return trace.template operator()<Real, FewBallsView>();
     return trace.template operator()<Real, WorldView>();
   };

@@ -1,8 +1,11 @@
 // Traces one tile of a picture, in any of the three scalars.
 #pragma once
 
+#include <algorithm>
+
 #include "core/film/image.h"
 #include "core/render/estimate.h"
+#include "core/render/instant.h"
 #include "core/render/layers.h"
 #include "core/render/meter.h"
 #include "core/render/sampler.h"
@@ -15,8 +18,7 @@ enum class Scalar { wide, narrow, exact };
 
 /// What all tiles of a picture share.
 struct Shot {
-  const World& world;
-  const View& view;  ///< in world space
+  Instants instants;  ///< views in their worlds' spaces
   IntegratorName integrator;
   Rules rules;
   const Sampler& sampler;
@@ -25,6 +27,11 @@ struct Shot {
   LayerSet layers = {};  ///< what is to be known besides the light
   bool guided = false;   ///< whether pixels' guides are summed, too
 
+  /// What a picture of one time is of, else of the first stratum.
+  const Instant& first() const { return instants.front(); }
+  bool has_lens() const {
+    return std::ranges::any_of(instants, [](const Instant& at) { return at.view.has_lens(); });
+  }
   bool parts_light() const {
     return layers.any([](const LayerRow& row) { return row.of_paths; });
   }
@@ -53,7 +60,7 @@ struct TilePixels {
 void trace_rounds(const Shot& shot, Scalar scalar, int first, int last, TilePixels& tile);
 
 /// Fills a tile whose pixels have one ray each, through their centres, and counts them.
-/// Domain: a centred sampler and no orthographic view. Errors: the meter's.
+/// Domain: one instant, a centred sampler and no orthographic view. Errors: the meter's.
 void trace_centers(const Shot& shot, Scalar scalar, int x0, int y0, FilmTile& tile);
 
 }  // namespace tia

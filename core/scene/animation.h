@@ -133,7 +133,7 @@ void Track::fields(Visitor&& visit) {
 struct Animation {
   static constexpr std::string_view schema_name = "animation";
   static constexpr double most_frames = 100'000;
-  double duration = 1, fps = 24;
+  double duration = 1, fps = 24, shutter = 0;
   std::vector<Track> tracks;
 
   template <class Visitor>
@@ -150,6 +150,11 @@ struct Animation {
                .min = 0,
                .max = 1000,
                .open_min = true});
+    visit("shutter", &Animation::shutter,
+          Spec{.about = "the share of a frame's time for which its shutter is open, half of it "
+                        "before the frame's own time: what moves then is blurred",
+               .min = 0,
+               .max = 1});
     visit("tracks", &Animation::tracks, Spec{.about = "what changes"});
   }
   /// Too many frames.

@@ -140,6 +140,9 @@ class TreeCheck {
 }  // namespace
 
 void SceneOptions::check(const Place& at, Faults& faults) const {
+  if (blur_steps && samples && *blur_steps > *samples)
+    faults.add({FaultKind::conflict, at.at("blur_steps").pointer(), Value(*blur_steps),
+                "at most the samples of a pixel, which are " + std::to_string(*samples)});
   if (noise.value_or(0) == 0) return;
   const auto refuse = [&](const std::string& allowed) {
     faults.add({FaultKind::conflict, at.at("noise").pointer(), write_value(*noise), allowed});

@@ -35,12 +35,14 @@ struct SceneOptions {
   static constexpr double last_seed = 9007199254740991;  // 2^53 - 1
   static constexpr int deepest = 64;
   static constexpr int most_of_noise = 4096;
+  static constexpr int usual_blur_steps = 8, most_blur_steps = 256;
   static constexpr double most_stops = 32, coldest_white = 1000, hottest_white = 25000;
   IntegratorName integrator = IntegratorName::whitted;
   Transfer transfer = Transfer::srgb;
   double exposure = 0;
   std::optional<double> white_balance_kelvin;  ///< none: off
   std::optional<int> samples;                  ///< none: the integrator's
+  std::optional<int> blur_steps;               ///< none: 8, at most as many as samples
   std::optional<double> threshold;             ///< none: off
   std::optional<double> noise;                 ///< none: off
   std::optional<int> max_depth;                ///< none: the integrator's
@@ -69,6 +71,11 @@ struct SceneOptions {
              .max = hottest_white});
     visit("samples", &SceneOptions::samples,
           Spec{.about = "rays a pixel; 1 goes through its centre", .min = 1, .max = 65536});
+    visit("blur_steps", &SceneOptions::blur_steps,
+          Spec{.about = "into how many strata the open time of an animation's shutter is parted: "
+                        "sample s is of stratum s mod blur_steps; else 8, at most one a sample",
+               .min = 1,
+               .max = most_blur_steps});
     visit("threshold", &SceneOptions::threshold,
           Spec{.about = "more rays where a pixel's own disagree: the standard error that its mean "
                         "may keep; 0 is off",
@@ -115,7 +122,7 @@ struct SceneOptions {
   int usual_samples() const {
     return noise.value_or(0) > 0 ? most_of_noise : row_of(integrator).samples;
   }
-  /// noise with threshold, or without chance.
+  /// noise with threshold, or without chance; more blur_steps than samples.
   void check(const Place& at, Faults& faults) const;
   bool operator==(const SceneOptions&) const = default;
 };

@@ -1,14 +1,18 @@
 // /explain: one pixel or one ray in, what the ray meets out, as JSON.
+#include <algorithm>
+
 #include "core/input/json.h"
 #include "core/render/explain.h"
 #include "core/render/explain_paths.h"
 #include "core/render/sampler.h"
+#include "core/scene/labels.h"
 #include "server/contract/answers.h"
 #include "server/contract/parameters.h"
 #include "server/contract/query_parameters.h"
 #include "server/handlers/bodies.h"
 #include "server/handlers/handlers.h"
 #include "server/requests/explain_request.h"
+#include "server/requests/exposure.h"
 
 namespace tia::server {
 
@@ -36,9 +40,7 @@ void ExplainRequest::check(const Place& at, Faults& faults) const {
 
 namespace {
 
-RenderOptions checked_options(const ExplainRequest& asked, const Scene& scene,
-                              const Limits& limits) {
-  const RenderOptions options = options_of(options_in_effect(scene.options, asked), limits);
+void check_options(const ExplainRequest& asked, const RenderOptions& options) {
   const bool by_paths = options.integrator == IntegratorName::path;
   if (!row_of(options.integrator).is_whitted && !by_paths)
     throw InputError({FaultKind::out_of_range, "/integrator", Value(name_of(options.integrator)),
@@ -52,38 +54,93 @@ RenderOptions checked_options(const ExplainRequest& asked, const Scene& scene,
   if (asked.sample >= most)
     throw InputError({FaultKind::out_of_range, "/sample", Value(asked.sample),
                       range_text({.min = 0, .max = most - 1.0}, true) + ", of the pixel's rays"});
-  return options;
 }
 
-Value::Object explanation_in(const ExplainRequest& asked, const Scene& scene, World world,
-                             const RenderOptions& options, const std::stop_token& stop) {
-  const bool by_paths = options.integrator == IntegratorName::path;
-  const WhichPaths which{asked.sample, asked.paths.value_or(WhichPaths{}.count)};
-  if (asked.ray) {
-    const Ray<double> ray{asked.ray->origin, normalize(asked.ray->direction)};
-    if (by_paths)
-      return value_of(explain_paths(scene, std::move(world), ray, which, options, stop));
-    return value_of(explain(scene, std::move(world), ray, options, stop));
+/// Explaining: one request, whose scene has been found.
+struct Explaining {
+  const ExplainRequest& asked;
+  const KnownScene scene;  // of its own time
+  const Exposure exposure;
+  RenderOptions options;
+  const RenderContext& context;
+  const Workers& workers;
+
+  WhichPaths which() const { return {asked.sample, asked.paths.value_or(WhichPaths{}.count)}; }
+  bool by_paths() const { return options.integrator == IntegratorName::path; }
+  View view(const Scene& of) const { return view_of(of.camera, asked.width, asked.height); }
+  template <class Tell>
+  Value::Object alone(const Tell& tell) const {
+    Value::Object told;
+    workers.alone([&] { told = value_of(tell()); });
+    return told;
   }
-  const View view = view_of(scene.camera, asked.width, asked.height);
-  const int x = *asked.x, y = *asked.y;
-  if (by_paths)
-    return value_of(explain_paths(scene, std::move(world), view, x, y, which, options, stop));
-  return value_of(explain(scene, std::move(world), view, x, y, asked.sample, options, stop));
+};
+
+// A ray is of no sample, and so of the frame's own time.
+Value::Object explained_ray(const Explaining& by) {
+  const auto& [origin, direction] = *by.asked.ray;
+  const Ray<double> ray{origin, normalize(direction)};
+  World world = by.context.geometries.compile(by.scene, by.workers);
+  const std::stop_token& stop = by.workers.stop();
+  if (by.by_paths())
+    return by.alone([&] {
+      return explain_paths(*by.scene, std::move(world), ray, by.which(), by.options, stop);
+    });
+  return by.alone([&] { return explain(*by.scene, std::move(world), ray, by.options, stop); });
+}
+
+Value::Object explained_sample(const Explaining& by) {
+  const auto stratum = static_cast<std::size_t>(by.asked.sample) % by.exposure.strata.size();
+  const KnownScene& scene = by.exposure.scenes[by.exposure.strata[stratum]];
+  World world = by.context.geometries.compile(scene, by.workers);
+  return by.alone([&] {
+    return explain(*scene, std::move(world), by.view(*scene), *by.asked.x, *by.asked.y,
+                   by.asked.sample, by.options, by.workers.stop());
+  });
+}
+
+// Paths of one pixel are told as of the same objects.
+void check_same_objects(const Exposure& exposure) {
+  const auto labels = object_labels(*exposure.scenes.front());
+  for (const KnownScene& scene : exposure.scenes)
+    if (!std::ranges::equal(labels, object_labels(*scene), {}, &ObjectLabel::name,
+                            &ObjectLabel::name))
+      throw InputError({FaultKind::conflict, "/blur_steps", Value(exposure.blur_steps()),
+                        "1 where something comes or goes while the shutter is open, for paths are "
+                        "told as of the same objects"});
+}
+
+Value::Object explained_paths(const Explaining& by) {
+  by.workers.alone([&] { check_same_objects(by.exposure); });
+  const std::vector<World> worlds = worlds_of(by.exposure, by.context, by.workers);
+  SeenWorlds seen;
+  for (const std::size_t i : by.exposure.strata) {
+    seen.worlds.push_back(worlds[i]);
+    seen.views.push_back(by.view(*by.exposure.scenes[i]));
+  }
+  const auto first = static_cast<std::size_t>(by.asked.sample) % by.exposure.strata.size();
+  return by.alone([&] {
+    return explain_paths(*by.exposure.scenes[by.exposure.strata[first]], std::move(seen),
+                         *by.asked.x, *by.asked.y, by.which(), by.options, by.workers.stop());
+  });
 }
 
 std::string explanation_of(const ExplainRequest& asked, const Service& service,
                            const Requester& requester, Flow& flow) {
-  const KnownScene scene = scene_of(asked, service.rendering, requester);
-  const RenderOptions options = checked_options(asked, *scene, service.rendering.limits);
-  Pool& pool = service.rendering.pool;
-  World world = service.rendering.geometries.compile(
-      scene, pool.workers(pool.threads(), requester.stop, &flow));
+  const RenderContext& context = service.rendering;
+  const FoundScene found = found_scene(asked, context, requester);
+  SceneOptions in_effect = options_in_effect(found.plain->options, asked);
+  Exposure exposure = exposure_of(asked, found, in_effect, context, requester);
+  const Workers workers = context.pool.workers(context.pool.threads(), requester.stop, &flow);
+  Explaining by{asked,   found.plain, std::move(exposure), options_of(in_effect, context.limits),
+                context, workers};
+  check_options(asked, by.options);
+  by.options.blur_steps = by.exposure.blur_steps();
+  const Value::Object told = asked.ray       ? explained_ray(by)
+                             : by.by_paths() ? explained_paths(by)
+                                             : explained_sample(by);
   std::string text;
-  const auto tell = [&] {
-    text = to_json(explanation_in(asked, *scene, std::move(world), options, requester.stop));
-  };
-  pool.alone(tell, requester.stop, &flow);
+  workers.alone([&] { text = to_json(told); });
   return text;
 }
 

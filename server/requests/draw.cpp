@@ -72,8 +72,11 @@ void check_sheet(const PictureRequest& asked, const Scene& scene) {
 
 // Those that a pixel has in any case.
 int fewest_samples(const PictureRequest& asked, const RenderOptions& options) {
-  if (asked.has_budget()) return std::min(options.samples, Sampler::first_round);
-  if (options.noise > 0) return std::min(options.samples, Convergence::least_samples);
+  const auto at_least = [&](int samples) {
+    return std::min(options.samples, std::max(samples, options.blur_steps));
+  };
+  if (asked.has_budget()) return at_least(Sampler::first_round);
+  if (options.noise > 0) return at_least(Convergence::least_samples);
   return least_samples(options.samples, options.threshold);
 }
 
@@ -82,20 +85,24 @@ int fewest_samples(const PictureRequest& asked, const RenderOptions& options) {
 Plan plan_of(const PictureRequest& asked, const RenderContext& context,
              const Requester& requester) {
   check_size(asked.width, asked.height, context.limits);
-  const KnownScene scene = scene_of(asked, context, requester);
+  const FoundScene found = found_scene(asked, context, requester);
+  const KnownScene& scene = found.plain;
   SceneOptions in_effect = options_in_effect(scene->options, asked);
   check_rounds(asked, in_effect);
   check_format(asked, *scene, in_effect.integrator);
   check_depth_range(asked, in_effect.integrator);
   check_sheet(asked, *scene);
   if (asked.format != Format::png && !in_effect.noise) in_effect.show_by({});
+  Exposure exposure = exposure_of(asked, found, in_effect, context, requester);
   RenderOptions options = options_of(in_effect, context.limits);
+  options.blur_steps = exposure.blur_steps();
   options.threads =
       std::min(asked.threads.value_or(context.pool.threads()), context.pool.threads());
   options.denoise = asked.denoise;
   const Window window = whole_window(asked, *scene);
   check_size(window.x1, window.y1, context.limits);
   Plan plan{.scene = scene,
+            .exposure = std::move(exposure),
             .view = view_of(scene->camera, asked.width, asked.height),
             .window = window,
             .in_effect = in_effect,
@@ -111,9 +118,10 @@ Plan plan_of(const PictureRequest& asked, const RenderContext& context,
   const Window traced = plan.traced();
   check_rays(static_cast<std::int64_t>(traced.width()) * traced.height(),
              fewest_samples(asked, options), context.limits);
-  const std::size_t objects = scene.objects.bytes <= most_told_bytes ? scene.objects.bytes : 0;
+  const KnownScene& told = told_scene_of(plan);
+  const std::size_t objects = told.objects.bytes <= most_told_bytes ? told.objects.bytes : 0;
   std::tie(plan.recipe, plan.rounds_name, plan.cost_key) =
-      context.go_through(scene.others + objects, requester, [&] {
+      context.go_through(told.others + objects, requester, [&] {
         return std::tuple(recipe_of(asked, plan), rounds_name_of(asked, plan), cost_key_of(plan));
       });
   return plan;

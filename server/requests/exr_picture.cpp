@@ -32,9 +32,10 @@ RenderOptions options_of_feature(const Plan& plan, IntegratorName feature, int s
   options.integrator = feature;
   options.layers = {};
   options.denoise = false;
-  options.samples = options.noise > 0 ? std::min(samples, Sampler::first_round) : samples;
+  const int first_round = std::max(Sampler::first_round, options.blur_steps);
+  options.samples = options.noise > 0 ? std::min(samples, first_round) : samples;
   options.noise = 0;
-  if (!averages(feature)) options.samples = 1, options.threshold = 0;
+  if (!averages(feature)) options.samples = options.blur_steps = 1, options.threshold = 0;
   return options;
 }
 
@@ -54,16 +55,16 @@ void check_layers(const Plan& plan, const Limits& limits) {
              limits);
 }
 
-RayCounts ExrPicture::draw_features(const std::optional<Reached>& reached, const World& world,
-                                    Pool& pool, const std::stop_token& stop) {
+RayCounts ExrPicture::draw_features(const std::optional<Reached>& reached, Instants instants,
+                                    const Instant& frame, Pool& pool, const std::stop_token& stop) {
   RayCounts rays;
   const bool was_open = plan_.asked->has_budget();
   const int samples = was_open ? reached->samples : plan_.options.samples;
   plan_.layers.for_each([&](const LayerRow& row) {
     if (!row.feature) return;
-    const Rendered drawn =
-        render(world, plan_.view, plan_.window, options_of_feature(plan_, *row.feature, samples),
-               pool, stop, [&](const FilmTile& tile) { film_.put(tile, row); });
+    const Rendered drawn = render(averages(*row.feature) ? instants : Instants{&frame, 1},
+                                  plan_.window, options_of_feature(plan_, *row.feature, samples),
+                                  pool, stop, [&](const FilmTile& tile) { film_.put(tile, row); });
     rays += drawn.rays;
   });
   return rays;

@@ -23,8 +23,14 @@ class ExrPicture {
   /// Draws the layers that other integrators draw, once it is known how far a budget has reached:
   /// as their pictures of the same request, with as many samples; where noise decides of these,
   /// with no more than a first round has. Returns: their rays. Errors: as render().
-  RayCounts draw_features(const std::optional<Reached>& reached, const World& world, Pool& pool,
-                          const std::stop_token& stop);
+  /// `frame`: the frame's own time, of which those are that cannot be averaged.
+  RayCounts draw_features(const std::optional<Reached>& reached, Instants instants,
+                          const Instant& frame, Pool& pool, const std::stop_token& stop);
+  /// Whether there are such.
+  static bool shows_own_time(const Plan& plan) {
+    return plan.layers.any(
+        [](const LayerRow& row) { return row.feature && !averages(*row.feature); });
+  }
   std::string encode(const std::string& recipe, const Workers& workers) const;
 
  private:

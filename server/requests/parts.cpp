@@ -12,24 +12,52 @@ Window whole_window(const PictureRequest& asked, const Scene& scene) {
   return window;
 }
 
-std::vector<Part> parts_of(const Plan& plan) {
-  if (!plan.scene->sheet) return {{plan.scene.scene, plan.view, plan.window, 0, 0}};
-  const int width = plan.asked->width, height = plan.asked->height;
-  const Sheet& sheet = *plan.scene->sheet;
-  std::vector<Part> parts;
-  for (const SheetView& view : sheet.views) {
-    auto scene = std::make_shared<Scene>(*plan.scene);
+namespace {
+
+Part whole_part(const Plan& plan) {
+  Part part{{}, {}, plan.window};
+  for (const KnownScene& scene : plan.exposure.scenes) {
+    part.scenes.push_back(scene.scene);
+    part.views.push_back(view_of(scene->camera, plan.view.width, plan.view.height));
+  }
+  return part;
+}
+
+Part part_of(const Plan& plan, const SheetView& view) {
+  const int width = plan.view.width, height = plan.view.height;
+  Part part{{}, {}, {0, 0, width, height}};
+  for (const KnownScene& each : plan.exposure.scenes) {
+    auto scene = std::make_shared<Scene>(*each);
     scene->camera = view.camera;
     scene->lights = view.lights;
     scene->sheet.reset();
+    part.scenes.push_back(std::move(scene));
+    part.views.push_back(view_of(view.camera, width, height));
+  }
+  return part;
+}
+
+}  // namespace
+
+std::vector<Part> parts_of(const Plan& plan) {
+  if (!plan.scene->sheet) return {whole_part(plan)};
+  const Sheet& sheet = *plan.scene->sheet;
+  std::vector<Part> parts;
+  for (const SheetView& view : sheet.views) {
     const int number = static_cast<int>(parts.size());
-    parts.push_back({scene,
-                     view_of(view.camera, width, height),
-                     {0, 0, width, height},
-                     number % sheet.columns * width,
-                     number / sheet.columns * height});
+    Part part = part_of(plan, view);
+    part.x = number % sheet.columns * plan.view.width;
+    part.y = number / sheet.columns * plan.view.height;
+    parts.push_back(std::move(part));
   }
   return parts;
+}
+
+std::vector<Instant> instants_of(const Part& part, const std::vector<World>& worlds,
+                                 const Exposure& exposure) {
+  std::vector<Instant> instants;
+  for (const std::size_t i : exposure.strata) instants.push_back({worlds[i], part.views[i]});
+  return instants;
 }
 
 Vec3f nothing_in(const Plan& plan) {

@@ -10,9 +10,9 @@ namespace tia::server {
 
 /// Part: a view, and where its corner is in the picture.
 struct Part {
-  SharedScene scene;  ///< with the view's own camera and lights
-  View view;
-  Window window;  ///< of the view
+  std::vector<SharedScene> scenes;  ///< the exposure's, with the view's own camera and lights
+  std::vector<View> views;          ///< of them
+  Window window;                    ///< of the view
   int x = 0, y = 0;
 };
 
@@ -72,24 +72,32 @@ struct PartTracing {
   const Workers& workers;
   const std::stop_token& stop;
 };
-/// Traces all parts onto the film. `world`: the plan's scene's, whose objects all have.
+/// What the samples of a part are of, in their order. Domain: worlds of its scenes, which outlive
+/// it.
+std::vector<Instant> instants_of(const Part& part, const std::vector<World>& worlds,
+                                 const Exposure& exposure);
+
+/// Traces all parts onto the film. `worlds`: of the exposure's scenes, whose objects all have.
 /// Errors: as render's.
 template <class Film>
-Rendered trace_parts(PartTracing by, const World& world, Film& film) {
+Rendered trace_parts(PartTracing by, const std::vector<World>& worlds, Film& film) {
   Rendered all;
   const std::vector<Part> parts = parts_of(by.plan);
   const auto& sheet = by.plan.scene->sheet;
   const Watch watch = by.options.watch;
   for (const Part& part : parts) {
     const int number = static_cast<int>(&part - parts.data());
-    World own;
-    if (sheet) by.workers.alone([&] { own = compile(*part.scene, world.of_objects, by.workers); });
+    std::vector<World> own;
+    for (std::size_t i = 0; sheet && i < worlds.size(); ++i)
+      by.workers.alone(
+          [&] { own.push_back(compile(*part.scenes[i], worlds[i].of_objects, by.workers)); });
+    const auto instants = instants_of(part, sheet ? own : worlds, by.plan.exposure);
     if (sheet && watch)
       by.options.watch = [&](const Glimpse& glimpse) {
         watch(of_sheet(glimpse, part, all, number, *sheet));
       };
-    const Rendered drawn = render(sheet ? own : world, part.view, part.window, by.options, by.pool,
-                                  by.stop, [&](const FilmTile& tile) { put(tile, part, film); });
+    const Rendered drawn = render(instants, part.window, by.options, by.pool, by.stop,
+                                  [&](const FilmTile& tile) { put(tile, part, film); });
     add(all, drawn, number);
     by.options.max_rays -= drawn.rays.all();
   }

@@ -5,6 +5,7 @@
 
 #include "core/film/denoise.h"
 #include "core/render/render.h"
+#include "server/requests/exposure.h"
 #include "server/requests/picture_request.h"
 #include "server/stores/known_scene.h"
 
@@ -17,8 +18,9 @@ inline bool is_transparent(const Scene& scene, IntegratorName integrator) {
 
 /// Plan: a request whose picture can be drawn: all that may be wrong with it has been checked.
 struct Plan {
-  KnownScene scene;
-  View view;
+  KnownScene scene;  ///< plain, of the frame's own time
+  Exposure exposure;
+  View view;  ///< the scene's
   Window window;
   SceneOptions in_effect;  ///< the scene's options, or what the request says instead
   RenderOptions options;

@@ -35,15 +35,16 @@ bool has_long_keys(const Scene& scene) {
 }
 
 Value told_scene(const Plan& plan) {
-  const ObjectsName& objects = plan.scene.objects;
+  const KnownScene& from = told_scene_of(plan);
+  const ObjectsName& objects = from.objects;
   Scene told;
-  Scene::fields(SmallFields{*plan.scene, told});
+  Scene::fields(SmallFields{*from, told});
   told.options = plan.in_effect;
   if (has_long_keys(told)) told.keys.clear();
   const bool small = objects.bytes <= most_told_bytes;
   if (small) {
-    told.materials = plan.scene->materials;
-    told.objects = plan.scene->objects;
+    told.materials = from->materials;
+    told.objects = from->objects;
   }
   Value scene = write_value(told);
   if (!small) scene.as<Value::Object>()->emplace_back("objects", "sha256:" + hex(objects.digest));
@@ -104,6 +105,8 @@ Recipe recipe_of(Value&& value) {
 std::string recipe_of(const PictureRequest& asked, const Plan& plan) {
   const PictureRequest usual;
   Value::Object request{{"scene", told_scene(plan)}};
+  if (plan.exposure.blurs() && plan.exposure.seconds > 0)
+    request.emplace_back("time", plan.exposure.seconds);
   if (asked.width != usual.width) request.emplace_back("width", asked.width);
   if (asked.height != usual.height) request.emplace_back("height", asked.height);
   if (!plan.scene->sheet && !(plan.window == Window{0, 0, asked.width, asked.height}))

@@ -20,9 +20,15 @@ constexpr std::string_view recipe_keyword = "Tia recipe";
 /// itself. Keys that are longer are left out: the picture is the same.
 constexpr std::size_t most_told_bytes = 256 << 10;
 
+/// The scene that a recipe tells: the plain one, or whose strata of time are drawn.
+inline const KnownScene& told_scene_of(const Plan& plan) {
+  return plan.exposure.blurs() ? plan.exposure.moving : plan.scene;
+}
+
 /// Returns: {"request":{…},"version":"…"}: what POST /render takes, without what is as it would be
 /// anyhow, or changes no byte. The scene is whole, after its key or light and with the options that
-/// hold. Canonical text (RFC 8785).
+/// hold; plain, but of a picture that motion blurs, which tells the moving one (exposed_scene) and
+/// the time. Canonical text (RFC 8785).
 std::string recipe_of(const PictureRequest& asked, const Plan& plan);
 
 /// What rounds over a picture are kept by: all that decides their sums, as its recipe without how

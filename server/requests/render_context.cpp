@@ -130,40 +130,36 @@ KnownScene scene_in_motion(const KnownScene& scene, const RenderContext& context
   });
 }
 
-namespace {
-
-// The plain scene of the moment that is asked for.
-KnownScene moment_of(const KnownScene& scene, const ViewRequest& asked,
-                     const RenderContext& context, const Requester& requester) {
-  const Animation& animation = *scene->animation;
-  const double seconds = asked.seconds_in(animation);
+KnownScene scene_at(const KnownScene& moving, double seconds, const ModelAlong& along,
+                    const RenderContext& context, const Requester& requester) {
+  const Animation& animation = *moving->animation;
   const PressedScenes::SharedMiddles middles =
-      moves_key_light(animation) ? context.pressed.middles_of(scene, requester) : nullptr;
+      moves_key_light(animation) ? context.pressed.middles_of(moving, requester) : nullptr;
   const bool objects = moves_objects(animation);
-  const std::size_t bytes = scene.others + (objects ? scene.objects.bytes : 0);
-  return context.go_through(bytes, requester, [&] {
+  const std::size_t bytes = moving.others + (objects ? moving.objects.bytes : 0);
+  const KnownScene plain = context.go_through(bytes, requester, [&] {
     const Place all{};
-    auto plain = std::make_shared<const Scene>(
-        at_time(*scene, seconds, middles ? *middles : Middles{}, all.at("scene"), requester.stop));
-    if (objects) return known(std::move(plain));
-    return KnownScene{std::move(plain), scene.objects, scene.others, scene.models};
+    auto made = std::make_shared<const Scene>(
+        at_time(*moving, seconds, middles ? *middles : Middles{}, all.at("scene"), requester.stop));
+    if (objects) return known(std::move(made));
+    return KnownScene{std::move(made), moving.objects, moving.others, moving.models};
   });
+  return with_models(plain, along, context, requester);
 }
 
-}  // namespace
-
-KnownScene scene_of(const ViewRequest& asked, const RenderContext& context,
-                    const Requester& requester) {
-  KnownScene scene =
+FoundScene found_scene(const ViewRequest& asked, const RenderContext& context,
+                       const Requester& requester) {
+  const KnownScene scene =
       scene_in_motion(changed_scene_of(asked, context, requester), context, requester);
-  if (scene->animation)
-    return with_models(moment_of(scene, asked, context, requester), asked.along, context,
-                       requester);
+  if (scene->animation) {
+    const double seconds = asked.seconds_in(*scene->animation);
+    return {scene_at(scene, seconds, asked.along, context, requester), scene, seconds};
+  }
   if (asked.is_asked())
     throw InputError({FaultKind::conflict, asked.time ? "/time" : "/frame",
                       asked.time ? Value(*asked.time) : Value(*asked.frame),
                       "a scene with an animation or physics; this one does not move"});
-  return scene;
+  return {scene, {}, 0};
 }
 
 RenderOptions options_of(const SceneOptions& in_effect, const Limits& limits) {

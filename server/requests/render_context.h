@@ -60,11 +60,28 @@ KnownScene changed_scene_of(const ViewRequest& asked, const RenderContext& conte
 KnownScene scene_in_motion(const KnownScene& scene, const RenderContext& context,
                            const Requester& requester);
 
-/// The scene that is asked for, its bodies' motion found, then at the moment that is asked for:
-/// plain, without an animation. It may be the request's own, and lives no longer. Errors:
-/// InputError; as PressedScenes::get, ModelStore::find.
-KnownScene scene_of(const ViewRequest& asked, const RenderContext& context,
-                    const Requester& requester);
+/// FoundScene: a scene, and what it is the moment of.
+struct FoundScene {
+  KnownScene plain;    ///< without an animation
+  KnownScene moving;   ///< null: it has none
+  double seconds = 0;  ///< the time
+};
+
+/// The scene that is asked for, its bodies' motion found, then at the moment that is asked for. It
+/// may be the request's own, and lives no longer. Errors: InputError; as PressedScenes::get,
+/// ModelStore::find.
+FoundScene found_scene(const ViewRequest& asked, const RenderContext& context,
+                       const Requester& requester);
+/// The plain one.
+inline KnownScene scene_of(const ViewRequest& asked, const RenderContext& context,
+                           const Requester& requester) {
+  return found_scene(asked, context, requester).plain;
+}
+
+/// The plain scene of a time, with what its models stand for. Domain: a scene with an animation.
+/// Errors: InputError, as at_time; as ModelStore::find.
+KnownScene scene_at(const KnownScene& moving, double seconds, const ModelAlong& along,
+                    const RenderContext& context, const Requester& requester);
 
 /// How light is traced by options in effect, within the limits.
 RenderOptions options_of(const SceneOptions& in_effect, const Limits& limits);

@@ -71,6 +71,7 @@ struct StillFields {
   void operator()(std::string_view name, Member Base::*member, const Spec& spec) const {
     constexpr bool placed = std::is_same_v<Base, PlacedModel>;
     if (std::is_same_v<Base, Moment>) return;  // a model's own time is PlacedModel's
+    if (name == "blur_steps") return;          // a still does not move
     if (placed && (name == "id" || name == "ambient")) return;
     for (const std::string_view other : {"scene", "key", "light", "camera"})
       if (std::is_same_v<Base, ViewRequest> && name == other) return;

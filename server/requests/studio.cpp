@@ -1,5 +1,6 @@
 #include "server/requests/studio.h"
 
+#include <algorithm>
 #include <chrono>
 #include <utility>
 
@@ -8,7 +9,6 @@
 #include "core/film/png_text.h"
 #include "server/http/error.h"
 #include "server/requests/draw_memory.h"
-#include "server/requests/exr_picture.h"
 #include "server/requests/linear_file.h"
 #include "server/requests/parts.h"
 #include "server/requests/recipe.h"
@@ -20,7 +20,8 @@ namespace {
 // InputError where there are no rays for it.
 class BudgetOfRequest {
  public:
-  explicit BudgetOfRequest(const PictureRequest& asked) : asked_(asked) {}
+  BudgetOfRequest(const PictureRequest& asked, int blur_steps)
+      : asked_(asked), first_round_(std::max(Sampler::first_round, blur_steps)) {}
 
   RenderOptions options_of(const Plan& plan) const {
     RenderOptions options = plan.options;
@@ -36,20 +37,22 @@ class BudgetOfRequest {
   }
   [[noreturn]] void refuse(const BudgetSpent& spent) const {
     if (spent.of() == BudgetSpent::Of::rays)
-      throw InputError(
-          {FaultKind::limit, "/max_rays", write_value(*asked_.max_rays),
-           "more than a first round of 16 samples a pixel takes: from the eye alone " +
-               std::to_string(16LL * asked_.window().width() * asked_.window().height())});
+      throw InputError({FaultKind::limit, "/max_rays", write_value(*asked_.max_rays),
+                        "more than a first round of " + std::to_string(first_round_) +
+                            " samples a pixel takes: from the eye alone " +
+                            std::to_string(std::int64_t{first_round_} * asked_.window().width() *
+                                           asked_.window().height())});
     throw HttpError("budget",
                     "budget_ms of " + std::to_string(*asked_.budget_ms) +
-                        " was over before each pixel had the 16 samples of a first round; ask for "
-                        "more time or fewer pixels",
+                        " was over before each pixel had the " + std::to_string(first_round_) +
+                        " samples of a first round; ask for more time or fewer pixels",
                     {{"Retry-After", "1"}});
   }
 
  private:
   using Clock = std::chrono::steady_clock;
   const PictureRequest& asked_;
+  int first_round_;  // samples
 };
 
 // The recipe of what has been drawn where the budget's end has decided that.
@@ -113,11 +116,10 @@ Studio::Studio(const Plan& plan, const RenderContext& context, const std::stop_t
       workers_(context.pool.workers(plan.options.threads, stop, &flow_)) {}
 
 template <class Film>
-void Studio::draw_on(Film film, const World& world, Picture& picture) {
+void Studio::draw_on(Film film, const Worlds& worlds, Picture& picture) {
   const Nanoseconds before = flow_.attained;
-  trace(film, world, picture);
-  if constexpr (std::is_same_v<Film, ExrPicture>)
-    picture.rays += film.draw_features(picture.reached, world, context_.pool, stop_);
+  trace(film, worlds, picture);
+  if constexpr (std::is_same_v<Film, ExrPicture>) draw_features(film, worlds, picture);
   std::string recipe = plan_.recipe;
   if (plan_.asked->has_budget())
     workers_.alone([&] {
@@ -131,20 +133,29 @@ void Studio::draw_on(Film film, const World& world, Picture& picture) {
 }
 
 template <class Film>
-void Studio::trace(Film& film, const World& world, Picture& picture) {
-  const BudgetOfRequest budget(*plan_.asked);
+void Studio::trace(Film& film, const Worlds& worlds, Picture& picture) {
+  const BudgetOfRequest budget(*plan_.asked, plan_.options.blur_steps);
   PartTracing by{plan_, budget.options_of(plan_), context_.pool, workers_, stop_};
   if constexpr (!std::is_same_v<Film, ScanlineFilm>)
     if (onlooker_ != nullptr)
       by.options.watch = [&](const Glimpse& glimpse) { show(glimpse, film); };
   try {
-    const Rendered drawn = trace_parts(by, world, film);
+    const Rendered drawn = trace_parts(by, worlds, film);
     picture.rays = drawn.rays;
     picture.rays_before = drawn.before.all();
     picture.reached = drawn.reached;
   } catch (const BudgetSpent& spent) {
     budget.refuse(spent);
   }
+}
+
+void Studio::draw_features(ExrPicture& film, const Worlds& worlds, Picture& picture) {
+  World of_frame;
+  const bool has_own = plan_.exposure.blurs() && ExrPicture::shows_own_time(plan_);
+  if (has_own) of_frame = context_.geometries.compile(plan_.scene, workers_);
+  const auto instants = instants_of(parts_of(plan_).front(), worlds, plan_.exposure);
+  const Instant frame{has_own ? of_frame : worlds.front(), plan_.view};
+  picture.rays += film.draw_features(picture.reached, instants, frame, context_.pool, stop_);
 }
 
 template <class Film>
@@ -169,7 +180,8 @@ void Studio::tell_errors(Picture& picture) const {
 }
 
 // What there is after some rounds is the picture of as many samples, unless each pixel may have
-// had more or fewer, or one sample would go elsewhere: then it is nothing that can be asked for.
+// had more or fewer, or one sample would go elsewhere, or some times have had none yet: then it is
+// nothing that can be asked for.
 // The film is that of the picture, which later tiles are put on, too.
 template <class Film>
 void Studio::show(const Glimpse& glimpse, Film& film) {
@@ -184,7 +196,8 @@ void Studio::show(const Glimpse& glimpse, Film& film) {
   tell_errors(picture);
   std::string recipe;
   workers_.alone([&] {
-    if (!glimpse.is_preview && plan_.options.threshold == 0)
+    if (!glimpse.is_preview && plan_.options.threshold == 0 &&
+        picture.reached->samples >= plan_.options.blur_steps)
       recipe = recipe_of_reached(plan_, picture.reached->samples);
     picture.etag =
         etag_of(recipe.empty() ? plan_.recipe + " seen " + std::to_string(round) : recipe);
@@ -195,26 +208,26 @@ void Studio::show(const Glimpse& glimpse, Film& film) {
 }
 
 // ScanlineFilm takes each tile once.
-void Studio::draw_on_a_film(const World& world, Picture& picture) {
+void Studio::draw_on_a_film(const Worlds& worlds, Picture& picture) {
   const int width = plan_.window.width(), height = plan_.window.height();
-  if (plan_.format == Format::exr) return draw_on(ExrPicture(plan_), world, picture);
-  if (plan_.format != Format::png) return draw_on(LinearFilm(width, height), world, picture);
+  if (plan_.format == Format::exr) return draw_on(ExrPicture(plan_), worlds, picture);
+  if (plan_.format != Format::png) return draw_on(LinearFilm(width, height), worlds, picture);
   if (is_transparent(*plan_.scene, plan_.options.integrator))
-    return draw_on(AlphaFilm(width, height, plan_.display), world, picture);
+    return draw_on(AlphaFilm(width, height, plan_.display), worlds, picture);
   if (is_cut_in_strips(width, height) && onlooker_ == nullptr)
-    return draw_on(ScanlineFilm(width, height, plan_.display), world, picture);
-  draw_on(DisplayFilm(width, height, plan_.display), world, picture);
+    return draw_on(ScanlineFilm(width, height, plan_.display), worlds, picture);
+  draw_on(DisplayFilm(width, height, plan_.display), worlds, picture);
 }
 
 Picture Studio::picture() {
   Picture picture;
-  const World world = context_.geometries.compile(plan_.scene, workers_);
+  const Worlds worlds = worlds_of(plan_.exposure, context_, workers_);
   reserve_memory(memory_of(plan_, onlooker_ != nullptr), "this picture", stop_);
-  picture.degenerate = world.degenerate;
+  picture.degenerate = worlds.front().degenerate;
   if (plan_.options.integrator == IntegratorName::path)
-    picture.unasked = world.of_objects->unasked.count;
+    picture.unasked = worlds.front().of_objects->unasked.count;
   picture.timing.build = watch_.lap_ms();
-  draw_on_a_film(world, picture);
+  draw_on_a_film(worlds, picture);
   picture.timing.encode = watch_.lap_ms();
   return picture;
 }

@@ -3,8 +3,10 @@
 
 #include <stop_token>
 #include <string>
+#include <vector>
 
 #include "server/operation/timing.h"
+#include "server/requests/exr_picture.h"
 #include "server/requests/onlooker.h"
 #include "server/requests/plan.h"
 #include "server/requests/render_context.h"
@@ -23,11 +25,13 @@ class Studio {
   Picture picture();
 
  private:
-  void draw_on_a_film(const World& world, Picture& picture);
+  using Worlds = std::vector<World>;  // of the exposure's scenes
+  void draw_on_a_film(const Worlds& worlds, Picture& picture);
   template <class Film>
-  void draw_on(Film film, const World& world, Picture& picture);
+  void draw_on(Film film, const Worlds& worlds, Picture& picture);
   template <class Film>
-  void trace(Film& film, const World& world, Picture& picture);
+  void trace(Film& film, const Worlds& worlds, Picture& picture);
+  void draw_features(ExrPicture& film, const Worlds& worlds, Picture& picture);
 
   template <class Film>
   void make_file(Film&& film, const std::string& recipe, Picture& picture) const;

@@ -50,7 +50,7 @@ struct ViewRequest : Moment {
 /// TraceRequest: what besides decides a pixel's light.
 struct TraceRequest : ViewRequest {
   std::optional<IntegratorName> integrator;
-  std::optional<int> samples;
+  std::optional<int> samples, blur_steps;
   std::optional<double> threshold;
   std::optional<int> max_depth;
   std::optional<double> ao_radius;
@@ -68,6 +68,12 @@ struct TraceRequest : ViewRequest {
           Spec{.about = "rays a pixel; 1 goes through its centre; else as the scene says",
                .min = 1,
                .max = 65536});
+    visit("blur_steps", &T::blur_steps,
+          Spec{.about = "where the animation has a shutter: how many times of its being open the "
+                        "samples are of, sample s of number s mod blur_steps; at most as many as "
+                        "samples; else as the scene says",
+               .min = 1,
+               .max = SceneOptions::most_blur_steps});
     visit("threshold", &T::threshold,
           Spec{.about = "more rays where a pixel's own disagree: the standard error that its mean "
                         "may keep; 0 is off; else as the scene says",

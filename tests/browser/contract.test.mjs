@@ -50,7 +50,8 @@ test('names the parameters that the page knows, and those that are none of a pic
     .map(({ name }) => name);
   const [render, still] = [queries('/render'), queries('/still')];
   const known = PARAMETERS.filter((name) => render.includes(name) || !still.includes(name)); // but what only stills have
-  assert.deepEqual(render.toSorted(), [...known, ...OF_FILES, 'frame', 'stream', 'threads', 'v'].toSorted());
+  const unknown = ['blur_steps', 'frame', 'stream', 'threads', 'v'];
+  assert.deepEqual(render.toSorted(), [...known, ...OF_FILES, ...unknown].toSorted());
 });
 
 test('holds no schema that ajv does not take as JSON Schema 2020-12', () => {

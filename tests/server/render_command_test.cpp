@@ -75,6 +75,17 @@ TEST_F(RenderCommand, ASceneFileMayHaveAnyName) {
   EXPECT_TRUE(drawn({file, "--key", "a"}) == served("key=a"));
 }
 
+TEST_F(RenderCommand, BlursWhatMovesAsTheServerDoes) {
+  const std::string scene = R"({"animation":{"duration":2,"shutter":1,"fps":2,"tracks":[
+      {"target":"/objects/0/center","keys":[[0,[-2,0,-9]],[2,[2,0,-9]]]}]},
+    "lights":[{"type":"point","position":[0,5,0]}],
+    "objects":[{"type":"sphere","center":[0,0,-9],"radius":1}]})";
+  const std::string file = folder_.file("moving.json");
+  std::ofstream(file) << scene;
+  EXPECT_TRUE(drawn({file, "--samples", "8", "--blur-steps", "4", "--frame", "2", "--width=60"}) ==
+              served("samples=8&blur_steps=4&frame=2&width=60&scene=" + url_encode(scene)));
+}
+
 TEST_F(RenderCommand, AFormatThatTheFilesNameContradictsExits2) {
   const std::string file = folder_.file("picture.pfm");
   const Finished end = run({"render", "thesis", "--format", "png", "-o", file});

@@ -24,9 +24,6 @@ const PathGroup* group(const PathExplanation& all, const std::string& expression
     if (each.expression == expression) return &each;
   return nullptr;
 }
-int object_of(const PathExplanation& all, const PathSurface& over) {
-  return all.ray.world.primitive(over.primitive).object;
-}
 double light_by(const PathExplanation& all, const std::string& expression) {
   return group(all, expression) == nullptr ? 0 : group(all, expression)->mean.y;
 }
@@ -138,7 +135,7 @@ TEST(ExplainedPaths, SharesBetweenParallelPlanesAreTheirGeometricSeries) {
   // All but what comes straight has come over the ceiling, whatever it did before.
   ASSERT_EQ(all.surfaces.size(), 1U);
   const PathSurface& ceiling = all.surfaces[0];
-  EXPECT_EQ(object_of(all, ceiling), 1);
+  EXPECT_EQ(ceiling.object, 1);
   EXPECT_NEAR(ceiling.mean.y, f * c * f / (1 - c * f), 4 * ceiling.error.y + 1e-5);
   EXPECT_NEAR(ceiling.share, 1 - group(all, "DE")->share, 1e-5);
 }
@@ -152,7 +149,7 @@ TEST(ExplainedPaths, WhatLightCameOverIsTheNearestThatDidMoreThanLetItThrough) {
                      object(Plane{{0, 0, -9}, {0, 0, 1}}, matt(0.5)),
                      object(Plane{{0, 0, 9}, {0, 0, -1}}, glowing(1, 0.5))};
     const PathExplanation all = told_of(scene, {0, 0, 0}, {0, 0, -1}, so_many(256));
-    return all.surfaces.empty() ? -1 : object_of(all, all.surfaces.front());
+    return all.surfaces.empty() ? -1 : all.surfaces.front().object;
   };
   EXPECT_EQ(over(clear_glass(1.5)), 1);
   EXPECT_EQ(over(mirror(0.7)), 2);

@@ -130,7 +130,7 @@ TEST(AtTime, AnimationsReadBackAsTheyWereWritten) {
 
 TEST(AtTime, HasAsManyFramesAsBeginBeforeTheEnd) {
   const auto frames = [](double duration, double fps) {
-    return Animation{duration, fps, {}}.frames();
+    return Animation{duration, fps, 0, {}}.frames();
   };
   EXPECT_EQ(frames(5, 24), 120);
   EXPECT_EQ(frames(1, 0.5), 1);

@@ -87,7 +87,7 @@ TEST(ReadScene, UnknownMembersNameTheNearestKnownOne) {
   expect_scene_refused(
       R"({"options":{"thread":3}})",
       {{unknown_name, "/options/thread", "\"thread\"",
-        "integrator, transfer, exposure, white_balance_kelvin, samples, "
+        "integrator, transfer, exposure, white_balance_kelvin, samples, blur_steps, "
         "threshold, noise, max_depth, transparent_shadows, ao_radius, clamp, seed"}});
   expect_scene_refused(
       R"({"lights":[{"type":"point","position":[0,0,0],"radius":3}]})",

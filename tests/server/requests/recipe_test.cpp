@@ -88,9 +88,11 @@ TEST(Recipe, ChangesWithEveryParameterThatChangesThePicture) {
       {"transfer", "srgb"},    {"format", "pfm"}, {"ao_radius", "2"},
       {"exposure", "1"},       {"noise", "0.1"},  {"white_balance_kelvin", "3000"},
       {"depth_range", "1,2"},  {"aov", "normal"}, {"depth", "32"},
-      {"denoise", "true"},     {"time", "1"},     {"frame", "3"}};
+      {"denoise", "true"},     {"time", "1"},     {"frame", "3"},
+      {"blur_steps", "2"}};
   const std::string moves =
-      "%7B%22animation%22:%7B%22duration%22:2,%22tracks%22:[%7B%22target%22:%22/background%22,"
+      "%7B%22animation%22:%7B%22duration%22:2,%22shutter%22:1,%22tracks%22:[%7B%22target%22:%22/"
+      "background%22,"
       "%22formula%22:%22t/2%22%7D]%7D%7D";
   const std::set<std::string> of_no_byte{"threads", "v"};
   // What ends a picture early is not told, but what it came to (Rounds).
@@ -103,6 +105,7 @@ TEST(Recipe, ChangesWithEveryParameterThatChangesThePicture) {
       {"aov", {{"format", "exr"}}},
       {"depth", {{"format", "exr"}}},
       {"denoise", {{"integrator", "ambient_occlusion"}}},
+      {"blur_steps", {{"scene", moves}, {"samples", "4"}, {"time", "1"}}},
       {"time", {{"scene", moves}}},
       {"frame", {{"scene", moves}}}};
   FieldNames fields;
