@@ -1,7 +1,6 @@
 #include "server/files.h"
 
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <sstream>
 #include <stdexcept>
@@ -31,13 +30,43 @@ void write_file(const std::string& name, const std::string& bytes) {
 }
 
 void replace_file(const std::string& name, const std::string& bytes) {
-  const std::string part = name + ".part";
-  write_file(part, bytes);
+  FileToBe file(name);
+  file.append(bytes);
+  file.finish();
+}
+
+FileToBe::FileToBe(const std::string& name) : name_(name) {
+  if (name_ == "-") return;
+  file_.open(part(), std::ios::binary | std::ios::trunc);
+  if (!file_) fail();
+}
+
+FileToBe::~FileToBe() {
+  std::error_code none;
+  if (name_ != "-" && !is_whole_ && std::filesystem::is_regular_file(part(), none))
+    std::filesystem::remove(part(), none);
+}
+
+void FileToBe::fail() const {
+  throw std::runtime_error("cannot write " + (name_ == "-" ? "to standard output" : name_));
+}
+
+void FileToBe::append(std::string_view bytes) {
+  std::ostream& to = name_ == "-" ? std::cout : file_;
+  to << bytes;
+  if (!to) fail();
+}
+
+void FileToBe::finish() {
+  if (name_ == "-") {
+    if (!(std::cout << std::flush)) fail();
+    return;
+  }
+  file_.close();
   std::error_code error;
-  std::filesystem::rename(part, name, error);
-  if (!error) return;
-  std::filesystem::remove(part, error);
-  throw std::runtime_error("cannot write " + name);
+  if (file_) std::filesystem::rename(part(), name_, error);
+  if (!file_ || error) fail();
+  is_whole_ = true;
 }
 
 }  // namespace tia::server

@@ -1,16 +1,18 @@
-// The command line: subcommands `serve` (default), `render`, `simulate`, `still` and `model`.
-// Bad use exits with 2.
+// The command line: subcommands `serve` (default), `render`, `film`, `simulate`, `still` and
+// `model`. Bad use exits with 2.
 #include <CLI/CLI.hpp>
 #include <csignal>
 #include <iostream>
 
 #include "core/version.h"
 #include "server/contract/text_form.h"
+#include "server/film_command.h"
 #include "server/model_command.h"
 #include "server/operation/config.h"
 #include "server/picture_file.h"
 #include "server/progress.h"
 #include "server/render_command.h"
+#include "server/requests/film_request.h"
 #include "server/requests/picture_request.h"
 #include "server/requests/still_query.h"
 #include "server/serve_command.h"
@@ -48,7 +50,8 @@ void add_options(CLI::App& app, std::vector<Setting>& settings) {
   }
 }
 
-// Every parameter of /render but the scene as a flag of `tia render`, and of /still of `tia still`.
+// Every parameter of /render but the scene as a flag of `tia render`, of /film of `tia film`, and
+// of /still of `tia still`.
 struct ParameterFlags {
   CLI::App& app;
   std::vector<Setting>& settings;
@@ -97,13 +100,17 @@ void add_model_files(CLI::App& command, Asked& asked) {
       ->type_name("");
 }
 
-CLI::App* add_render(CLI::App& app, Asked& asked) {
-  CLI::App* render = app.add_subcommand("render", "draw one picture to a file")->fallthrough();
-  render
-      ->add_option("scene", asked.scene,
-                   "a gallery scene's name, or a scene file: NAME.json or a path")
+void add_scene(CLI::App& command, Asked& asked) {
+  command
+      .add_option("scene", asked.scene,
+                  "a gallery scene's name, or a scene file: NAME.json or a path")
       ->required()
       ->type_name("");
+}
+
+CLI::App* add_render(CLI::App& app, Asked& asked) {
+  CLI::App* render = app.add_subcommand("render", "draw one picture to a file")->fallthrough();
+  add_scene(*render, asked);
   add_picture(*render, asked);
   render->add_flag("--progress", asked.watching.shows_progress,
                    "show a bar with samples, noise and the time left on standard error");
@@ -117,6 +124,19 @@ CLI::App* add_render(CLI::App& app, Asked& asked) {
       ->type_name("");
   PictureRequest::fields(ParameterFlags{*render, asked.parameters});
   return render;
+}
+
+CLI::App* add_film(CLI::App& app, Asked& asked) {
+  CLI::App* film =
+      app.add_subcommand("film", "draw an animated scene as a film to a file")->fallthrough();
+  add_scene(*film, asked);
+  film->add_option("-o,--output", asked.file, film_files() + ", or - for standard output")
+      ->required()
+      ->type_name("");
+  film->add_flag("--progress", asked.watching.shows_progress,
+                 "show frames, their rate and the time left on standard error");
+  FilmRequest::fields(ParameterFlags{*film, asked.parameters});
+  return film;
 }
 
 CLI::App* add_simulate(CLI::App& app, Asked& asked) {
@@ -164,6 +184,7 @@ int run(int argc, char** argv) {
                "ask the server on this machine whether it lives");
   add_serve(app, asked);
   const CLI::App* render = add_render(app, asked);
+  const CLI::App* film = add_film(app, asked);
   const CLI::App* simulate = add_simulate(app, asked);
   const CLI::App* still = add_still(app, asked);
   const CLI::App* model = add_model(app, asked);
@@ -186,6 +207,8 @@ int run(int argc, char** argv) {
   if (asked.print_config) std::cout << env_file(config) << std::flush;
   else if (render->parsed())
     render_to_file(asked.scene, asked.file, asked.parameters, asked.plain, asked.watching, config);
+  else if (film->parsed())
+    film_to_file(asked.scene, asked.file, asked.parameters, asked.watching.shows_progress, config);
   else if (simulate->parsed()) simulate_to_file(asked.scene, asked.file, config);
   else if (still->parsed())
     still_to_file(asked.model_files, asked.file, asked.parameters, asked.plain, config);

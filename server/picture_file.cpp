@@ -6,6 +6,7 @@
 #include <iostream>
 #include <stdexcept>
 
+#include "core/input/json.h"
 #include "core/scene/left_out.h"
 #include "server/files.h"
 #include "server/requests/draw.h"
@@ -52,13 +53,23 @@ std::string_view format_named_by(const std::string& file, const std::vector<Sett
   return {};
 }
 
-Workshop::Workshop(const Config& config)
+Value scene_named(const std::string& scene, const JsonLimits& limits) {
+  if (scene.find_first_of("./") == scene.npos) return scene;
+  try {
+    return parse_json(read_file(scene), limits);
+  } catch (const InputError& error) {
+    throw std::runtime_error(scene + ": " + error.what());
+  }
+}
+
+Workshop::Workshop(const Config& config, std::int64_t geometry_bytes)
     : pool_(config.threads),
+      geometries_(geometry_bytes),
       account_(config.memory_bytes),
       models_(ModelReader({.memory_bytes = static_cast<std::uint64_t>(config.model_memory_bytes)}),
               {config.max_models_bytes, config.model_limits()}, {account_, long_work_, metrics_},
               nullptr),
-      context_{gallery_, none_kept_, none_shared_,    none_pressed_,
+      context_{gallery_, none_kept_, geometries_,     none_pressed_,
                pool_,    long_work_, config.limits(), &models_} {}
 
 // The picture; until it is there a bar is drawn on, and the file written anew, as is wanted.

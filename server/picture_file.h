@@ -23,6 +23,10 @@ std::string picture_files();
 /// Errors: std::invalid_argument for an ending that names no format, unless one is told.
 std::string_view format_named_by(const std::string& file, const std::vector<Setting>& parameters);
 
+/// A scene of the command line: a path or a name with an ending is a file, a bare word a scene of
+/// the gallery. Errors: std::runtime_error naming the file.
+Value scene_named(const std::string& scene, const JsonLimits& limits);
+
 /// What is asked for as JSON: what is there already, then the parameters by name.
 template <class Request>
 Value asked_by(Value::Object asked, const std::vector<Setting>& parameters) {
@@ -36,7 +40,8 @@ Value asked_by(Value::Object asked, const std::vector<Setting>& parameters) {
 /// Workshop: what a picture needs of its host where there is one to draw and no server.
 class Workshop {
  public:
-  explicit Workshop(const Config& config);
+  /// `geometry_bytes`: for compiled scenes that pictures share, where there is more than one.
+  explicit Workshop(const Config& config, std::int64_t geometry_bytes = 0);
 
   /// Draws it to a file (or "-", standard output) and says on standard error what it is not.
   /// `plain`: one ray and one thing at a time, which is slow and gives the same bytes; `watching`:
@@ -47,6 +52,7 @@ class Workshop {
                const Watching& watching = {});
 
   ModelStore& models() { return models_; }
+  const RenderContext& context() const { return context_; }
 
  private:
   Picture watched(const std::string& file, Plan& plan, const Watching& watching) const;
@@ -54,7 +60,7 @@ class Workshop {
   const Gallery gallery_;
   Pool pool_;
   SceneStore none_kept_{0};
-  GeometryStore none_shared_{0};  // there is one picture to draw
+  GeometryStore geometries_;
   MemoryAccount account_;
   Admission alone_{{}};
   LongWork long_work_{alone_, pool_};

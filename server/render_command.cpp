@@ -1,26 +1,8 @@
 #include "server/render_command.h"
 
-#include <stdexcept>
-
-#include "core/input/json.h"
-#include "server/files.h"
 #include "server/picture_file.h"
 
 namespace tia::server {
-namespace {
-
-// A path or a name with an ending is a file, a bare word a scene of the gallery.
-Value scene_named(const std::string& scene, const JsonLimits& limits) {
-  if (scene.find_first_of("./") == scene.npos) return scene;
-  try {
-    return parse_json(read_file(scene), limits);
-  } catch (const InputError& error) {
-    throw std::runtime_error(scene + ": " + error.what());
-  }
-}
-
-}  // namespace
-
 void render_to_file(const std::string& scene, const std::string& file,
                     const std::vector<Setting>& parameters, bool plain, const Watching& watching,
                     const Config& config) {

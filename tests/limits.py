@@ -129,6 +129,7 @@ OPTIONS = [
     ("max_rays", SERVER, "RenderLimits.*Rays*"),
     ("max_work", SERVER, "OptionLimits.APictureMayTake*"),
     ("max_events", SERVER, "OptionLimits.AMotionMayHave*"),
+    ("max_frames", SERVER, "FilmLimits.Frames*"),
     ("memory_bytes", SERVER, "OptionLimits.ARequest*"),
 ]
 

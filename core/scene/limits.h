@@ -13,6 +13,7 @@ struct Limits {
   std::int64_t max_rays = 2'000'000'000;   ///< rays of all kinds, of the window that is drawn
   std::int64_t max_work = 10'000'000'000;  ///< tests of boxes and surfaces (WorkCounter)
   std::int64_t max_events = 1'000'000;     ///< of a motion: collisions, or steps of its bodies
+  int max_frames = 3600;                   ///< of a film
 };
 
 /// Errors: InputError of one `limit` fault that names the limit and the option that sets it.

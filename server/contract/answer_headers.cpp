@@ -25,6 +25,10 @@ const std::vector<HeaderRow>& header_rows() {
        "^[a-z]+(;desc=[a-z]+)?;dur=[0-9.]+(, [a-z]+(;desc=[a-z]+)?;dur=[0-9.]+)*$"},
       {"Tia-Biased", "what made the picture another than the true one: options.clamp of its scene",
        "^clamp$", false},
+      {"Tia-Frames",
+       "how many pictures a film needs, and how many of its frames show the one before; still: the "
+       "scene does not move",
+       "^drawn=[0-9]+, shared=[0-9]+(, still)?$", false},
       {"Tia-Ignored",
        "what the integrator leaves out of the scene: JSON Pointers, of which /explain tells why",
        "^/[a-z_/]+(, /[a-z_/]+)*$", false},

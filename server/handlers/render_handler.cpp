@@ -26,7 +26,7 @@ struct AskedRender {
 AskedRender asked_in(Value parameters, const Request& request) {
   const auto* object = parameters.as<Value::Object>();
   const bool is_stream = object != nullptr && find(*object, "stream") != nullptr;
-  const bool accepted = !is_stream && choose_format(parameters, request);
+  const bool accepted = !is_stream && choose_format(parameters, request, formats);
   return {read_described<RenderRequest>(parameters, {}, request.stop), accepted};
 }
 

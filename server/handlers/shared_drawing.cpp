@@ -2,35 +2,15 @@
 #include <algorithm>
 #include <chrono>
 #include <memory>
-#include <new>
 
 #include "server/handlers/handlers.h"
+#include "server/handlers/with_memory.h"
 #include "server/operation/shared_flow.h"
 #include "server/operation/timing.h"
 #include "server/requests/draw.h"
 
 namespace tia::server {
 namespace {
-
-// Does it, and where the account had no memory for what nobody could foresee, once more when twice
-// as much is free. Errors: what it throws; HttpError (busy, too-large) in std::bad_alloc's place.
-template <class Attempt>
-Picture with_memory_for(const Attempt& attempt, const std::stop_token& stop) {
-  MemoryClaim* const claim = MemoryClaim::current();
-  if (claim == nullptr) return attempt();
-  try {
-    return attempt();
-  } catch (const std::bad_alloc&) {
-    if (!claim->was_refused()) throw;
-    claim->settle();
-    claim->reserve(2 * claim->most_used(), "this picture", stop);
-  }
-  try {
-    return attempt();
-  } catch (const std::bad_alloc&) {
-    throw claim->refusal();
-  }
-}
 
 // What threads are foreseen to take.
 Cost cost_of(const Plan& plan, bool is_watched, Service& service) {

@@ -33,7 +33,7 @@ AskedStill<Query> asked_in_query(const Request& request, Service& service) {
     const bool as_scene = as != nullptr && *as == Value(name_of(StillAs::scene));
     if (as_scene) static_cast<void>(preferred_type(request, {media::json}));
     const bool is_stream = find(*parameters.template as<Value::Object>(), "stream") != nullptr;
-    const bool accepted = !as_scene && !is_stream && choose_format(parameters, request);
+    const bool accepted = !as_scene && !is_stream && choose_format(parameters, request, formats);
     return AskedStill<Query>{read_described<Query>(parameters, {}, request.stop), accepted};
   });
 }

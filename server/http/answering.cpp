@@ -35,6 +35,7 @@ Request without_body(const Request& from) {
 void Connection::begin(Request request) {
   request.peer = client_address(peer_, request.headers, context_.options.trusts_proxy);
   task_ = std::make_shared<RequestTask>(std::move(request));
+  parts_due_ = {};
   task_->client = context_.options.share_of(task_->request.peer);
   task_->keep_alive = keep_alive_;
   account();
@@ -68,7 +69,9 @@ void Connection::work() {
 
 // Sends the parts that have been made, while the client takes them.
 void Connection::pump() {
-  if (phase_ == Phase::answering && outbox_.empty()) proceed();
+  if (phase_ != Phase::answering) return;
+  if (parts_due_ == Clock::time_point()) watch_parts(Clock::now());
+  if (outbox_.empty()) proceed();
 }
 
 void Connection::finish(const std::shared_ptr<RequestTask>& task) {

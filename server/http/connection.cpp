@@ -246,6 +246,7 @@ void Connection::cut_off(Clock::time_point now) {
       refuse(lateness());
       return proceed();
     case Phase::answering:
+      if (now < parts_due_) return watch_parts(now);
       fail_turn(failure("timeout",
                         "no answer within " + std::to_string(context_.options.deadline.count()) +
                             " ms, the time in the queue included (option TIA_DEADLINE_MS)",
@@ -266,6 +267,23 @@ void Connection::watch_taking(Clock::time_point now) {
   const auto end = std::min(since_ + timeouts::at_slowest_rate(gone_), gone_at_) + timeouts::answer;
   if (now >= end) return close();
   due_ = std::min(end, now + timeouts::look);
+}
+
+// Parts that may take long go on as long as their client keeps up with the slowest rate: who does
+// not holds up work whose place others wait for.
+void Connection::watch_parts(Clock::time_point now) {
+  const bool begins = parts_due_ == Clock::time_point();
+  if (begins) {
+    const auto deadline = task_->parts_deadline();
+    if (deadline.count() == 0) return;
+    parts_due_ = since_ + deadline;
+  }
+  const std::size_t gone = outbox_.sent() - waiting_bytes();
+  const std::size_t least = timeouts::slowest_rate * timeouts::look.count();
+  if (begins || outbox_.empty() || gone >= gone_ + least) gone_at_ = now;
+  gone_ = gone;
+  if (now - gone_at_ >= timeouts::answer) return leave();
+  due_ = std::min(parts_due_, now + timeouts::look);
 }
 
 void Connection::retire() {

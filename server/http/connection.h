@@ -69,6 +69,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
   void end_with(const std::exception_ptr& failure);
   void cut_off(Clock::time_point now);
   void watch_taking(Clock::time_point now);
+  void watch_parts(Clock::time_point now);
   void leave();
   bool flush();
   void linger();
@@ -92,7 +93,8 @@ class Connection : public std::enable_shared_from_this<Connection> {
   std::size_t storing_ = 0;    // bytes of a long body that are being put away
   std::size_t gone_ = 0;       // bytes of an answer that the client's system had, at the last look
   Clock::time_point gone_at_;  // when they were last more than before
-  std::size_t held_ = 0;       // what we have told the context that we hold
+  Clock::time_point parts_due_;  // of an answer whose parts may take longer than answers; else none
+  std::size_t held_ = 0;         // what we have told the context that we hold
   std::size_t requests_ = 0;
   bool keep_alive_ = true;
   bool read_armed_ = false, write_armed_ = false;

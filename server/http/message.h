@@ -88,6 +88,9 @@ struct Response {
   /// Makes the body in parts while they are sent, in the body's place. The head goes with the first
   /// one: until then what fails is answered as ever.
   std::function<void(const SendPart&)> parts = nullptr;
+  /// What the parts may take from the request's arrival on; 0: no more than any answer. For so long
+  /// only who takes them at the slowest rate is waited for.
+  std::chrono::milliseconds parts_deadline{};
   /// The part that tells of a problem, by its document, where the others have to end with it; null:
   /// the body is cut.
   std::string (*problem_part)(const std::string& document) = nullptr;

@@ -26,6 +26,13 @@ void RequestTask::make_answer(const Answer& answer, const std::atomic<bool>& clo
     bytes = answer_bytes(response, request.is_head(), keep_alive);
     return;
   }
+  if (response.parts_deadline.count() > 0) {
+    {
+      const std::lock_guard lock(mutex_);
+      parts_deadline_ = response.parts_deadline;
+    }
+    more();
+  }
   send_parts(more);
 }
 
@@ -84,6 +91,11 @@ void RequestTask::abandon() {
   const std::lock_guard lock(mutex_);
   stop.request_stop();
   taken_.notify_one();
+}
+
+std::chrono::milliseconds RequestTask::parts_deadline() {
+  const std::lock_guard lock(mutex_);
+  return parts_deadline_;
 }
 
 bool RequestTask::has_parts() {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <chrono>
 #include <condition_variable>
 #include <exception>
 #include <functional>
@@ -43,6 +44,8 @@ class RequestTask {
   void abandon();
   /// Whether the answer goes in parts, and its head has been made.
   bool has_parts();
+  /// What its parts may take, where that is longer than answers may; else 0.
+  std::chrono::milliseconds parts_deadline();
 
  private:
   void make_answer(const Answer& answer, const std::atomic<bool>& closing,
@@ -57,6 +60,7 @@ class RequestTask {
   std::string parts_;               // that wait to be sent
   std::size_t to_be_replaced_ = 0;  // of these, at their end
   bool in_parts_ = false;
+  std::chrono::milliseconds parts_deadline_{};
 };
 
 }  // namespace tia::server

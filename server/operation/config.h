@@ -46,6 +46,8 @@ struct Config {
   std::int64_t max_rays = Limits{}.max_rays;
   std::int64_t max_work = Limits{}.max_work;
   std::int64_t max_events = Limits{}.max_events;
+  int max_frames = Limits{}.max_frames;
+  int film_deadline_ms = 600'000;
   std::vector<Origin> cors_origins;
   std::vector<Network> trusted_proxies;
   std::vector<HostName> hosts;
@@ -171,6 +173,17 @@ struct Config {
                .unit = "events",
                .min = 1,
                .max = 1e9});
+    visit("max_frames", &Config::max_frames,
+          Spec{.about = "most frames of a film; its rays together are at most a picture's",
+               .unit = "frames",
+               .min = 1,
+               .max = 100'000});
+    visit("film_deadline_ms", &Config::film_deadline_ms,
+          Spec{.about = "what a film may take instead, from its request on; beyond it the film is "
+                        "cut, which its reader sees",
+               .unit = "ms",
+               .min = 1,
+               .max = 24 * hour_ms});
     visit("cors_origins", &Config::cors_origins,
           Spec{.about = "origins whose pages may read answers (CORS)"});
     visit("trusted_proxies", &Config::trusted_proxies,
@@ -183,7 +196,7 @@ struct Config {
   /// An empty host.
   void check(const Place& at, Faults& faults) const;
   /// What one request may ask for.
-  Limits limits() const { return {max_pixels, max_rays, max_work, max_events}; }
+  Limits limits() const { return {max_pixels, max_rays, max_work, max_events, max_frames}; }
   /// What is read of a model.
   ModelLimits model_limits() const;
   /// What a text may hold.

@@ -7,7 +7,6 @@
 #include "core/input/errors.h"
 #include "server/http/error.h"
 #include "server/http/headers.h"
-#include "server/requests/picture_request.h"
 
 namespace tia::server {
 namespace {
@@ -109,16 +108,6 @@ std::string_view preferred_type(const Request& request,
     throw HttpError("not-acceptable",
                     "Accept allows nothing that this path gives; there is " + listed(types));
   return best;
-}
-
-bool choose_format(Value& parameters, const Request& request) {
-  auto* object = parameters.as<Value::Object>();
-  if (object == nullptr || find(*object, "format") != nullptr) return false;
-  std::vector<std::string_view> types;
-  for (const FormatRow& row : formats) types.push_back(row.media_type);
-  const std::string_view type = preferred_type(request, types);
-  object->emplace_back("format", std::ranges::find(formats, type, &FormatRow::media_type)->name);
-  return true;
 }
 
 }  // namespace tia::server

@@ -20,9 +20,19 @@ bool takes_coding(const Request& request, std::string_view coding);
 /// The media type of greatest weight, the first of equals. Errors: HttpError (not-acceptable).
 std::string_view preferred_type(const Request& request, const std::vector<std::string_view>& types);
 
-/// Adds to the parameters of /render the `format` that Accept prefers, where they name none.
+/// Adds to the parameters the `format` of that list that Accept prefers, where they name none.
 /// Returns: whether they named none, so that the answer varies with Accept.
 /// Errors: HttpError (not-acceptable).
-bool choose_format(Value& parameters, const Request& request);
+template <class Rows>
+bool choose_format(Value& parameters, const Request& request, const Rows& rows) {
+  auto* object = parameters.as<Value::Object>();
+  if (object == nullptr || find(*object, "format") != nullptr) return false;
+  std::vector<std::string_view> types;
+  for (const auto& row : rows) types.push_back(row.media_type);
+  const std::string_view type = preferred_type(request, types);
+  for (const auto& row : rows)
+    if (row.media_type == type) return object->emplace_back("format", row.name), true;
+  return false;
+}
 
 }  // namespace tia::server

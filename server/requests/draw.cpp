@@ -109,15 +109,16 @@ Plan plan_of(const PictureRequest& asked, const RenderContext& context,
             .options = options,
             .display = {display_of(in_effect.integrator), in_effect.tone()},
             .format = asked.format,
-            .asked = &asked};
+            .asked = &asked,
+            .fewest_samples = fewest_samples(asked, options)};
   if (asked.format == Format::exr) {
     plan.layers = plan.options.layers = asked.layers_in_effect();
     check_layers(plan, context.limits);
   }
   check_denoise(plan);
   const Window traced = plan.traced();
-  check_rays(static_cast<std::int64_t>(traced.width()) * traced.height(),
-             fewest_samples(asked, options), context.limits);
+  check_rays(static_cast<std::int64_t>(traced.width()) * traced.height(), plan.fewest_samples,
+             context.limits);
   const KnownScene& told = told_scene_of(plan);
   const std::size_t objects = told.objects.bytes <= most_told_bytes ? told.objects.bytes : 0;
   std::tie(plan.recipe, plan.rounds_name, plan.cost_key) =

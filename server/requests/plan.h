@@ -28,6 +28,7 @@ struct Plan {
   Format format = Format::png;
   LayerSet layers = {};                   ///< of an exr, which alone has any
   const PictureRequest* asked = nullptr;  ///< the request
+  int fewest_samples = 1;                 ///< that a pixel has in any case
   std::string recipe = {};       ///< what POST /render would draw the same picture from (recipe.h)
   std::string rounds_name = {};  ///< of what its rounds come to (recipe.h); empty: of no use again
   std::string cost_key = {};     ///< what tells how much one of its rays takes (draw.h)

@@ -130,6 +130,11 @@ KnownScene scene_in_motion(const KnownScene& scene, const RenderContext& context
   });
 }
 
+KnownScene moving_scene_of(const ViewRequest& asked, const RenderContext& context,
+                           const Requester& requester) {
+  return scene_in_motion(changed_scene_of(asked, context, requester), context, requester);
+}
+
 KnownScene scene_at(const KnownScene& moving, double seconds, const ModelAlong& along,
                     const RenderContext& context, const Requester& requester) {
   const Animation& animation = *moving->animation;
@@ -149,8 +154,7 @@ KnownScene scene_at(const KnownScene& moving, double seconds, const ModelAlong& 
 
 FoundScene found_scene(const ViewRequest& asked, const RenderContext& context,
                        const Requester& requester) {
-  const KnownScene scene =
-      scene_in_motion(changed_scene_of(asked, context, requester), context, requester);
+  const KnownScene scene = moving_scene_of(asked, context, requester);
   if (scene->animation) {
     const double seconds = asked.seconds_in(*scene->animation);
     return {scene_at(scene, seconds, asked.along, context, requester), scene, seconds};

@@ -60,6 +60,10 @@ KnownScene changed_scene_of(const ViewRequest& asked, const RenderContext& conte
 KnownScene scene_in_motion(const KnownScene& scene, const RenderContext& context,
                            const Requester& requester);
 
+/// Both: the scene that is asked for, with its animation, if it moves. Errors: as scene_of.
+KnownScene moving_scene_of(const ViewRequest& asked, const RenderContext& context,
+                           const Requester& requester);
+
 /// FoundScene: a scene, and what it is the moment of.
 struct FoundScene {
   KnownScene plain;    ///< without an animation

@@ -131,6 +131,35 @@ TEST(Timeouts, AClientThatDoesNotReadIsCutWithinTenSeconds) { expect_cut_after(0
 // What it has read sooner than it had to gives it no longer pause.
 TEST(Timeouts, AClientThatStopsReadingIsCutWithinTenSeconds) { expect_cut_after(4 << 20); }
 
+// Parts that may take longer than answers, 100 ms here, of a client that reads and one that does
+// not.
+TEST(Timeouts, PartsThatMayTakeLongerGoOnWhileTheyAreTaken) {
+  HttpOptions options = any_port();
+  options.deadline = milliseconds(100);
+  Serving serving(answering([](const Request& request) {
+                    Response response{.content_type = "text/plain", .body = ""};
+                    response.parts_deadline = std::chrono::minutes(1);
+                    const bool is_long = request.target == "/long";
+                    response.parts = [is_long](const SendPart& send) {
+                      for (int i = 0; i < (is_long ? 1000 : 4); ++i) {
+                        send(std::string(is_long ? 1 << 16 : 1, 'x'));
+                        if (!is_long) std::this_thread::sleep_for(milliseconds(50));
+                      }
+                    };
+                    return response;
+                  }),
+                  options);
+  Wire idle(serving.port(), 4096), wire(serving.port());
+  idle.get("/long");
+  const auto asked = Clock::now();
+  wire.get("/");
+  EXPECT_THAT(wire.until("0\r\n\r\n"), testing::EndsWith("1\r\nx\r\n0\r\n\r\n"));
+  wire.leave();
+  EXPECT_TRUE(eventually([&] { return serving.connections() == 0; }, std::chrono::seconds(60)));
+  EXPECT_GT(ms_since(asked), 7'000);
+  EXPECT_LT(ms_since(asked), 11'000);
+}
+
 TEST(Timeouts, AClientThatReadsSlowlyButSteadilyGetsAll) {
   constexpr std::size_t size = 8 << 20;
   Serving serving(answering([](const Request&) { return text(std::string(size, 'x')); }));

@@ -73,6 +73,10 @@ const Numeric numerics[] = {
      [](const Config& c) { return c.max_work; }},
     {"max_events", "--max-events", "TIA_MAX_EVENTS", 1'000'000, 1, 1'000'000'000,
      [](const Config& c) { return c.max_events; }},
+    {"max_frames", "--max-frames", "TIA_MAX_FRAMES", 3600, 1, 100'000,
+     [](const Config& c) -> std::int64_t { return c.max_frames; }},
+    {"film_deadline_ms", "--film-deadline-ms", "TIA_FILM_DEADLINE_MS", 600'000, 1, 86'400'000,
+     [](const Config& c) -> std::int64_t { return c.film_deadline_ms; }},
     {"max_pixels", "--max-pixels", "TIA_MAX_PIXELS", 16'777'216, 1, 268'435'456,
      [](const Config& c) { return c.max_pixels; }},
 };

@@ -2,6 +2,7 @@
 #include "server/requests/accept.h"
 
 #include "server/contract/problem.h"
+#include "server/requests/picture_request.h"
 #include "tests/server/support.h"
 
 namespace tia::test {
@@ -87,7 +88,7 @@ TEST(TakesCoding, WhereItIsNamedAndNotWorseThanNone) {
 
 std::string format_for(const std::string& accept) {
   Value parameters = Value::Object{};
-  EXPECT_TRUE(choose_format(parameters, accepting(accept)));
+  EXPECT_TRUE(choose_format(parameters, accepting(accept), formats));
   return text_at(parameters, "format");
 }
 
@@ -109,14 +110,14 @@ TEST(ChooseFormat, TakesTheOneOfGreatestWeightAndPngOfEquals) {
 TEST(ChooseFormat, LeavesAFormatThatIsAskedForAsItIs) {
   const Value asked = Value::Object{{"format", "pfm"}};
   Value parameters = asked;
-  EXPECT_FALSE(choose_format(parameters, accepting("image/png")));
-  EXPECT_FALSE(choose_format(parameters, accepting("text/html")));
+  EXPECT_FALSE(choose_format(parameters, accepting("image/png"), formats));
+  EXPECT_FALSE(choose_format(parameters, accepting("text/html"), formats));
   EXPECT_EQ(parameters, asked);
 }
 
 TEST(ChooseFormat, LeavesWhatIsNoObjectToTheReader) {
   Value parameters = Value::Array{1};
-  EXPECT_FALSE(choose_format(parameters, accepting("text/html")));
+  EXPECT_FALSE(choose_format(parameters, accepting("text/html"), formats));
 }
 
 TEST(ChooseFormat, RefusesWhoAcceptsNone) {
@@ -124,7 +125,7 @@ TEST(ChooseFormat, RefusesWhoAcceptsNone) {
        {"text/html", "image/webp", "*/*;q=0", "image/*;q=0, text/html", "png"}) {
     Value parameters = Value::Object{};
     try {
-      choose_format(parameters, accepting(accept));
+      choose_format(parameters, accepting(accept), formats);
       ADD_FAILURE() << accept;
     } catch (const HttpError& error) {
       EXPECT_EQ(error.type(), "not-acceptable");

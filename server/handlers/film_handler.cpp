@@ -1,0 +1,169 @@
+// /film: parameters in, a film out, sent while it is drawn.
+#include "core/version.h"
+#include "server/contract/answers.h"
+#include "server/contract/parameters.h"
+#include "server/contract/query_parameters.h"
+#include "server/handlers/bodies.h"
+#include "server/handlers/handlers.h"
+#include "server/handlers/with_memory.h"
+#include "server/http/headers.h"
+#include "server/requests/accept.h"
+#include "server/requests/etag.h"
+#include "server/requests/shooting.h"
+
+namespace tia::server {
+namespace {
+
+/// AskedFilm: what is asked for, and whether Accept has chosen the format.
+struct AskedFilm {
+  FilmRequest film;
+  bool accepted = false;
+};
+
+AskedFilm film_asked_in(Value parameters, const Request& request) {
+  const bool accepted = choose_format(parameters, request, film_formats);
+  return {read_described<FilmRequest>(parameters, {}, request.stop), accepted};
+}
+
+/// Filming: one film that is being drawn, with what it needs of its request.
+class Filming {
+ public:
+  /// Errors: as film_plan_of.
+  Filming(FilmRequest what, const Request& request, Service& by)
+      : asked(std::move(what)),
+        requester(requester_of(request)),
+        service(by),
+        film(film_plan_of(asked, by.rendering, requester)) {}
+
+  void operator()(const SendPart& send);
+
+  FilmRequest asked;
+  const Requester requester;
+  Service& service;
+  const FilmPlan film;
+
+ private:
+  SharedPicture drawn(Plan& plan, const Shot& shot, Flow& flow);
+};
+
+// Once for all who ask for the frame later, but not together with who asks now: they may wait for
+// the place that this has.
+SharedPicture Filming::drawn(Plan& plan, const Shot& shot, Flow& flow) {
+  if (const auto found = service.pictures.find(shot.etag)) return found->picture;
+  plan.options.flow = &flow;
+  settle_memory();
+  const auto attempt = [&] {
+    Picture picture = draw(plan, service.rendering, requester.stop);
+    service.costs.learn(plan.cost_key, plan.rays(), picture.trace_seconds, true);
+    service.metrics.count(picture.rays, picture.timing);
+    return picture;
+  };
+  const auto picture = std::make_shared<const Picture>(with_memory_for(attempt, requester.stop));
+  service.pictures.add(shot.etag, picture);
+  return picture;
+}
+
+// With one ticket for heavy work from its first frame to its last. It may take longer than others
+// would wait for: threads go round by turns.
+void Filming::operator()(const SendPart& send) {
+  MemoryClaim claim(service.memory, requester.client);
+  const ClaimScope scope(&claim);
+  const auto ticket = service.admission.enter({.seconds = 2 * Cost::most_light_seconds},
+                                              requester.client, requester.stop);
+  Flow flow{requester.number()};
+  flow.is_long = true;
+  const Crew crew{[&](Plan& plan, const Shot& shot) { return drawn(plan, shot, flow); },
+                  [&](const std::function<void()>& work) {
+                    service.rendering.pool.alone(work, requester.stop, &flow);
+                  },
+                  send.next};
+  shoot(asked, film, service.rendering, requester, crew);
+}
+
+std::string frames_told(const FilmPlan& film) {
+  const std::size_t drawn = film.shots.size();
+  return "drawn=" + std::to_string(drawn) +
+         ", shared=" + std::to_string(static_cast<std::size_t>(film.frames) - drawn) +
+         (film.moves ? "" : ", still");
+}
+
+Response filmed(AskedFilm asked, const Request& request, Service& service) {
+  const auto filming = std::make_shared<Filming>(std::move(asked.film), request, service);
+  const FilmPlan& film = filming->film;
+  Response response{.content_type = "", .body = ""};
+  response.headers = {
+      {"ETag", film.etag},
+      {"Cache-Control", filming->asked.v ? "public, max-age=31536000, immutable" : "no-cache"}};
+  if (asked.accepted) add_vary(response.headers, "Accept");
+  if (request.method != "POST" && has_already(request, film.etag)) {
+    response.status = 304;
+    return response;
+  }
+  response.content_type = row_of(filming->asked.film_format).media_type;
+  response.headers.emplace_back("Tia-Frames", frames_told(film));
+  response.headers.emplace_back("X-Accel-Buffering", "no");
+  response.unsized = request.is_head();
+  if (request.is_head()) return response;
+  response.parts_deadline = std::chrono::milliseconds(service.config.film_deadline_ms);
+  response.parts = [filming](const SendPart& send) { (*filming)(send); };
+  return response;
+}
+
+Response get_film(const Request& request, const std::string&, Service& service) {
+  const auto read = [&] {
+    return film_asked_in(query_object<FilmRequest>(request.query()), request);
+  };
+  return filmed(read_query(request, service, read), request, service);
+}
+
+Response post_film(const Request& request, const std::string&, Service& service) {
+  refuse_query(request);
+  const auto read = [&] {
+    return film_asked_in(
+        body_json(request, "the parameters as a JSON object, such as {\"scene\":\"lamp-round\"}",
+                  service.config.json_limits()),
+        request);
+  };
+  return filmed(read_body(request, service, read), request, service);
+}
+
+Answer film_answer() {
+  Answer answer{.about = "the film; one that is not whole ends without the last chunk"};
+  for (const FilmFormatRow& row : film_formats) answer.contents.push_back({row.media_type});
+  answer.headers = {"ETag", "Cache-Control", "Tia-Frames", "X-Accel-Buffering"};
+  return answer;
+}
+
+}  // namespace
+
+std::vector<Route> film_routes() {
+  return {{.method = "GET",
+           .path = "/film",
+           .name = "get_film",
+           .about = "an animated scene as a film, sent while it is drawn; a scene that does not "
+                    "move is one frame",
+           .pace = Pace::in_turn,
+           .handler = get_film,
+           .answers = {film_answer(),
+                       {304,
+                        "If-None-Match names the film's tag: no ray was traced",
+                        {},
+                        {"ETag", "Cache-Control"}}},
+           .chooses = true,
+           .query = query_parameters<FilmRequest>,
+           .examples = {"/film?scene=lamp-round&width=64&height=48&to=0.5"}},
+          {.method = "POST",
+           .path = "/film",
+           .name = "post_film",
+           .about = "the same, parameters as a JSON object",
+           .pace = Pace::in_turn,
+           .handler = post_film,
+           .answers = {film_answer()},
+           .chooses = true,
+           .body = {{media::json,
+                     schema_for<FilmRequest>,
+                     {{"the first half second of a lamp that goes round", R"({
+  "scene": "lamp-round", "width": 64, "height": 48, "to": 0.5})"}}}}}};
+}
+
+}  // namespace tia::server

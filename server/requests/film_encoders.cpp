@@ -1,0 +1,90 @@
+#include "server/requests/film_encoders.h"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "core/input/json.h"
+#include "core/video/apng.h"
+#include "core/video/stored_zip.h"
+
+namespace tia::server {
+namespace {
+
+/// ApngEncoder: a shot is a frame of the file, or several where it is shown for longer than one
+/// can be.
+class ApngEncoder : public FilmEncoder {
+ public:
+  explicit ApngEncoder(const FilmPlan& film) : film_(film), writer_(frames_of(film)) {}
+  std::string add(const Picture& picture, const Shot& shot) override {
+    std::string piece;
+    for (std::int64_t left = ms_of(film_, shot), first = true; left > 0 || first; first = false) {
+      const std::int64_t ms = std::min(left, ApngWriter::longest_ms);
+      piece += writer_.frame(picture.bytes, ms);
+      left -= ms;
+    }
+    return piece;
+  }
+  std::string end() override { return ApngWriter::end(); }
+
+ private:
+  static std::int64_t ms_of(const FilmPlan& film, const Shot& shot) {
+    return film.ms_until(shot.first + shot.frames) - film.ms_until(shot.first);
+  }
+  static int frames_of(const FilmPlan& film) {
+    std::int64_t frames = 0;
+    for (const Shot& shot : film.shots)
+      frames += std::max<std::int64_t>(
+          1, (ms_of(film, shot) + ApngWriter::longest_ms - 1) / ApngWriter::longest_ms);
+    return static_cast<int>(frames);
+  }
+  const FilmPlan& film_;
+  ApngWriter writer_;
+};
+
+/// ZipEncoder: each frame a file, and film.json before them.
+class ZipEncoder : public FilmEncoder {
+ public:
+  explicit ZipEncoder(const FilmPlan& film) : film_(film) {}
+  std::string begin() override {
+    Value::Array frames;
+    for (const Shot& shot : film_.shots)
+      for (int k = shot.first; k < shot.first + shot.frames; ++k)
+        frames.push_back(Value::Object{
+            {"time", film_.seconds_of(k)}, {"etag", shot.etag}, {"file", file_name(k)}});
+    return zip_.file("film.json",
+                     to_json(Value::Object{{"fps", film_.fps}, {"frames", std::move(frames)}}));
+  }
+  std::string add(const Picture& picture, const Shot& shot) override {
+    std::string piece;
+    for (int k = shot.first; k < shot.first + shot.frames; ++k)
+      piece += zip_.file(file_name(k), picture.bytes);
+    return piece;
+  }
+  std::string end() override { return zip_.end(); }
+
+ private:
+  static std::string file_name(int frame) {
+    char name[24];
+    std::snprintf(name, sizeof name, "%05d.png", frame);
+    return name;
+  }
+  const FilmPlan& film_;
+  StoredZip zip_;
+};
+
+template <class Encoder>
+std::unique_ptr<FilmEncoder> make(const FilmPlan& film) {
+  return std::make_unique<Encoder>(film);
+}
+
+}  // namespace
+
+std::unique_ptr<FilmEncoder> encoder_of(FilmFormat format, const FilmPlan& film) {
+  switch (format) {
+    case FilmFormat::apng: return make<ApngEncoder>(film);
+    case FilmFormat::zip: return make<ZipEncoder>(film);
+  }
+  return nullptr;
+}
+
+}  // namespace tia::server

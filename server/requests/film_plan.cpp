@@ -1,0 +1,131 @@
+#include "server/requests/film_plan.h"
+
+#include <cmath>
+
+#include "core/input/json.h"
+#include "server/requests/recipe.h"
+#include "server/stores/digest.h"
+
+namespace tia::server {
+namespace {
+
+int frames_before(double seconds, double fps) {
+  return static_cast<int>(std::min(std::ceil(seconds * fps), 2 * Animation::most_frames));
+}
+
+// Errors: InputError where the scene has no such times, or too many.
+void choose_frames(const FilmRequest& asked, const Animation& animation, const Limits& limits,
+                   FilmPlan& film) {
+  const auto check = [&](const char* pointer, const std::optional<double>& seconds) {
+    if (seconds && *seconds > animation.duration)
+      throw InputError({FaultKind::out_of_range, pointer, Value(*seconds),
+                        range_text(Spec{.unit = "s", .min = 0, .max = animation.duration}, false)});
+  };
+  check("/from", asked.from);
+  check("/to", asked.to);
+  film.fps = asked.fps.value_or(animation.fps);
+  if (film.fps < FilmRequest::slowest_fps)
+    throw InputError({FaultKind::out_of_range, "/fps", Value(film.fps),
+                      "frames that last at most " + to_json(Value(1 / FilmRequest::slowest_fps)) +
+                          " s; the animation's do not"});
+  film.first = frames_before(asked.from.value_or(0), film.fps);
+  film.frames = frames_before(asked.to.value_or(animation.duration), film.fps) - film.first;
+  if (film.frames < 1)
+    throw InputError({FaultKind::out_of_range, "/from", write_value(asked.from),
+                      "a time after which there is a frame; they are " +
+                          to_json(Value(1 / film.fps)) + " s apart"});
+  if (film.frames > limits.max_frames)
+    throw InputError({FaultKind::limit, asked.fps ? "/fps" : "/to",
+                      Value(std::to_string(film.frames) + " frames"),
+                      "at most " + std::to_string(limits.max_frames) +
+                          " frames (option TIA_MAX_FRAMES); from, to and fps choose them"});
+}
+
+// A scene that does not move has no times.
+void check_still(const FilmRequest& asked) {
+  const auto check = [](const char* pointer, const std::optional<double>& given) {
+    if (given)
+      throw InputError({FaultKind::conflict, pointer, Value(*given),
+                        "a scene with an animation; this one does not move"});
+  };
+  check("/from", asked.from);
+  check("/to", asked.to);
+}
+
+// Errors: InputError where a frame does not go with the first one.
+void check_same(const Plan& plan, FilmPlan& film, int frame) {
+  const int width = plan.window.width(), height = plan.window.height();
+  const bool clear = is_transparent(*plan.scene, plan.options.integrator);
+  if (frame == 0) {
+    film.width = width;
+    film.height = height;
+    film.is_transparent = clear;
+  }
+  if (width == film.width && height == film.height && clear == film.is_transparent) return;
+  throw InputError({FaultKind::conflict, "/scene/animation",
+                    Value("another size or kind at " + to_json(Value(film.seconds_of(frame))) +
+                          " s than at the first frame"),
+                    "frames of one size, with alpha or without"});
+}
+
+// Those that the eye sends out in any case.
+double sure_rays(const Plan& plan) {
+  return static_cast<double>(plan.traced().width()) * plan.traced().height() * plan.fewest_samples;
+}
+
+void check_film_rays(double rays, const FilmPlan& film, const Limits& limits) {
+  if (rays <= static_cast<double>(limits.max_rays)) return;
+  throw InputError({FaultKind::limit, "/samples",
+                    Value(std::to_string(film.frames) + " frames that take " +
+                          to_json(Value(rays)) + " rays from the eye alone"),
+                    "at most " + std::to_string(limits.max_rays) +
+                        " rays of the whole film (option TIA_MAX_RAYS)"});
+}
+
+std::string film_etag(const FilmRequest& asked, const FilmPlan& film) {
+  std::string text = "film " + std::string(row_of(asked.film_format).name) + ' ' +
+                     to_json(Value(film.fps)) + ' ' + std::to_string(film.first);
+  for (const Shot& shot : film.shots) text += ' ' + std::to_string(shot.frames) + shot.etag;
+  return etag_of(text);
+}
+
+}  // namespace
+
+std::int64_t FilmPlan::ms_until(int frame) const {
+  return static_cast<std::int64_t>(std::floor(1000 * (frame / fps) + 0.5));
+}
+
+Plan frame_plan_of(FilmRequest& asked, const FilmPlan& film, int frame,
+                   const RenderContext& context, const Requester& requester) {
+  if (film.moves) asked.time = film.seconds_of(frame);
+  return plan_of(asked, context, requester);
+}
+
+FilmPlan film_plan_of(FilmRequest& asked, const RenderContext& context,
+                      const Requester& requester) {
+  FilmPlan film;
+  const KnownScene scene = moving_scene_of(asked, context, requester);
+  film.moves = scene->animation.has_value();
+  if (film.moves) {
+    choose_frames(asked, *scene->animation, context.limits, film);
+  } else {
+    check_still(asked);
+    film.fps = asked.fps.value_or(film.fps);
+  }
+  double rays = 0;
+  for (int frame = 0; frame < film.frames; ++frame) {
+    end_if_asked(requester.stop);
+    const Plan plan = frame_plan_of(asked, film, frame, context, requester);
+    check_same(plan, film, frame);
+    std::string etag = etag_of(plan.recipe);
+    if (film.shots.empty() || film.shots.back().etag != etag) {
+      film.shots.push_back({frame, 0, std::move(etag)});
+      check_film_rays(rays += sure_rays(plan), film, context.limits);
+    }
+    ++film.shots.back().frames;
+  }
+  film.etag = film_etag(asked, film);
+  return film;
+}
+
+}  // namespace tia::server

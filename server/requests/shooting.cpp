@@ -1,0 +1,25 @@
+#include "server/requests/shooting.h"
+
+#include "server/requests/film_encoders.h"
+
+namespace tia::server {
+
+void shoot(FilmRequest& asked, const FilmPlan& film, const RenderContext& context,
+           const Requester& requester, const Crew& crew) {
+  const auto encoder = encoder_of(asked.film_format, film);
+  const auto hand_on = [&](const auto& encode) {
+    std::string piece;
+    crew.alone([&] { piece = encode(); });
+    if (!piece.empty()) crew.take(piece);
+  };
+  hand_on([&] { return encoder->begin(); });
+  for (const Shot& shot : film.shots) {
+    end_if_asked(requester.stop);
+    Plan plan = frame_plan_of(asked, film, shot.first, context, requester);
+    const auto picture = crew.draw(plan, shot);
+    hand_on([&] { return encoder->add(*picture, shot); });
+  }
+  hand_on([&] { return encoder->end(); });
+}
+
+}  // namespace tia::server
