@@ -16,14 +16,11 @@ const SIGHTS = {
     await page.locator('input[value=difference]').check();
     await page.locator('#compare canvas').waitFor();
   },
-  path: async (page) => {
-    await page.locator('input[value=places]').check();
-    await page.locator('.through button').first().click();
-    await page.locator('input[value=circle]').check();
-    await page.locator('#panel-path input[type=range]').focus();
-    await page.keyboard.press('ArrowRight');
-    await page.locator('#compare img').waitFor();
-    await page.locator('input[value=places]').check();
+  timeline: async (page) => {
+    await page.locator('.add-form .add').click();
+    await page.locator('.key-form:not([hidden])').waitFor();
+    await page.locator('.film summary').click();
+    await page.locator('.film select').waitFor();
   },
   numbers: (page) => page.locator('.chart rect').first().waitFor({ state: 'attached' }),
   take: async (page) => {

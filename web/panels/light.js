@@ -2,6 +2,7 @@
 
 import { recall, remember } from '../state/memory.js';
 import { numberText, readNumber, readNumbers } from '../state/request.js';
+import { lampPlace } from '../state/tracks.js';
 import { t } from '../words/words.js';
 import { bindCopy } from './carry.js';
 
@@ -121,7 +122,11 @@ export default function mountLight(studio) {
 
   function press(key) {
     if (model.request.model) return;
-    if (key === 'Escape') model.change({ key: null, light: null });
+    const light = model.source?.keys?.[key]?.light;
+    const led = studio.isTracked(lampPlace(model.source));
+    if (led && key === 'Escape') studio.letGo();
+    else if (led && light) studio.moveLight(light);
+    else if (key === 'Escape') model.change({ key: null, light: null });
     else model.change({ key, light: null });
   }
 

@@ -24,7 +24,7 @@ const DRAWN = { width: 480, height: 360, samples: 1, threshold: 0, crop: null };
 export function mountMaps(studio) {
   const maps = ['top', 'side'].map((name) => new PlanMap(studio, name));
   document.getElementById('maps').replaceChildren(...maps.map(({ figure }) => figure));
-  for (const event of ['world', 'show', 'source', 'rays'])
+  for (const event of ['world', 'show', 'source', 'rays', 'ways'])
     studio.model.onFrame(event, () => maps.forEach((map) => map.follow(event)));
 }
 
@@ -34,6 +34,7 @@ class PlanMap {
   #backdrop = svg('image', { width: WIDTH, height: HEIGHT, preserveAspectRatio: 'none' });
   #rays = svg('g', { class: 'rays' });
   #sight = svg('path', { class: 'sight' });
+  #ways = svg('g', { class: 'ways' });
   #handles = svg('g');
   #plan = null;
   #region = null;
@@ -47,7 +48,7 @@ class PlanMap {
     const label = t(`maps.${name}`);
     this.figure = element('figure', { class: 'map' },
       svg('svg', { viewBox: `0 0 ${WIDTH} ${HEIGHT}`, role: 'group', 'aria-label': label },
-        this.#backdrop, this.#sight, this.#rays, this.#handles),
+        this.#backdrop, this.#sight, this.#ways, this.#rays, this.#handles),
       element('figcaption', { class: 'note' }, label));
   }
 
@@ -61,6 +62,7 @@ class PlanMap {
     this.#placeHandles(pivot, light, camera);
     this.#drawSight(camera);
     if (event !== 'show') this.#drawRays();
+    if (event === 'world' || event === 'ways') this.#studio.drawWays?.(this.#ways, (point) => this.#at(point));
   }
 
   #settle(pivot, light, camera) {
@@ -76,8 +78,7 @@ class PlanMap {
   }
 
   async #drawBackdrop() {
-    const { scene, key } = this.#studio.inScene;
-    const request = { scene, key, ...DRAWN, camera: planCamera(this.#plan, this.#region) };
+    const request = { ...this.#studio.unled, ...DRAWN, camera: planCamera(this.#plan, this.#region) };
     const drawn = JSON.stringify(request);
     if (drawn === this.#drawn) return;
     this.#drawn = drawn;
@@ -120,13 +121,18 @@ class PlanMap {
   #objectMover(index) {
     let taken = null;
     return {
-      take: () => (taken = this.#studio.model.source?.objects?.[index] ?? null),
-      move: (way) => {
-        if (!taken || !this.#studio.editScene) return false;
-        this.#studio.editScene(movedObject(taken, index, way));
-        return true;
-      },
+      take: () => (taken = this.#objectNow(index)),
+      move: (way) => Boolean(taken) && this.#studio.put(movedObject(taken, index, way)),
     };
+  }
+
+  // As the scene says, or where a track has led it.
+  #objectNow(index) {
+    const { source, world } = this.#studio.model;
+    const object = source?.objects?.[index] ?? null;
+    if (!object) return null;
+    const [[place]] = movedObject(object, index, [0, 0, 0]);
+    return (this.#studio.isTracked(place) && world?.objects?.[index]) || object;
   }
 
   #placeHandles(pivot, light, camera) {
@@ -217,6 +223,7 @@ function movedObject(object, index, way) {
   if (object.center && !object.transform) return [[`${pointer}/center`, tidyVector(add(object.center, way), 5)]];
   const steps = object.transform ?? [];
   const last = steps.at(-1)?.translate;
-  const moved = { translate: tidyVector(add(last ?? [0, 0, 0], way), 5) };
-  return [[`${pointer}/transform`, [...(last ? steps.slice(0, -1) : steps), moved]]];
+  const translate = tidyVector(add(last ?? [0, 0, 0], way), 5);
+  if (last) return [[`${pointer}/transform/${steps.length - 1}/translate`, translate]];
+  return [[`${pointer}/transform`, [...steps, { translate }]]];
 }

@@ -73,6 +73,7 @@ export function mountPicture(studio) {
   model.on('show', () => (hurry(), (slow = setTimeout(wait, SLOW_MS))));
   for (const event of ['rest', 'pause']) model.on(event, settle);
   model.on('show', () => isOfPaths(model.request, model.source?.options) && clearUp(studio));
+  model.on('held', () => tellHeld(studio));
   model.on('world', () => (describe(), lookAround(studio, part('seen'))));
   model.on('source', describe);
   onRetry((by) => {
@@ -86,4 +87,11 @@ let clearing = null;
 function clearUp(studio) {
   clearing ??= import('./clearing.js').then(({ mountClearing }) => mountClearing(studio, part('clearing')))
     .catch((error) => console.warn(error.message));
+}
+
+// What says that a track moves what a hand has moved is loaded with the first of it.
+let held = null;
+function tellHeld(studio) {
+  held ??= import('./held.js').then(({ mountHeld }) => mountHeld(studio, part('held')))
+    .catch((error) => ((held = null), console.warn(error.message)));
 }

@@ -7,6 +7,7 @@ import { movedLight } from '../space/lamp.js';
 import { serverFaults, syntaxFaults } from '../state/scene_faults.js';
 import { subjectOf } from '../state/request.js';
 import { formatScene, parseScene, withValue } from '../state/scene_text.js';
+import { momentIn } from '../state/tracks.js';
 import { t } from '../words/words.js';
 import { element } from './element.js';
 import { Editor } from './scene_editor.js';
@@ -18,10 +19,14 @@ import { forget, keep, kept } from '../state/scene_keep.js';
 const PAUSE_MS = 200; // so long the typing rests before the server is asked
 const TAB = 'tab-scene';
 
-/** Mounts the panel and gives the studio `editScene(pointer, value)` or `([[pointer, value], ...])`. */
+/**
+ * Mounts the panel and gives the studio `editScene(pointer, value)` or `([[pointer, value], ...])`, and
+ * `steps`: `take(pairs)`, the same as a step of its own, `undo()`, `redo()`, `canUndo` and `canRedo`.
+ */
 export default function mountScene(studio, panel) {
   const desk = new Desk(studio, panel);
   studio.editScene = (pointer, value) => desk.edit(Array.isArray(pointer) ? pointer : [[pointer, value]]);
+  studio.steps = desk.steps;
   mountDrop(studio, desk);
 }
 
@@ -134,17 +139,31 @@ class Desk {
 
   // ---- the text is what the studio shall show ------------------------------------------------
 
-  /** Changes values in the text, all else stays; false where the text cannot be read. */
-  edit(pairs) {
+  /**
+   * Changes values in the text, all else stays; false where the text cannot be read. Of one `kind` that
+   * follow each other they are undone together.
+   */
+  edit(pairs, kind = pairs.map(([pointer]) => pointer).join()) {
     if (this.#late) this.#load();
     const { text } = this.#editor;
     if (!text || parseScene(text).faults.length) return false;
     const changed = pairs.reduce((now, [pointer, value]) => withValue(now, pointer, value), text);
-    this.#editor.replace(changed, pairs.map(([pointer]) => pointer).join());
+    this.#editor.replace(changed, kind);
     this.#want();
     this.#changed([]);
     this.#soon(PAUSE_MS);
     return true;
+  }
+
+  get steps() {
+    const [desk, editor] = [this, this.#editor];
+    return {
+      take: (pairs) => desk.edit(pairs, null),
+      undo: () => editor.undo(),
+      redo: () => editor.redo(),
+      get canUndo() { return editor.history.canUndo; },
+      get canRedo() { return editor.history.canRedo; },
+    };
   }
 
   #typed() {
@@ -204,6 +223,7 @@ class Desk {
       ...(moved('camera') && { camera: null }),
       ...(key && { key: null }),
       ...(lamp && { light: null }),
+      time: momentIn(scene, request.time),
     };
   }
 
@@ -243,7 +263,7 @@ class Desk {
   #discard() {
     const { request } = this.#studio.model;
     this.#seen = null;
-    if (typeof request.scene === 'object') this.#studio.open({ ...request, ...this.#home });
+    if (typeof request.scene === 'object') this.#studio.open({ ...request, ...this.#home, time: null });
     else this.#show(this.#studio.model.source, request);
     this.#editor.area.focus({ preventScroll: true });
   }

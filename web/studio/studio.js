@@ -10,6 +10,7 @@ import { lightOf, pivotOf } from '../space/lamp.js';
 import { completeCamera, viewOf } from '../space/view.js';
 import { mergePatch } from '../state/merge_patch.js';
 import { inScene, ONE_RAY, queryOf, spelled } from '../state/request.js';
+import { heldRequest, isTracked, lampPlace, unled } from '../state/tracks.js';
 import { middleOf, pixelsOf, sizeOf } from '../state/window.js';
 import { Model } from './model.js';
 
@@ -17,6 +18,9 @@ export class Studio {
   model = new Model();
   paused = false; // the picture that is clearing up
   pivot = null; // what the camera looks at, once the server has told
+  held = {}; // what a hand has put elsewhere than its track does, values by JSON Pointer
+  course = null; // where tracks lead: (place, time) => value, once somebody knows
+  carry = (request) => request; // another request of the same picture, which is sent
   #passes;
   #shower = async () => {};
   #failed = () => {};
@@ -24,7 +28,9 @@ export class Studio {
   #notice = null; // what is wrong with the link that was opened, until something else is
   #showing = null; // the picture that is being decoded
   #matter = ''; // scene and key of the world that is known
+  #moment; // and its time
   #middle = ''; // and what the pivot depends on
+  #heldAt = null; // the time and scene of what is held
 
   constructor() {
     this.#passes = new Passes({
@@ -32,6 +38,7 @@ export class Studio {
       told: (problem, last, request) => this.#told(problem, last, request),
       optionsOf: () => this.model.source?.options,
     });
+    this.model.on('want', () => this.#leaveHeld());
     for (const event of ['want', 'ask']) this.model.on(event, () => this.#askAfter(this.#wish()));
     let left = false; // pages that are left may come back as they were
     addEventListener('pagehide', () => (left = !this.paused && this.#passes.pause()));
@@ -113,14 +120,61 @@ export class Studio {
 
   /** The camera that is wanted, every spelling as the scene has it. */
   get camera() {
-    const { world, source } = this.model;
-    return completeCamera({ ...(world ?? source)?.camera, ...this.inScene.camera });
+    const { world, source, request } = this.model;
+    const tracked = (name) => !(`/camera/${name}` in this.held) && this.isTracked(`/camera/${name}`);
+    const own = Object.entries(this.seen.camera ?? {}).filter(([name]) => !tracked(name));
+    const led = Object.keys(world?.camera ?? {}).filter(tracked)
+      .map((name) => [name, this.course?.(`/camera/${name}`, request.time ?? 0) ?? world.camera[name]]);
+    return completeCamera({ ...(world ?? source)?.camera, ...Object.fromEntries([...own, ...led]) });
   }
 
   /** What is wanted as a request of /render: a still as the scene of the picture shown. */
   get inScene() {
     const { request, world, source } = this.model;
     return inScene(request, world ?? source);
+  }
+
+  /** The same with what is held: what the picture is drawn of. */
+  get seen() {
+    return heldRequest(this.inScene, this.model.source, this.held);
+  }
+
+  /** The scene of that for another camera: { scene, key, time }. */
+  get unled() {
+    const { scene, key, time } = this.seen;
+    const { source } = this.model;
+    const whole = typeof scene === 'object' ? scene : source;
+    return { scene: unled(whole) === whole ? scene : unled(whole), key, time };
+  }
+
+  /** Whether a track moves what is at a place of the scene. */
+  isTracked(place) {
+    const { source, request } = this.model;
+    return !request.model && isTracked(source, place);
+  }
+
+  /** Puts something elsewhere than its track does: values by place. It is so until time or scene change. */
+  hold(values) {
+    const { request, source } = this.model;
+    this.held = { ...this.held, ...values };
+    this.#heldAt = { time: request.time, source };
+    for (const event of ['want', 'held']) this.model.tell(event);
+  }
+
+  /** Leaves all to the tracks again. */
+  letGo() {
+    if (!this.#heldAt) return;
+    this.#heldAt = null;
+    this.held = {};
+    for (const event of ['want', 'held']) this.model.tell(event);
+  }
+
+  #leaveHeld() {
+    const { request, source } = this.model;
+    if (!this.#heldAt || (this.#heldAt.time === request.time && this.#heldAt.source === source)) return;
+    this.#heldAt = null;
+    this.held = {};
+    this.model.tell('held');
   }
 
   /** The camera of the picture wanted, in the whole picture's pixels. */
@@ -130,18 +184,24 @@ export class Studio {
 
   /** Where the lamp is that is wanted; null where it is out, or not known yet. */
   get light() {
-    return this.model.request.light ?? (this.model.world ? lightOf(this.model.world, this.pivot) : null);
+    const { request, source, world } = this.model;
+    const place = lampPlace(source);
+    const own = this.isTracked(place) ? this.held[place] ?? this.course?.(place, request.time ?? 0) : request.light;
+    return own ?? (world ? lightOf(world, this.pivot) : null);
   }
 
   /** Where the lamp is in the picture shown; null where it is out, undefined where not known yet. */
   get lightShown() {
     const { shown, world } = this.model;
-    return shown?.request.light ?? (shown && this.#knows(shown.request) ? lightOf(world, this.pivot) : undefined);
+    if (shown?.request.light && !this.isTracked(lampPlace(this.model.source))) return shown.request.light;
+    return shown && this.#knows(shown.request) && shown.request.time === this.#moment ? lightOf(world, this.pivot) : undefined;
   }
 
   /** Puts the lamp there. What a key has changed beside the light stays as it is. */
   moveLight(light) {
-    this.model.change(this.lightPatch(light));
+    const place = lampPlace(this.model.source);
+    if (this.isTracked(place)) this.hold({ [place]: light });
+    else this.model.change(this.lightPatch(light));
   }
 
   /** What changes in a request when the lamp is put there. */
@@ -156,7 +216,18 @@ export class Studio {
   /** Changes fields of the camera. */
   moveCamera(fields) {
     const { model } = this;
-    model.change({ ...this.#scenePatch, camera: { ...this.inScene.camera, ...fields } });
+    const all = Object.entries(fields);
+    const led = all.filter(([name]) => this.isTracked(`/camera/${name}`));
+    if (led.length) this.hold(Object.fromEntries(led.map(([name, value]) => [`/camera/${name}`, value])));
+    const own = Object.fromEntries(all.filter((one) => !led.includes(one)));
+    if (led.length < all.length) model.change({ ...this.#scenePatch, camera: { ...this.inScene.camera, ...own } });
+  }
+
+  /** Changes values of the scene, [[JSON Pointer, value]], or holds what a track moves; false: it cannot be. */
+  put(pairs) {
+    if (!pairs.some(([place]) => this.isTracked(place))) return Boolean(this.editScene?.(pairs));
+    this.hold(Object.fromEntries(pairs));
+    return true;
   }
 
   // What a still does not know makes a scene of it.
@@ -174,7 +245,8 @@ export class Studio {
   // While a pixel is asked about, the picture has one ray a pixel: the ray that is explained. A model
   // is seen by the method whose rays can be.
   #wish() {
-    const { request: wanted, source, asked } = this.model;
+    const { request: own, source, asked } = this.model;
+    const wanted = heldRequest(own, source, this.held);
     this.#passes.still = Boolean(asked);
     if (!asked) return wanted;
     const request = wanted.model ? { ...wanted, integrator: 'whitted' } : wanted;
@@ -185,7 +257,7 @@ export class Studio {
     const start = performance.now();
     const show = (picture, of) => this.#showNext(picture, of, start);
     const there = samplesThere(this.model.shown, request, this.model.source?.options);
-    const picture = await fetchPicture(request, signal, learn && (async (round) => {
+    const picture = await fetchPicture(await this.carry(request), signal, learn && (async (round) => {
       const samples = Math.floor(countOf(round.rays, 'primary') / pixelsOf(request));
       const drawn = totalMs(round.timing);
       if (samples > 0 && drawn > 0 && !round.resumed) learn({ ms: round.ms, drawn, samples });
@@ -240,7 +312,7 @@ export class Studio {
   async #look(request, blob) {
     const recipe = await readRecipe(blob) ?? await this.#recipeOf(request);
     if (!recipe || !this.#isShown(request)) return;
-    this.#matter = matterOf(request);
+    [this.#matter, this.#moment] = [matterOf(request), request.time];
     this.model.world = this.#whole(recipe.request.scene, request.key);
     // An edited scene goes on about the same point: what moves away from there is not run after.
     const middle = JSON.stringify([request.key, request.camera, request.crop]);

@@ -21,6 +21,11 @@ export async function chooseLanguage(wished) {
   document.documentElement.lang = language;
 }
 
+/** Learns the words of a part of the page that is loaded later, from `NAME_LANGUAGE.js`. */
+export async function learn(name) {
+  dictionary = { ...dictionary, ...(await import(`./${name}_${language}.js`)).default };
+}
+
 export const languageNow = () => language;
 
 /** Speaks another language from now on: the page is loaded anew, all that it shows is in its address. */

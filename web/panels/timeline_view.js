@@ -1,0 +1,115 @@
+// The timeline as the panel shows it. Loaded when that is first opened.
+
+import { StoredScene } from '../picture/stored_scene.js';
+import { momentIn } from '../state/tracks.js';
+import { Timeline } from '../studio/timeline.js';
+import { learn, t } from '../words/words.js';
+import { element } from './element.js';
+import { addForm } from './timeline_add.js';
+import { Clock } from './timeline_clock.js';
+import { filmForm } from './timeline_film.js';
+import { keyForm } from './timeline_key.js';
+import { trackRows } from './timeline_rows.js';
+import { transport } from './timeline_transport.js';
+import { drawWays } from './timeline_ways.js';
+import { secondsWords } from './timeline_words.js';
+
+/** Fills `panel`. */
+export async function mountTimelineView(studio, panel) {
+  await Promise.all([learn('timeline'), style('panels/timeline.css')]);
+  const { model } = studio;
+  const timeline = (studio.timeline ??= new Timeline(studio)); // or of what was held
+  const told = element('p', { class: 'told', role: 'status' });
+  const tell = (words) => (told.textContent = words);
+  const clock = new Clock(timeline, () => (draw(), clock.playing ? tell('') : tell(momentWords(timeline))));
+  const controls = transport(timeline, clock);
+  const parts = [controls, trackRows(timeline, controls.scrub), keyForm(timeline, () => controls.scrub.focus()),
+    addForm(studio, timeline, tell), settings(studio, timeline), filmForm(studio, timeline)];
+  const models = element('p', { class: 'note' }, t('timeline.models'));
+  const box = element('div', { class: 'timeline' }, ...parts.slice(0, 4).map(({ node }) => node), told, ...parts.slice(4).map(({ node }) => node));
+  panel.append(models, box);
+
+  function draw() {
+    models.hidden = !model.request.model;
+    box.hidden = Boolean(model.request.model);
+    if (!box.hidden && studio.tab === 'tab-timeline') for (const part of parts) part.draw();
+  }
+
+  for (const event of ['timeline', 'want', 'source', 'held', 'tab']) model.onFrame(event, draw);
+  for (const event of ['source', 'tab']) model.on(event, () => begin(studio));
+  bindUndo(studio, box);
+  carryWhilePlaying(studio, clock);
+  drawWays(studio, timeline);
+  begin(studio);
+  draw();
+}
+
+// What moves is seen at a moment of it.
+function begin({ tab, model }) {
+  const time = momentIn(model.source, model.request.time ?? 0);
+  if (tab === 'tab-timeline' && time !== null && !model.request.model && model.request.time !== time) model.change({ time });
+}
+
+function momentWords({ time, animation: { duration } }) {
+  return t('timeline.of', { at: secondsWords(time), all: secondsWords(duration) });
+}
+
+// Undo and redo as in the scene's text, whose steps they are.
+function bindUndo({ steps }, box) {
+  box.addEventListener('keydown', (event) => {
+    if (!(event.ctrlKey || event.metaKey) || event.altKey || event.target.matches('input:not([type])')) return;
+    const act = { z: event.shiftKey ? steps.redo : steps.undo, y: steps.redo }[event.key.toLowerCase()];
+    if (!act) return;
+    event.preventDefault();
+    act();
+  });
+}
+
+// A scene of one's own goes to the server once while it plays, not with each of its moments.
+function carryWhilePlaying(studio, clock) {
+  const stored = new StoredScene();
+  const { model } = studio;
+  const plain = studio.carry;
+  const carried = (request) => stored.carry(request);
+  const follow = () => (studio.carry = clock.playing ? carried : plain);
+  model.on('timeline', follow);
+  model.on('rest', () => clock.playing || stored.drop());
+  model.on('fail', () => (clock.wait(), stored.drop()));
+  model.on('show', () => clock.goOn());
+  model.on('held', () => Object.keys(studio.held).length && clock.pause());
+  addEventListener('pagehide', () => (clock.pause(), stored.drop()));
+}
+
+// How long, how often, one step back, and on from here.
+function settings(studio, timeline) {
+  const { model, steps } = studio;
+  const number = (name, least, most, step) => {
+    const input = element('input', { type: 'number', min: least, max: most, step, onchange: () => {
+      if (input.checkValidity() && input.value) timeline.edit(timeline.moves ? [[`/animation/${name}`, input.valueAsNumber]]
+        : [['/animation', { ...timeline.animation, [name]: input.valueAsNumber }]]);
+      draw();
+    } });
+    return [name, input, element('label', {}, element('span', {}, t(`timeline.${name}`)), input)];
+  };
+  const numbers = [number('duration', 0.01, 86400, 'any'), number('fps', 1, 240, 'any')];
+  const button = (name, press) => element('button', { type: 'button', onclick: press }, t(`timeline.${name}`));
+  const [undo, redo, hold] = [button('undo', steps.undo), button('redo', steps.redo), button('hold', () =>
+    studio.open({ ...model.request, scene: model.world, time: null, key: null, light: null, camera: null }, model.world))];
+
+  function draw() {
+    for (const [name, input] of numbers) if (input !== document.activeElement) input.value = timeline.animation[name];
+    [undo.disabled, redo.disabled] = [!steps.canUndo, !steps.canRedo];
+    hold.hidden = !timeline.moves;
+  }
+
+  model.on('world', () => requestAnimationFrame(draw));
+  return { draw, node: element('div', { class: 'settings' },
+    element('div', { class: 'row wrap' }, undo, redo, hold),
+    element('div', { class: 'take-form' }, ...numbers.map(([, , label]) => label))) };
+}
+
+/** Adds a style sheet and waits for it. */
+function style(href) {
+  return new Promise((resolve, reject) =>
+    document.head.append(element('link', { rel: 'stylesheet', href, onload: resolve, onerror: reject })));
+}
