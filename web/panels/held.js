@@ -12,7 +12,7 @@ export async function mountHeld(studio, place) {
   const timeline = (studio.timeline ??= new Timeline(studio));
   const words = element('p', { role: 'status' });
   const add = element('button', { type: 'button', onclick: () => leave(timeline.addHeld() ? added(timeline) : t('timeline.broken')) });
-  const back = element('button', { type: 'button', onclick: () => (studio.letGo(), leave('')) }, t('timeline.putBack'));
+  const back = element('button', { type: 'button', onclick: () => (studio.held.letGo(), leave('')) }, t('timeline.putBack'));
   const buttons = element('div', { class: 'row wrap' }, add, back);
   place.append(words, buttons);
   place.setAttribute('aria-label', t('timeline.heldTitle'));
@@ -23,7 +23,7 @@ export async function mountHeld(studio, place) {
   }
 
   function draw() {
-    const held = Object.keys(studio.held);
+    const held = Object.keys(studio.held.values);
     place.hidden = !held.length;
     if (place.hidden) return (words.textContent = '');
     const at = secondsWords(timeline.time);

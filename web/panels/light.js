@@ -123,8 +123,8 @@ export default function mountLight(studio) {
   function press(key) {
     if (model.request.model) return;
     const light = model.source?.keys?.[key]?.light;
-    const led = studio.isTracked(lampPlace(model.source));
-    if (led && key === 'Escape') studio.letGo();
+    const led = studio.held.leads(lampPlace(model.source));
+    if (led && key === 'Escape') studio.held.letGo();
     else if (led && light) studio.moveLight(light);
     else if (key === 'Escape') model.change({ key: null, light: null });
     else model.change({ key, light: null });

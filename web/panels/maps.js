@@ -78,7 +78,7 @@ class PlanMap {
   }
 
   async #drawBackdrop() {
-    const request = { ...this.#studio.unled, ...DRAWN, camera: planCamera(this.#plan, this.#region) };
+    const request = { ...this.#studio.held.from(this.#studio.inScene), ...DRAWN, camera: planCamera(this.#plan, this.#region) };
     const drawn = JSON.stringify(request);
     if (drawn === this.#drawn) return;
     this.#drawn = drawn;
@@ -132,7 +132,7 @@ class PlanMap {
     const object = source?.objects?.[index] ?? null;
     if (!object) return null;
     const [[place]] = movedObject(object, index, [0, 0, 0]);
-    return (this.#studio.isTracked(place) && world?.objects?.[index]) || object;
+    return (this.#studio.held.leads(place) && world?.objects?.[index]) || object;
   }
 
   #placeHandles(pivot, light, camera) {

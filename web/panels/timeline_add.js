@@ -60,7 +60,7 @@ function follow(studio, timeline) {
 }
 
 // Where hands have put things, a text for each of them.
-function placesOf({ model, held }) {
+function placesOf({ model, held: { values: held } }) {
   const { light, key, camera } = model.request;
   const heldAt = (start) => Object.keys(held).filter((place) => place.startsWith(start)).map((place) => held[place]);
   const objects = (model.source?.objects ?? []).slice(0, MOST_OBJECTS).map(({ center, transform }, i) =>

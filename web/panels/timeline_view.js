@@ -76,7 +76,7 @@ function carryWhilePlaying(studio, clock) {
   model.on('rest', () => clock.playing || stored.drop());
   model.on('fail', () => (clock.wait(), stored.drop()));
   model.on('show', () => clock.goOn());
-  model.on('held', () => Object.keys(studio.held).length && clock.pause());
+  model.on('held', () => Object.keys(studio.held.values).length && clock.pause());
   addEventListener('pagehide', () => (clock.pause(), stored.drop()));
 }
 

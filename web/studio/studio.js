@@ -10,16 +10,16 @@ import { lightOf, pivotOf } from '../space/lamp.js';
 import { completeCamera, viewOf } from '../space/view.js';
 import { mergePatch } from '../state/merge_patch.js';
 import { inScene, ONE_RAY, queryOf, spelled } from '../state/request.js';
-import { heldRequest, isTracked, lampPlace, unled } from '../state/tracks.js';
+import { lampPlace } from '../state/tracks.js';
 import { middleOf, pixelsOf, sizeOf } from '../state/window.js';
+import { Held } from './held.js';
 import { Model } from './model.js';
 
 export class Studio {
   model = new Model();
   paused = false; // the picture that is clearing up
   pivot = null; // what the camera looks at, once the server has told
-  held = {}; // what a hand has put elsewhere than its track does, values by JSON Pointer
-  course = null; // where tracks lead: (place, time) => value, once somebody knows
+  held = new Held(this.model); // hears first what is wanted
   carry = (request) => request; // another request of the same picture, which is sent
   #passes;
   #shower = async () => {};
@@ -30,7 +30,6 @@ export class Studio {
   #matter = ''; // scene and key of the world that is known
   #moment; // and its time
   #middle = ''; // and what the pivot depends on
-  #heldAt = null; // the time and scene of what is held
 
   constructor() {
     this.#passes = new Passes({
@@ -38,7 +37,6 @@ export class Studio {
       told: (problem, last, request) => this.#told(problem, last, request),
       optionsOf: () => this.model.source?.options,
     });
-    this.model.on('want', () => this.#leaveHeld());
     for (const event of ['want', 'ask']) this.model.on(event, () => this.#askAfter(this.#wish()));
     let left = false; // pages that are left may come back as they were
     addEventListener('pagehide', () => (left = !this.paused && this.#passes.pause()));
@@ -120,61 +118,14 @@ export class Studio {
 
   /** The camera that is wanted, every spelling as the scene has it. */
   get camera() {
-    const { world, source, request } = this.model;
-    const tracked = (name) => !(`/camera/${name}` in this.held) && this.isTracked(`/camera/${name}`);
-    const own = Object.entries(this.seen.camera ?? {}).filter(([name]) => !tracked(name));
-    const led = Object.keys(world?.camera ?? {}).filter(tracked)
-      .map((name) => [name, this.course?.(`/camera/${name}`, request.time ?? 0) ?? world.camera[name]]);
-    return completeCamera({ ...(world ?? source)?.camera, ...Object.fromEntries([...own, ...led]) });
+    const { world, source } = this.model;
+    return completeCamera(this.held.cameraOf((world ?? source)?.camera, this.inScene.camera));
   }
 
   /** What is wanted as a request of /render: a still as the scene of the picture shown. */
   get inScene() {
     const { request, world, source } = this.model;
     return inScene(request, world ?? source);
-  }
-
-  /** The same with what is held: what the picture is drawn of. */
-  get seen() {
-    return heldRequest(this.inScene, this.model.source, this.held);
-  }
-
-  /** The scene of that for another camera: { scene, key, time }. */
-  get unled() {
-    const { scene, key, time } = this.seen;
-    const { source } = this.model;
-    const whole = typeof scene === 'object' ? scene : source;
-    return { scene: unled(whole) === whole ? scene : unled(whole), key, time };
-  }
-
-  /** Whether a track moves what is at a place of the scene. */
-  isTracked(place) {
-    const { source, request } = this.model;
-    return !request.model && isTracked(source, place);
-  }
-
-  /** Puts something elsewhere than its track does: values by place. It is so until time or scene change. */
-  hold(values) {
-    const { request, source } = this.model;
-    this.held = { ...this.held, ...values };
-    this.#heldAt = { time: request.time, source };
-    for (const event of ['want', 'held']) this.model.tell(event);
-  }
-
-  /** Leaves all to the tracks again. */
-  letGo() {
-    if (!this.#heldAt) return;
-    this.#heldAt = null;
-    this.held = {};
-    for (const event of ['want', 'held']) this.model.tell(event);
-  }
-
-  #leaveHeld() {
-    const { request, source } = this.model;
-    if (!this.#heldAt || (this.#heldAt.time === request.time && this.#heldAt.source === source)) return;
-    this.#heldAt = null;
-    this.held = {};
-    this.model.tell('held');
   }
 
   /** The camera of the picture wanted, in the whole picture's pixels. */
@@ -186,21 +137,21 @@ export class Studio {
   get light() {
     const { request, source, world } = this.model;
     const place = lampPlace(source);
-    const own = this.isTracked(place) ? this.held[place] ?? this.course?.(place, request.time ?? 0) : request.light;
+    const own = this.held.leads(place) ? this.held.now(place) : request.light;
     return own ?? (world ? lightOf(world, this.pivot) : null);
   }
 
   /** Where the lamp is in the picture shown; null where it is out, undefined where not known yet. */
   get lightShown() {
     const { shown, world } = this.model;
-    if (shown?.request.light && !this.isTracked(lampPlace(this.model.source))) return shown.request.light;
+    if (shown?.request.light && !this.held.leads(lampPlace(this.model.source))) return shown.request.light;
     return shown && this.#knows(shown.request) && shown.request.time === this.#moment ? lightOf(world, this.pivot) : undefined;
   }
 
   /** Puts the lamp there. What a key has changed beside the light stays as it is. */
   moveLight(light) {
     const place = lampPlace(this.model.source);
-    if (this.isTracked(place)) this.hold({ [place]: light });
+    if (this.held.leads(place)) this.held.put({ [place]: light });
     else this.model.change(this.lightPatch(light));
   }
 
@@ -217,16 +168,16 @@ export class Studio {
   moveCamera(fields) {
     const { model } = this;
     const all = Object.entries(fields);
-    const led = all.filter(([name]) => this.isTracked(`/camera/${name}`));
-    if (led.length) this.hold(Object.fromEntries(led.map(([name, value]) => [`/camera/${name}`, value])));
+    const led = all.filter(([name]) => this.held.leads(`/camera/${name}`));
+    if (led.length) this.held.put(Object.fromEntries(led.map(([name, value]) => [`/camera/${name}`, value])));
     const own = Object.fromEntries(all.filter((one) => !led.includes(one)));
     if (led.length < all.length) model.change({ ...this.#scenePatch, camera: { ...this.inScene.camera, ...own } });
   }
 
   /** Changes values of the scene, [[JSON Pointer, value]], or holds what a track moves; false: it cannot be. */
   put(pairs) {
-    if (!pairs.some(([place]) => this.isTracked(place))) return Boolean(this.editScene?.(pairs));
-    this.hold(Object.fromEntries(pairs));
+    if (!pairs.some(([place]) => this.held.leads(place))) return Boolean(this.editScene?.(pairs));
+    this.held.put(Object.fromEntries(pairs));
     return true;
   }
 
@@ -246,7 +197,7 @@ export class Studio {
   // is seen by the method whose rays can be.
   #wish() {
     const { request: own, source, asked } = this.model;
-    const wanted = heldRequest(own, source, this.held);
+    const wanted = this.held.of(own);
     this.#passes.still = Boolean(asked);
     if (!asked) return wanted;
     const request = wanted.model ? { ...wanted, integrator: 'whitted' } : wanted;

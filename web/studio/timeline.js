@@ -21,7 +21,7 @@ export class Timeline {
 
   constructor(studio) {
     this.#studio = studio;
-    studio.course = (place, time) => this.valueOf(place, time);
+    studio.held.course = (place, time) => this.valueOf(place, time);
   }
 
   get scene() {
@@ -104,7 +104,7 @@ export class Timeline {
   /** A key more in a track, of what it makes at this moment. */
   addIn(track) {
     const place = placeOf(this.scene, tracksOf(this.scene)[track].target);
-    const value = this.#studio.held[place] ?? this.valueOf(place, this.time) ?? valueAt(this.#studio.model.world, place);
+    const value = this.#studio.held.now(place) ?? valueAt(this.#studio.model.world, place);
     return value !== undefined && this.#add([{ place, value }]);
   }
 
@@ -117,7 +117,7 @@ export class Timeline {
 
   /** The same for all that a hand has put elsewhere than its track does. */
   addHeld() {
-    const places = Object.entries(this.#studio.held).map(([place, value]) => ({ place, value }));
+    const places = Object.entries(this.#studio.held.values).map(([place, value]) => ({ place, value }));
     return this.#add(places);
   }
 
@@ -196,7 +196,7 @@ export class Timeline {
     const at = moves ? steps.length - 1 : steps.length;
     const part = centred ? 'center' : `transform/${at}/translate`;
     const place = `/objects/${index}/${part}`;
-    const value = this.#studio.held[place] ?? this.valueOf(place, this.time) ?? valueAt(this.scene, place) ?? [0, 0, 0];
+    const value = this.#studio.held.now(place) ?? valueAt(this.scene, place) ?? [0, 0, 0];
     const before = centred || moves ? [] : [[`/objects/${index}/transform`, [...steps, { translate: [0, 0, 0] }]]];
     return { places: [{ place, target: `/objects/${this.#nameOf(index)}/${part}`, value }], before };
   }
