@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { isDeepStrictEqual } from 'node:util';
 import { circle, trackValue } from '../../web/space/track.js';
-import { lab, rest, shownPixels } from './lab.mjs';
+import { lab, rest, saved, shownPixels } from './lab.mjs';
 import { until } from './page.mjs';
 import { pixelsOf } from './png.mjs';
 
@@ -181,7 +181,9 @@ test('a link with a time opens at it, and says so; steps and scrubbing go by fra
     await hasTime(page, 8);
     await showsItsAddress(page);
     await page.locator('#tab-take').click();
-    assert.match(await page.locator('pre', { hasText: 'curl' }).textContent(), /\/render\?time=8&scene=lamp-round/);
+    assert.match(await page.locator('pre', { hasText: 'curl' }).textContent(), /tia-lamp-round-8s\.png .*\/render\?time=8&scene=lamp-round/);
+    const { animation } = JSON.parse((await saved(page, 'Save the scene')).bytes);
+    assert.equal(animation.duration, 8);
   }, { ...ROUND, at: `${ROUND.at}&time=2.5` }));
 
 test('keys are dragged, moved by arrows, eased, given values, deleted, and all of it is undone', () =>

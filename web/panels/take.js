@@ -2,6 +2,8 @@
 
 import { finalPicture } from '../studio/studio.js';
 import { curlLine, fetchable, fileName, routeOf } from '../state/request.js';
+import { mergePatch } from '../state/merge_patch.js';
+import { moves } from '../state/tracks.js';
 import { t } from '../words/words.js';
 import { pageAddress } from './address.js';
 import { save } from './carry.js';
@@ -23,7 +25,7 @@ export default function mountTake(studio, panel) {
   panel.append(
     element('div', { class: 'row wrap' },
       button('savePicture', () => savePicture(studio)),
-      button('saveScene', () => save(new Blob([sceneText(studio)]), `tia${fileName(model.request)}.json`)),
+      button('saveScene', () => save(new Blob([sceneText(studio)]), `tia${fileName({ ...model.request, time: null })}.json`)),
       copyButton(null, t('take.copyScene'), () => sceneText(studio))),
     form.node,
     ...lines.map(({ node }) => node));
@@ -56,9 +58,11 @@ function shellLine(request) {
   return new Blob([text]).size < LONGEST_LINE ? text : null;
 }
 
-/** The scene of the picture, its key, light and camera in it. */
+/** The scene of the picture, its key, light and camera in it; all of one that moves, seen as now. */
 function sceneText({ model }) {
-  return `${JSON.stringify(model.world ?? model.source, null, 2)}\n`;
+  const { source, world, request } = model;
+  const whole = moves(source) && request.camera ? mergePatch(source, { camera: request.camera }) : source;
+  return `${JSON.stringify(moves(source) ? whole : world ?? source, null, 2)}\n`;
 }
 
 async function savePicture(studio) {

@@ -45,7 +45,7 @@ export function filmForm(studio, timeline) {
     try {
       const pngs = await frames(count, fps, abort.signal);
       const { apngOf } = await import('../picture/apng.js');
-      save(apngOf(pngs, 1000 / fps), `tia${fileName(studio.model.request)}-film.png`);
+      save(apngOf(pngs, 1000 / fps), `tia${fileName({ ...studio.model.request, time: null })}-film.png`);
       told.textContent = t('timeline.saved', { count });
     } catch (problem) {
       if (problem.name === 'AbortError') told.textContent = t('timeline.cancelled');

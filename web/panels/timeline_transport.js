@@ -2,7 +2,7 @@
 
 import { t } from '../words/words.js';
 import { element, svg } from './element.js';
-import { secondsWords } from './timeline_words.js';
+import { fixedWords, secondsWords } from './timeline_words.js';
 
 const SPEEDS = [0.25, 0.5, 1, 2, 4];
 const SHAPES = { play: 'M4 2l10 6-10 6z', pause: 'M3 2h4v12H3zM9 2h4v12H9z', back: 'M3 2h2v12H3zM13 2v12L6 8z', on: 'M11 2h2v12h-2zM3 2v12l7-6z' };
@@ -55,5 +55,5 @@ export function transport(timeline, clock) {
 
 /** "2.50 / 5 s" */
 function timeWords({ time, animation: { duration } }) {
-  return t('timeline.short', { at: time.toFixed(2), all: secondsWords(duration) });
+  return t('timeline.short', { at: fixedWords(time), all: secondsWords(duration) });
 }

@@ -57,7 +57,7 @@ function momentWords({ time, animation: { duration } }) {
 // Undo and redo as in the scene's text, whose steps they are.
 function bindUndo({ steps }, box) {
   box.addEventListener('keydown', (event) => {
-    if (!(event.ctrlKey || event.metaKey) || event.altKey || event.target.matches('input:not([type])')) return;
+    if (!(event.ctrlKey || event.metaKey) || event.altKey || event.target.matches('input:not([type=range], [type=checkbox])')) return;
     const act = { z: event.shiftKey ? steps.redo : steps.undo, y: steps.redo }[event.key.toLowerCase()];
     if (!act) return;
     event.preventDefault();

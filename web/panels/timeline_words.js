@@ -2,7 +2,7 @@
 
 import { valueAt, tokens } from '../state/scene_text.js';
 import { lampPlace, placeOf } from '../state/tracks.js';
-import { numberWords, t, wordsOr } from '../words/words.js';
+import { languageNow, numberWords, t, wordsOr } from '../words/words.js';
 
 /** What a track moves: "Lamp", "Camera: looks at", "ball: colour". */
 export function trackName(scene, target) {
@@ -23,3 +23,7 @@ function ownerOf(scene, [list, at]) {
 
 /** Seconds as they are told: two digits after the point at most. */
 export const secondsWords = (time) => numberWords(Number(time.toFixed(2)), 6);
+
+/** Seconds that change while they are seen: always two digits after the point. */
+export const fixedWords = (time) =>
+  time.toLocaleString(languageNow(), { minimumFractionDigits: 2, maximumFractionDigits: 2 });

@@ -110,10 +110,11 @@ export function curlLine(request, base) {
   return init.body ? `curl -o ${name} ${url} -d ${quoted(init.body)}` : `curl -o ${name} ${url}`;
 }
 
-/** What tells this picture's file from others: "-thesis-a"; letters, digits and dashes only. */
-export function fileName({ scene, key, light, model, turntable }) {
+/** What tells this picture's file from others: "-thesis-a", of a moment "-lamp-round-2-5s"; letters, digits and dashes only. */
+export function fileName({ scene, key, light, model, turntable, time }) {
   const named = model ? `model-${model.slice(0, 8)}` : typeof scene === 'string' ? scene.slice(0, 40) : scene && 'scene';
-  const parts = [named, key ?? (light && 'light'), turntable && 'turntable'].filter(Boolean);
+  const parts = [named, key ?? (light && 'light'), turntable && 'turntable',
+    !model && time != null && `${Number(Number(time).toFixed(3))}s`].filter(Boolean);
   return parts.map((part) => `-${part.replace(/[^\w-]+/g, '-')}`).join('');
 }
 

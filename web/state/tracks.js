@@ -1,6 +1,7 @@
 // The tracks of a scene's animation: what each of them moves, and the scene with some of it put aside.
 
 import { movedLight } from '../space/lamp.js';
+import { mergePatch } from './merge_patch.js';
 import { token, tokens } from './scene_reader.js';
 
 /** The tracks of a scene, in its order. */
@@ -30,6 +31,9 @@ export function lampPlace(scene) {
   return light?.position ? `/lights/${scene.lights.indexOf(light)}/position` : null;
 }
 
+/** Whether a scene moves. */
+export const moves = (scene) => momentIn(scene, 0) !== null;
+
 /** The time of a scene that has it, or the last one before; null where nothing in it moves. */
 export function momentIn(scene, time) {
   const { duration } = scene?.animation ?? {};
@@ -46,10 +50,11 @@ export function unled(scene) {
 export function heldRequest(request, source, held) {
   const places = Object.keys(held);
   if (!places.length || !source) return request;
-  const lamp = places.includes(lampPlace(source)) ? { light: null, key: null } : {};
+  const lit = places.includes(lampPlace(source));
+  const { light, ...others } = (lit && source.keys?.[request.key]) || {}; // what else its key changes stays so
   const camera = places.filter((place) => place.startsWith('/camera/')).map((place) => [place.slice(8), held[place]]);
   return {
-    ...request, ...lamp, scene: aside(source, held),
+    ...request, ...(lit && { light: null, key: null }), scene: aside(mergePatch(source, others), held),
     ...(camera.length && { camera: { ...request.camera, ...Object.fromEntries(camera) } }),
   };
 }
