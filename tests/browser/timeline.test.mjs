@@ -326,6 +326,21 @@ test('a scene of one\u2019s own goes to the server once while it plays', () =>
     assert.deepEqual(stored, ['POST', 'DELETE']);
   }, { ...ROUND, at: `${ROUND.at}&time=1` }));
 
+test('where the server has let that scene go, it plays on', () =>
+  on.open(async (page) => {
+    await page.getByRole('button', { name: /to \u201cLamp\u201d now/ }).click();
+    await until(async () => (await tracksOf(page)) !== undefined, 'a scene of one\u2019s own');
+    await rest(page);
+    let refused = 0;
+    await page.route(/\/render\?.*scene=[\da-f]{64}&/, (route) => (++refused,
+      route.fulfill({ status: 404, contentType: 'application/problem+json', json: { title: 'Gone', status: 404 } })));
+    await page.getByLabel('Speed').selectOption('4');
+    await button(page, 'Play').click();
+    await page.getByText('8 of 8 seconds', { exact: true }).waitFor();
+    assert.equal(refused, 1);
+    await showsItsAddress(page);
+  }, { ...ROUND, at: `${ROUND.at}&time=1`, failing: true }));
+
 test('the page draws ways as the server does: keys of every kind, eased and repeated', async () => {
   const any = (least, most) => least + Math.random() * (most - least);
   const point = () => [any(-9, 9), any(-9, 9), any(-9, 9)];

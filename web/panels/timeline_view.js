@@ -14,6 +14,8 @@ import { transport } from './timeline_transport.js';
 import { drawWays } from './timeline_ways.js';
 import { secondsWords } from './timeline_words.js';
 
+const GONE = 404;
+
 /** Fills `panel`. */
 export async function mountTimelineView(studio, panel) {
   await Promise.all([learn('timeline'), style('panels/timeline.css')]);
@@ -74,7 +76,12 @@ function carryWhilePlaying(studio, clock) {
   const follow = () => (studio.carry = clock.playing ? carried : plain);
   model.on('timeline', follow);
   model.on('rest', () => clock.playing || stored.drop());
-  model.on('fail', () => (clock.wait(), stored.drop()));
+  model.on('fail', (_, { status }) => {
+    clock.wait();
+    if (status !== GONE || !clock.playing) return;
+    stored.giveUp();
+    studio.again();
+  });
   model.on('show', () => clock.goOn());
   model.on('held', () => Object.keys(studio.held.values).length && clock.pause());
   addEventListener('pagehide', () => (clock.pause(), stored.drop()));

@@ -15,6 +15,11 @@ export class StoredScene {
     return kept ? { ...request, scene: kept.id } : request;
   }
 
+  /** The server has it no more: it goes along with each request from now on. */
+  giveUp() {
+    this.#kept = Promise.resolve(null);
+  }
+
   /** Lets the scene go, here and there. */
   async drop() {
     const kept = this.#kept;

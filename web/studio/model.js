@@ -9,7 +9,7 @@ import { tidy } from '../state/request.js';
  * of the picture shown after its key, light and camera, null until known; `asked`, the pixel [x, y]
  * whose colour is to be explained, or null; `rays`, what explains it, as [{ from, to, aim, kind,
  * current, blocked }] in the scene (a blocked one aims farther than it gets), or null.
- * Events: `want`, `source`, `show` (a picture came), `fail` (none came), `rest` (nothing finer
+ * Events: `want`, `source`, `show` (a picture came), `fail` (none came, and why), `rest` (nothing finer
  * follows), `pause` (for now), `world`, `ask`, `rays`, and `tab` (another one was opened).
  */
 export class Model {
@@ -35,8 +35,8 @@ export class Model {
     });
   }
 
-  tell(event) {
-    for (const listener of this.#listeners.get(event) ?? []) listener(this);
+  tell(event, about) {
+    for (const listener of this.#listeners.get(event) ?? []) listener(this, about);
   }
 
   /** Wants `patch` on top of what is wanted; null takes a parameter away. */

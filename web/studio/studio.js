@@ -236,7 +236,7 @@ export class Studio {
 
   async #told(problem, last, request) {
     if (problem) {
-      this.model.tell('fail');
+      this.model.tell('fail', problem);
       return this.#failed(problem);
     }
     this.#failed(this.#sourceProblem ?? this.#notice);
