@@ -59,9 +59,8 @@ void ContactCluster::begin() {
   std::sort(contacts.begin(), contacts.end(), [](const auto& x, const auto& y) {
     return std::tie(x.a, x.b, x.patch) < std::tie(y.a, y.b, y.patch);
   });
-  for (int round = 0; round < 4; ++round)
-    for (const ClusterContact& c : contacts)
-      if (c.was_held) push(c, -gap_rate(c) / inverse_mass(c));
+  for (ClusterContact& c : contacts) c.stops = c.was_held;
+  stop_resting();
 }
 
 bool ContactCluster::collide(std::size_t most) {
