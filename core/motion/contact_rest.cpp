@@ -90,6 +90,7 @@ void ContactCluster::refine_forces() {
   std::iota(chosen.begin(), chosen.end(), std::size_t{0});
   for (int round = 0; round < 2; ++round) {
     std::vector<double> rates;
+    rates.reserve(chosen.size());
     for (const std::size_t i : pressing) rates.push_back(acceleration(contacts[i]));
     const std::vector<double> more = solve_chosen(matrix, rates, chosen);
     for (std::size_t i = 0; i < pressing.size(); ++i)
@@ -157,6 +158,7 @@ void ContactCluster::stop_resting() {
   std::iota(chosen.begin(), chosen.end(), std::size_t{0});
   for (int round = 0; round < 2; ++round) {
     std::vector<double> rates;
+    rates.reserve(chosen.size());
     for (const std::size_t i : all) rates.push_back(gap_rate(contacts[i]));
     const std::vector<double> pushes = solve_chosen(matrix, rates, chosen);
     for (std::size_t i = 0; i < all.size(); ++i) push(contacts[all[i]], pushes[i]);
