@@ -26,7 +26,7 @@ TEST(OpenTime, EndsWithTheAnimation) {
   EXPECT_EQ(stratum_times(with_shutter(1, 1, 2), 2, 4), (std::vector<double>{1.625, 1.875, 2, 2}));
 }
 
-const char* const moving = R"({"animation":{"duration":4,"shutter":1,"tracks":[
+const char* const exposed_frame_scene = R"({"animation":{"duration":4,"shutter":1,"tracks":[
     {"target":"/background","keys":[[0,0],[4,1]]},
     {"target":"/options/exposure","keys":[[0,0],[4,4]]},
     {"target":"/backdrop","keys":[[0,[0,0,0]],[4,[1,1,1]]]},
@@ -35,7 +35,7 @@ const char* const moving = R"({"animation":{"duration":4,"shutter":1,"tracks":[
   "objects":[{"name":"a","type":"sphere","center":[0,0,-9],"radius":2}]})";
 
 TEST(OpenTime, WhatAFrameHasButOnceIsOfItsOwnTime) {
-  const Scene scene = read_scene(moving), frame = at_time(scene, 2, {});
+  const Scene scene = read_scene(exposed_frame_scene), frame = at_time(scene, 2, {});
   const Scene exposed = exposed_scene(scene, frame);
   EXPECT_EQ(exposed.animation->tracks.size(), 2U);
   EXPECT_EQ(exposed.options.exposure, 2);
