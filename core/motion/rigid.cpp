@@ -144,9 +144,12 @@ class BulletRun {
  public:
   explicit BulletRun(const RigidWorld& world)
       : world_(world), scale_{median_radius(world)}, shapes_(scale_) {
+    // As many contacts each step as hold a face: kept ones are lost where it slides.
+    configuration_.setPlaneConvexMultipointIterations(8, 4);
     bullet_.setGravity(scale_.there(world.gravity));
     btContactSolverInfo& info = bullet_.getSolverInfo();
     info.m_numIterations = 50;
+    info.m_solverMode |= SOLVER_USE_2_FRICTION_DIRECTIONS;  // with one, what stands drifts
     // What gravity alone does in two steps is no bounce.
     info.m_restitutionVelocityThreshold = 2 * length(scale_.there(world.gravity)) * step;
     for (std::size_t i = 0; i < world.bodies.size(); ++i) add_body(i);

@@ -29,7 +29,7 @@ KnownScene PressedScenes::get(const std::string& name, const KnownScene& scene,
   const std::int64_t memory = memory_for(memory_cost::patch, bytes);
   return long_work_({bytes, memory, "the scene with its key's patch"}, requester, [&] {
     if (KnownScene made = find(both).scene) return made;  // by somebody meanwhile
-    const KnownScene made =
+    KnownScene made =
         known(std::make_shared<const Scene>(press(*scene, key, Middles{}, "/key", requester.stop)));
     if (!both.empty()) keep(both, {made, nullptr, nullptr, bytes_of(*made)});
     return made;
@@ -43,7 +43,7 @@ PressedScenes::SharedMiddles PressedScenes::middles_of(const KnownScene& scene,
   const std::string name = "middles\n" + hex(scene.objects.digest);
   if (SharedMiddles made = find(name).middles) return made;
   return long_work_({scene.objects.bytes, 0, "the scene's objects"}, requester, [&] {
-    const auto made = std::make_shared<const Middles>(tia::middles_of(*scene, requester.stop));
+    auto made = std::make_shared<const Middles>(tia::middles_of(*scene, requester.stop));
     keep(name, {{}, made, nullptr, made->capacity() * sizeof(Vec3d)});
     return made;
   });
@@ -63,7 +63,7 @@ PressedScenes::SharedSimulation PressedScenes::simulation_of(const KnownScene& s
     const auto made = std::make_shared<const Simulation>(
         simulate(*scene, static_cast<std::size_t>(most_events), all.at("scene"), requester.stop));
     keep(name, {{}, nullptr, made, bytes_of(*made)});
-    return SharedSimulation(made);
+    return made;
   });
 }
 
