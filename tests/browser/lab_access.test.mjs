@@ -20,7 +20,7 @@ const SIGHTS = {
     await page.locator('.add-form .add').click();
     await page.locator('.key-form:not([hidden])').waitFor();
     await page.locator('.film summary').click();
-    await page.locator('.film select').waitFor();
+    await page.locator('.film option[value=zip]').waitFor({ state: 'attached' });
   },
   numbers: (page) => page.locator('.chart rect').first().waitFor({ state: 'attached' }),
   take: async (page) => {
