@@ -19,6 +19,8 @@ const SIGHTS = {
   timeline: async (page) => {
     await page.locator('.add-form .add').click();
     await page.locator('.key-form:not([hidden])').waitFor();
+    await page.locator('.fall summary').click();
+    await page.locator('.bodies select').first().selectOption('falls');
     await page.locator('.film summary').click();
     await page.locator('.film option[value=zip]').waitFor({ state: 'attached' });
   },

@@ -141,6 +141,8 @@ class PlanMap {
     this.#handle('target', this.#within(this.#target), t('maps.moveTarget', { map }), this.#cameraMover(aimMoved));
     if (light) this.#handle('lamp', this.#within(light), t('maps.moveLamp', { map }), this.#lampMover());
     else this.#drop('lamp');
+    this.#studio.placeArrows?.({ map, names: [...this.#held.keys()], at: (point) => this.#within(point),
+      handle: (...all) => this.#handle(...all), drop: (name) => this.#held.get(name).held || this.#drop(name) });
   }
 
   #lampMover() {

@@ -10,12 +10,12 @@ const MOST_KEYS = 60; // of a track, that a hand can take: those of a simulation
 const STEPS = { ArrowLeft: -1, ArrowDown: -1, ArrowRight: 1, ArrowUp: 1, PageDown: -10, PageUp: 10 };
 const SLOP_PX = 3;
 
-/** The rows as { node, draw() }; `scrub`, the slider of the time, stands above them. */
-export function trackRows(timeline, scrub) {
+/** The rows as { node, draw() }; `scrub`, the slider of the time, stands above them, `more` below. */
+export function trackRows(timeline, scrub, more) {
   const ticks = element('div', { class: 'ticks', 'aria-hidden': 'true' });
   const head = element('div', { class: 'playhead', 'aria-hidden': 'true' });
   const list = element('ul', { class: 'tracks' });
-  const node = element('div', { class: 'lanes' }, scrub, ticks, list, head);
+  const node = element('div', { class: 'lanes' }, scrub, ticks, list, more, head);
   let drawn = '';
 
   function draw() {

@@ -10,7 +10,7 @@ const SHAPES = { play: 'M4 2l10 6-10 6z', pause: 'M3 2h4v12H3zM9 2h4v12H9z', bac
 const icon = (name) => svg('svg', { viewBox: '0 0 16 16', width: 16, height: 16, 'aria-hidden': 'true', class: 'icon' },
   svg('path', { d: SHAPES[name] }));
 
-/** The controls as { node, draw() }. */
+/** The controls as { node, draw() }; `scrub` is the slider of the time, `toggle` what plays. */
 export function transport(timeline, clock) {
   const [playIcon, playWords] = [element('span', { class: 'icon-room' }), element('span')];
   const toggle = element('button', { type: 'button', class: 'play', onclick: () => (clock.playing ? clock.pause() : clock.play()) },
@@ -45,7 +45,7 @@ export function transport(timeline, clock) {
   }
 
   return {
-    draw, scrub,
+    draw, scrub, toggle,
     node: element('div', { class: 'transport' },
       element('div', { class: 'row wrap' }, toggle, stepper('back', -1), stepper('on', 1),
         element('label', { class: 'check' }, loop, t('timeline.loop')), speed),

@@ -2,13 +2,16 @@
 
 import { StoredScene } from '../picture/stored_scene.js';
 import { momentIn } from '../state/tracks.js';
+import { Bodies } from '../studio/bodies.js';
 import { Timeline } from '../studio/timeline.js';
 import { learn, t } from '../words/words.js';
 import { element } from './element.js';
 import { addForm } from './timeline_add.js';
 import { Clock } from './timeline_clock.js';
+import { fallForm } from './timeline_fall.js';
 import { filmForm } from './timeline_film.js';
 import { keyForm } from './timeline_key.js';
+import { motionLanes } from './timeline_motion.js';
 import { trackRows } from './timeline_rows.js';
 import { transport } from './timeline_transport.js';
 import { drawWays } from './timeline_ways.js';
@@ -21,27 +24,34 @@ export async function mountTimelineView(studio, panel) {
   await Promise.all([learn('timeline'), style('panels/timeline.css')]);
   const { model } = studio;
   const timeline = (studio.timeline ??= new Timeline(studio)); // or of what was held
+  const bodies = new Bodies(studio, timeline);
   const told = element('p', { class: 'told', role: 'status' });
   const tell = (words) => (told.textContent = words);
-  const clock = new Clock(timeline, () => (draw(), clock.playing ? tell('') : tell(momentWords(timeline))));
+  const clock = new Clock(timeline, () => (draw(), clock.playing ? tell('') : tell(momentWords(timeline, bodies))));
   const controls = transport(timeline, clock);
-  const parts = [controls, trackRows(timeline, controls.scrub), keyForm(timeline, () => controls.scrub.focus()),
-    addForm(studio, timeline, tell), settings(studio, timeline), filmForm(studio, timeline)];
+  const motion = motionLanes(timeline, bodies);
+  const begun = () => {
+    timeline.seek(0);
+    controls.toggle.focus();
+    if (!matchMedia('(prefers-reduced-motion: reduce)').matches) clock.play();
+  };
+  const parts = [controls, trackRows(timeline, controls.scrub, motion.node), keyForm(timeline, () => controls.scrub.focus()),
+    addForm(studio, timeline, tell), fallForm(timeline, bodies, { tell, begun }), settings(studio, timeline), filmForm(studio, timeline)];
   const models = element('p', { class: 'note' }, t('timeline.models'));
-  const box = element('div', { class: 'timeline' }, ...parts.slice(0, 4).map(({ node }) => node), told, ...parts.slice(4).map(({ node }) => node));
+  const box = element('div', { class: 'timeline' }, ...parts.slice(0, 5).map(({ node }) => node), told, ...parts.slice(5).map(({ node }) => node));
   panel.append(models, box);
 
   function draw() {
     models.hidden = !model.request.model;
     box.hidden = Boolean(model.request.model);
-    if (!box.hidden && studio.tab === 'tab-timeline') for (const part of parts) part.draw();
+    if (!box.hidden && studio.tab === 'tab-timeline') for (const part of [...parts, motion]) part.draw();
   }
 
-  for (const event of ['timeline', 'want', 'source', 'held', 'tab']) model.onFrame(event, draw);
+  for (const event of ['timeline', 'want', 'source', 'held', 'motion', 'tab']) model.onFrame(event, draw);
   for (const event of ['source', 'tab']) model.on(event, () => begin(studio));
   bindUndo(studio, box);
   carryWhilePlaying(studio, clock);
-  drawWays(studio, timeline);
+  drawWays(studio, timeline, bodies);
   begin(studio);
   draw();
 }
@@ -52,8 +62,10 @@ function begin({ tab, model }) {
   if (tab === 'tab-timeline' && time !== null && !model.request.model && model.request.time !== time) model.change({ time });
 }
 
-function momentWords({ time, animation: { duration } }) {
-  return t('timeline.of', { at: secondsWords(time), all: secondsWords(duration) });
+function momentWords({ time, animation: { duration } }, bodies) {
+  const moment = t('timeline.of', { at: secondsWords(time), all: secondsWords(duration) });
+  const last = bodies.lastUntil(time);
+  return last ? t('timeline.since', { moment, a: last.a, b: last.b, at: secondsWords(last.time) }) : moment;
 }
 
 // Undo and redo as in the scene's text, whose steps they are.
@@ -92,8 +104,7 @@ function settings(studio, timeline) {
   const { model, steps } = studio;
   const number = (name, least, most, step) => {
     const input = element('input', { type: 'number', min: least, max: most, step, onchange: () => {
-      if (input.checkValidity() && input.value) timeline.edit(timeline.moves ? [[`/animation/${name}`, input.valueAsNumber]]
-        : [['/animation', { ...timeline.animation, [name]: input.valueAsNumber }]]);
+      if (input.checkValidity() && input.value) timeline.set(name, input.valueAsNumber);
       draw();
     } });
     return [name, input, element('label', {}, element('span', {}, t(`timeline.${name}`)), input)];

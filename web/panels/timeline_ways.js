@@ -2,26 +2,29 @@
 
 import { trackValue } from '../space/track.js';
 import { markOf } from '../space/lamp.js';
-import { add } from '../space/vec.js';
+import { add, tidyVector } from '../space/vec.js';
 import { project } from '../space/view.js';
+import { middleOf } from '../state/bodies.js';
 import { valueAt, tokens } from '../state/scene_text.js';
 import { lampPlace, placeOf, tracksOf } from '../state/tracks.js';
 import { windowOf } from '../state/window.js';
+import { t } from '../words/words.js';
 import { svg } from './element.js';
 
-const STEPS = 96; // of a way
+const [STEPS, BODY_STEPS] = [96, 240]; // of a way
+const BESIDE = 9;
 const POINTS = /^\/(key_light\/position|lights\/\d+\/position|camera\/location|objects\/\d+\/(center|transform\/\d+\/translate))$/;
 
 /** Draws them from now on. */
-export function drawWays(studio, timeline) {
+export function drawWays(studio, timeline, bodies) {
   const layer = document.getElementById('overlay').appendChild(svg('g', { class: 'ways' }));
   let ways = [];
-  let of = null; // the scene that they are of
+  let of = []; // the scene that they are of, and its bodies' motion
 
   function follow() {
-    if (of === timeline.scene) return;
-    of = timeline.scene;
-    ways = waysOf(timeline);
+    if (of[0] === timeline.scene && of[1] === bodies.motion) return;
+    of = [timeline.scene, bodies.motion];
+    ways = [...waysOf(timeline), ...bodyWays(timeline, bodies)];
     studio.model.tell('ways');
   }
 
@@ -31,13 +34,15 @@ export function drawWays(studio, timeline) {
     const window = windowOf(model.request);
     const lamp = document.getElementById('hand').dataset.tool === 'lamp';
     const size = window.height / 90;
-    layer.replaceChildren(...ways.filter(({ kind }) => kind === 'object' || (kind === 'lamp' && lamp)).map((way) =>
+    layer.replaceChildren(...ways.filter(({ kind }) => kind === 'object' || kind === 'body' || (kind === 'lamp' && lamp)).map((way) =>
       drawn(way, (point) => (way.kind === 'lamp' ? markOf(view, window, pivot, point) : project(view, point)), size, timeline.time)));
   }
 
-  studio.drawWays = (group, at) => group.replaceChildren(...ways.map((way) => drawn(way, at, 2.5, timeline.time)));
+  studio.drawWays = (group, at) => group.replaceChildren(...ways.map((way) => drawn(way, at, 2.5, timeline.time)),
+    ...arrowsOf(bodies).map(({ from, to }) => arrow(at(from), at(to))));
+  studio.placeArrows = (plan) => placeArrows(bodies, plan);
   studio.model.onFrame('timeline', () => (follow(), over(), studio.model.tell('ways')));
-  for (const event of ['source', 'world', 'show']) studio.model.onFrame(event, () => (follow(), over()));
+  for (const event of ['source', 'world', 'show', 'motion']) studio.model.onFrame(event, () => (follow(), over()));
 }
 
 function waysOf({ scene, animation: { duration } }) {
@@ -51,6 +56,38 @@ function waysOf({ scene, animation: { duration } }) {
     const keys = track.keys.length > 60 ? [] : track.keys.map(([time]) => at(time));
     return [{ kind, points, keys, at }];
   });
+}
+
+function bodyWays({ animation: { duration } }, bodies) {
+  return bodies.ways.map((way) => ({ kind: 'body', keys: bodies.contactsAt(way), at: way.at,
+    points: Array.from({ length: BODY_STEPS + 1 }, (_, i) => way.at((i * duration) / BODY_STEPS)) }));
+}
+
+// The velocities of what is to fall: from a body's place to where it would be after a second.
+function arrowsOf(bodies) {
+  const { scene } = bodies;
+  return bodies.roles.filter(({ role }) => role === 'falls').map(({ index, name, body: { velocity } }) => {
+    const from = middleOf(scene.objects[index]);
+    return { index, name, velocity, from, to: add(from, velocity) };
+  });
+}
+
+// What takes arrows in a plan, beside their tips: the tip of none is where its body is taken.
+function placeArrows(bodies, { map, names, at, handle, drop }) {
+  const arrows = arrowsOf(bodies);
+  for (const name of names)
+    if (name.startsWith('arrow') && !arrows.some(({ index }) => name === `arrow-${index}`)) drop(name);
+  for (const { index, name, to } of arrows) {
+    let taken = null;
+    handle(`arrow-${index}`, at(to).map((value) => value + BESIDE), t('timeline.moveVelocity', { name, map }), {
+      take: () => (taken = bodies.roles[index].body.velocity),
+      move: (way) => bodies.set(index, { velocity: tidyVector(add(taken, way), 4) }),
+    });
+  }
+}
+
+function arrow([x1, y1], [x2, y2]) {
+  return svg('g', { class: 'way way-arrow' }, ['edge', 'core'].map((name) => svg('line', { class: name, x1, y1, x2, y2 })));
 }
 
 // Where what is shifted stands by itself.

@@ -1,19 +1,20 @@
 // Keys of tracks, edited: each edit is what changes in the scene, as [[JSON Pointer, value]].
 // A key is [t, value], [t, value, ease], or of a bezier [t, value, in, out].
 
-import { tracksOf, trackAt } from './tracks.js';
+import { durationOf, tracksOf, trackAt } from './tracks.js';
 
 /** What a scene without one gets. */
 export const USUAL = { duration: 5, fps: 24 };
 
 /** An animation with what is left out at its default. */
-export const wholeAnimation = (scene) => ({ ...USUAL, tracks: [], ...scene?.animation });
+export const wholeAnimation = (scene) =>
+  ({ ...USUAL, tracks: [], ...scene?.animation, duration: durationOf(scene) || USUAL.duration });
 
 const keysAt = (track) => `/animation/tracks/${track}/keys`;
 
 /** A key more for each of `keys`, { place, target, value }; one at the same frame goes. */
 export function keyed(scene, keys, time) {
-  const { fps } = wholeAnimation(scene);
+  const { duration, fps } = wholeAnimation(scene);
   const tracks = [...tracksOf(scene)];
   const edits = [];
   for (const { place, target, value } of keys) {
@@ -25,7 +26,7 @@ export function keyed(scene, keys, time) {
     }
   }
   if (scene.animation) return edits;
-  return [['/animation', { ...USUAL, tracks: edits.map(([, track]) => track) }]];
+  return [['/animation', { duration, fps, tracks: edits.map(([, track]) => track) }]];
 }
 
 const newTrack = (target, time, value) => ({

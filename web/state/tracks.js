@@ -31,12 +31,20 @@ export function lampPlace(scene) {
   return light?.position ? `/lights/${scene.lights.indexOf(light)}/position` : null;
 }
 
+const FALL = 5; // seconds that bodies are followed where nothing is said
+
+/** How long a scene moves, by tracks or as bodies; 0 where nothing in it does. */
+export function durationOf(scene) {
+  const { animation, physics } = scene ?? {};
+  return Math.max(animation?.duration ?? 0, physics ? physics.duration ?? FALL : 0);
+}
+
 /** Whether a scene moves. */
 export const moves = (scene) => momentIn(scene, 0) !== null;
 
 /** The time of a scene that has it, or the last one before; null where nothing in it moves. */
 export function momentIn(scene, time) {
-  const { duration } = scene?.animation ?? {};
+  const duration = durationOf(scene);
   return time == null || !(duration > 0) ? null : Math.min(time, duration);
 }
 

@@ -6,7 +6,7 @@ import { tidyVector } from '../space/vec.js';
 import { keyed, movedKey, wholeAnimation, withoutKey, withoutTrack } from '../state/keys.js';
 import { mergePatch } from '../state/merge_patch.js';
 import { token, valueAt } from '../state/scene_text.js';
-import { lampPlace, momentIn, placeOf, trackAt, tracksOf } from '../state/tracks.js';
+import { durationOf, lampPlace, momentIn, placeOf, trackAt, tracksOf } from '../state/tracks.js';
 
 /** How many objects are offered by name. */
 export const MOST_OBJECTS = 50;
@@ -33,7 +33,7 @@ export class Timeline {
   }
 
   get moves() {
-    return Boolean(this.scene?.animation);
+    return durationOf(this.scene) > 0;
   }
 
   get time() {
@@ -80,6 +80,14 @@ export class Timeline {
     if (done && this.moves && model.request.time == null) model.change({ time: momentIn(this.scene, this.#time) });
     model.tell('timeline');
     return done;
+  }
+
+  /** Sets how long it is, its `duration`, or its `fps`. */
+  set(name, value) {
+    const { animation, physics } = this.scene;
+    const own = name === 'duration' && physics ? [['/physics/duration', value]] : [];
+    if (animation) own.push([`/animation/${name}`, value]);
+    return this.edit(own.length ? own : [['/animation', { ...this.animation, [name]: value }]]);
   }
 
   choose(chosen) {
@@ -146,7 +154,7 @@ export class Timeline {
     const at = trackAt(this.scene, target);
     const { tracks, ...rest } = this.animation;
     if (this.#ownLamp) model.change({ light: null, key: null });
-    return this.edit(!this.moves ? [['/animation', { ...rest, tracks: [track] }]]
+    return this.edit(!this.scene.animation ? [['/animation', { ...rest, tracks: [track] }]]
       : [[`/animation/tracks/${at < 0 ? tracks.length : at}`, track]]);
   }
 
