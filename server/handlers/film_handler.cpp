@@ -49,7 +49,8 @@ class Filming {
 // Once for all who ask for the frame later, but not together with who asks now: they may wait for
 // the place that this has.
 SharedPicture Filming::drawn(Plan& plan, const Shot& shot, Flow& flow) {
-  if (const auto found = service.pictures.find(shot.etag)) return found->picture;
+  if (!plan.takes_codes)
+    if (const auto found = service.pictures.find(shot.etag)) return found->picture;
   plan.options.flow = &flow;
   settle_memory();
   const auto attempt = [&] {
@@ -59,7 +60,7 @@ SharedPicture Filming::drawn(Plan& plan, const Shot& shot, Flow& flow) {
     return picture;
   };
   const auto picture = std::make_shared<const Picture>(with_memory_for(attempt, requester.stop));
-  service.pictures.add(shot.etag, picture);
+  if (!plan.takes_codes) service.pictures.add(shot.etag, picture);
   return picture;
 }
 

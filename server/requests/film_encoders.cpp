@@ -6,6 +6,9 @@
 #include "core/input/json.h"
 #include "core/video/apng.h"
 #include "core/video/stored_zip.h"
+#include "core/video/vp9.h"
+#include "core/video/webm.h"
+#include "core/video/webp_animation.h"
 
 namespace tia::server {
 namespace {
@@ -72,6 +75,47 @@ class ZipEncoder : public FilmEncoder {
   StoredZip zip_;
 };
 
+/// WebmEncoder: every frame a frame of the video, so that it has as many; one that shows the
+/// picture before takes a few bytes.
+class WebmEncoder : public FilmEncoder {
+ public:
+  explicit WebmEncoder(const FilmPlan& film)
+      : film_(film),
+        codec_(film.width, film.height),
+        writer_(film.width, film.height, film.ms_until(film.frames)) {}
+  std::string begin() override { return writer_.head(); }
+  std::string add(const Picture& picture, const Shot& shot) override {
+    Image8 image(film_.width, film_.height);
+    image.rgb.assign(picture.bytes.begin(), picture.bytes.end());
+    std::string piece;
+    for (int k = shot.first; k < shot.first + shot.frames; ++k)
+      piece += writer_.frame(codec_.encode(image), film_.ms_until(k));
+    return piece;
+  }
+  std::string end() override { return {}; }
+
+ private:
+  const FilmPlan& film_;
+  Vp9Encoder codec_;
+  WebmWriter writer_;
+};
+
+/// WebpEncoder: a shot is a frame of the file.
+class WebpEncoder : public FilmEncoder {
+ public:
+  explicit WebpEncoder(const FilmPlan& film) : film_(film), animation_(film.width, film.height) {}
+  std::string add(const Picture& picture, const Shot& shot) override {
+    const auto* codes = reinterpret_cast<const std::uint8_t*>(picture.bytes.data());
+    animation_.add(codes, film_.is_transparent, film_.ms_until(shot.first));
+    return {};
+  }
+  std::string end() override { return animation_.finish(film_.ms_until(film_.frames)); }
+
+ private:
+  const FilmPlan& film_;
+  WebpAnimation animation_;
+};
+
 template <class Encoder>
 std::unique_ptr<FilmEncoder> make(const FilmPlan& film) {
   return std::make_unique<Encoder>(film);
@@ -82,6 +126,8 @@ std::unique_ptr<FilmEncoder> make(const FilmPlan& film) {
 std::unique_ptr<FilmEncoder> encoder_of(FilmFormat format, const FilmPlan& film) {
   switch (format) {
     case FilmFormat::apng: return make<ApngEncoder>(film);
+    case FilmFormat::webp: return make<WebpEncoder>(film);
+    case FilmFormat::webm: return make<WebmEncoder>(film);
     case FilmFormat::zip: return make<ZipEncoder>(film);
   }
   return nullptr;

@@ -1,8 +1,11 @@
 #include "server/requests/film_plan.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/input/json.h"
+#include "core/video/vp9.h"
+#include "core/video/webp_animation.h"
 #include "server/requests/recipe.h"
 #include "server/stores/digest.h"
 
@@ -68,6 +71,26 @@ void check_same(const Plan& plan, FilmPlan& film, int frame) {
                     "frames of one size, with alpha or without"});
 }
 
+// Errors: InputError where the format cannot have such frames.
+void check_format(const FilmRequest& asked, const FilmPlan& film) {
+  const FilmFormatRow& row = row_of(asked.film_format);
+  const auto names = [](const auto& fits) {
+    std::vector<std::string_view> all;
+    for (const FilmFormatRow& each : film_formats)
+      if (fits(each)) all.push_back(each.name);
+    return listed(all);
+  };
+  if (film.is_transparent && !row.has_alpha)
+    throw InputError({FaultKind::conflict, "/format", write_value(asked.film_format),
+                      names([](auto& each) { return each.has_alpha; }) +
+                          ", which have alpha, or a backdrop that is a colour"});
+  const int side = std::max(film.width, film.height);
+  if (side > row.longest_side)
+    throw InputError({FaultKind::conflict, "/format", write_value(asked.film_format),
+                      names([&](auto& each) { return side <= each.longest_side; }) +
+                          ", or sides of at most " + std::to_string(row.longest_side) + " pixels"});
+}
+
 // Those that the eye sends out in any case.
 double sure_rays(const Plan& plan) {
   return static_cast<double>(plan.traced().width()) * plan.traced().height() * plan.fewest_samples;
@@ -82,9 +105,17 @@ void check_film_rays(double rays, const FilmPlan& film, const Limits& limits) {
                         " rays of the whole film (option TIA_MAX_RAYS)"});
 }
 
+// What its bytes depend on besides its frames.
+std::string version_of(FilmFormat format) {
+  std::string version(row_of(format).name);
+  if (format == FilmFormat::webm) version += vp9_encoder();
+  if (format == FilmFormat::webp) version += webp_encoder();
+  return version;
+}
+
 std::string film_etag(const FilmRequest& asked, const FilmPlan& film) {
-  std::string text = "film " + std::string(row_of(asked.film_format).name) + ' ' +
-                     to_json(Value(film.fps)) + ' ' + std::to_string(film.first);
+  std::string text = "film " + version_of(asked.film_format) + ' ' + to_json(Value(film.fps)) +
+                     ' ' + std::to_string(film.first);
   for (const Shot& shot : film.shots) text += ' ' + std::to_string(shot.frames) + shot.etag;
   return etag_of(text);
 }
@@ -98,7 +129,9 @@ std::int64_t FilmPlan::ms_until(int frame) const {
 Plan frame_plan_of(FilmRequest& asked, const FilmPlan& film, int frame,
                    const RenderContext& context, const Requester& requester) {
   if (film.moves) asked.time = film.seconds_of(frame);
-  return plan_of(asked, context, requester);
+  Plan plan = plan_of(asked, context, requester);
+  plan.takes_codes = row_of(asked.film_format).takes_codes;
+  return plan;
 }
 
 FilmPlan film_plan_of(FilmRequest& asked, const RenderContext& context,
@@ -117,6 +150,7 @@ FilmPlan film_plan_of(FilmRequest& asked, const RenderContext& context,
     end_if_asked(requester.stop);
     const Plan plan = frame_plan_of(asked, film, frame, context, requester);
     check_same(plan, film, frame);
+    if (frame == 0) check_format(asked, film);
     std::string etag = etag_of(plan.recipe);
     if (film.shots.empty() || film.shots.back().etag != etag) {
       film.shots.push_back({frame, 0, std::move(etag)});

@@ -9,18 +9,23 @@
 
 namespace tia::server {
 
-enum class FilmFormat { apng, zip };
+enum class FilmFormat { apng, webp, webm, zip };
 
 /// FilmFormatRow: what a format of films is called, in requests and as a file's ending, and over
 /// HTTP. How one is made stands in film_encoders.cpp.
 struct FilmFormatRow {
   FilmFormat format;
   std::string_view name, media_type;
+  bool has_alpha = true;
+  bool takes_codes = false;  ///< of pixels, where others take PNG files
+  int longest_side = PictureRequest::most_px;
 };
 
 /// THE LIST of formats of films. Of those that a client likes equally well the first is given.
 inline constexpr std::array film_formats = std::to_array<FilmFormatRow>({
     {FilmFormat::apng, "apng", "image/apng"},
+    {FilmFormat::webp, "webp", "image/webp", true, true, 16'383},
+    {FilmFormat::webm, "webm", "video/webm", false, true, 16'384},
     {FilmFormat::zip, "zip", "application/zip"},
 });
 constexpr const FilmFormatRow& row_of(FilmFormat format) {
@@ -89,8 +94,9 @@ void FilmRequest::fields(Visitor&& visit) {
              .min = slowest_fps,
              .max = 1000});
   visit("format", &F::film_format,
-        Spec{.about = "apng, whose frames are those of /render to the byte; zip, of the PNGs with "
-                      "a film.json that tells their times and tags; else what Accept prefers"});
+        Spec{.about = "apng or webp, whose pixels are /render's; webm, a video in VP9; zip, of "
+                      "/render's PNGs with a film.json that tells their times and tags; else what "
+                      "Accept prefers"});
 }
 
 }  // namespace tia::server

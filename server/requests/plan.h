@@ -26,7 +26,8 @@ struct Plan {
   RenderOptions options;
   DisplayRule display;
   Format format = Format::png;
-  LayerSet layers = {};                   ///< of an exr, which alone has any
+  bool takes_codes = false;  ///< the bytes are the pixels' codes, row by row, and no file
+  LayerSet layers = {};      ///< of an exr, which alone has any
   const PictureRequest* asked = nullptr;  ///< the request
   int fewest_samples = 1;                 ///< that a pixel has in any case
   std::string recipe = {};       ///< what POST /render would draw the same picture from (recipe.h)

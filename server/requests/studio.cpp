@@ -78,11 +78,13 @@ class Encoding {
     return with_recipe(encode_png(film.scanlines(), workers_));
   }
   std::string operator()(const DisplayFilm& film) const {
+    if (plan_.takes_codes) return {film.image().rgb.begin(), film.image().rgb.end()};
     if (is_cut_in_strips(film.image().width, film.image().height))
       return with_recipe(encode_png(scanlines_of(film.image(), workers_), workers_));
     return with_recipe(alone([&] { return encode_png(film.image(), stop_); }));
   }
   std::string operator()(const AlphaFilm& film) const {
+    if (plan_.takes_codes) return {film.image().rgba.begin(), film.image().rgba.end()};
     return with_recipe(alone([&] { return encode_png(film.image(), stop_); }));
   }
 
@@ -214,7 +216,7 @@ void Studio::draw_on_a_film(const Worlds& worlds, Picture& picture) {
   if (plan_.format != Format::png) return draw_on(LinearFilm(width, height), worlds, picture);
   if (is_transparent(*plan_.scene, plan_.options.integrator))
     return draw_on(AlphaFilm(width, height, plan_.display), worlds, picture);
-  if (is_cut_in_strips(width, height) && onlooker_ == nullptr)
+  if (is_cut_in_strips(width, height) && onlooker_ == nullptr && !plan_.takes_codes)
     return draw_on(ScanlineFilm(width, height, plan_.display), worlds, picture);
   draw_on(DisplayFilm(width, height, plan_.display), worlds, picture);
 }

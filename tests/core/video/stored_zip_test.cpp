@@ -2,6 +2,8 @@
 // are large, field by field.
 #include "core/video/stored_zip.h"
 
+#include <gtest/gtest.h>
+
 #include "core/models/zip.h"
 #include "tests/core/support.h"
 

@@ -35,7 +35,11 @@ const std::string growing = R"({"animation":{"duration":2,"fps":4,"tracks":[
   "objects":[{"type":"sphere","center":[0,0,-9],"radius":1}]})";
 
 const FilmFault film_faults[] = {
-    {"UnknownFormat", R"("format":"gif",)", "unknown-name", "/format", "apng, zip"},
+    {"UnknownFormat", R"("format":"gif",)", "unknown-name", "/format", "apng, webp, webm, zip"},
+    {"AVideoOfWhatIsTransparent", R"("format":"webm",)", "conflict", "/format", "apng, webp, zip",
+     R"({"backdrop":"transparent","objects":[]})"},
+    {"AWebpThatIsTooWide", R"("format":"webp","width":16384,"height":1,)", "conflict", "/format",
+     "at most 16383 pixels"},
     {"ATime", R"("time":1,)", "unknown-name", "/time", "from, to, fps"},
     {"FromBeyondTheEnd", R"("from":1.5,)", "out-of-range", "/from", "from 0 to 1 (s)"},
     {"ToBeyondTheEnd", R"("to":1.5,)", "out-of-range", "/to", "from 0 to 1 (s)"},
@@ -149,7 +153,8 @@ TEST(FilmCommand, LeavesWhatWasThereWhereTheFilmIsNot) {
 }
 
 TEST(FilmCommand, RefusesANameThatSaysAnotherFormatOrNone) {
-  EXPECT_THAT(run({"film", "lamp-round", "-o", "a.gif"}).err, HasSubstr("NAME.apng, NAME.zip"));
+  EXPECT_THAT(run({"film", "lamp-round", "-o", "a.gif"}).err,
+              HasSubstr("NAME.apng, NAME.webp, NAME.webm, NAME.zip"));
   EXPECT_THAT(run({"film", "lamp-round", "-o", "a.zip", "--format", "apng"}).err,
               HasSubstr("does not go with the file's name a.zip"));
 }

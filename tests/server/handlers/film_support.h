@@ -13,7 +13,8 @@ inline const std::string moving_lamp = R"({"animation":{"duration":1,"fps":8,"tr
   "objects":[{"type":"sphere","center":[0,0,-9],"radius":2,"material":{"color":[1,0.5,0.2]}}]})";
 
 inline std::string film_body(const std::string& more, const std::string& scene = moving_lamp) {
-  return R"({"width":24,"height":18,)" + more + R"("scene":)" + scene + "}";
+  const bool has_size = more.find("\"width\"") != more.npos;
+  return (has_size ? "{" : R"({"width":24,"height":18,)") + more + R"("scene":)" + scene + "}";
 }
 
 inline Response post_film(int port, const std::string& body) {

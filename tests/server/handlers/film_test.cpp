@@ -146,7 +146,7 @@ TEST(Film, IsTheSameBytesFromEveryServerByEveryMethod) {
   Server other;
   const std::string body =
       R"({"scene":"lamp-round","width":24,"height":18,"to":0.125,"threads":1,)";
-  for (const char* format : {"apng", "zip"}) {
+  for (const char* format : {"apng", "webp", "webm", "zip"}) {
     const Response got = ask_on(shared_server().port(), lamp_film + "&format=" + format);
     const Response posted = post_film(other.port(), body + R"("format":")" + format + R"("})");
     EXPECT_TRUE(got.body == posted.body) << format;
