@@ -49,7 +49,7 @@ void check_still(const FilmRequest& asked) {
   const auto check = [](const char* pointer, const std::optional<double>& given) {
     if (given)
       throw InputError({FaultKind::conflict, pointer, Value(*given),
-                        "a scene with an animation; this one does not move"});
+                        "a scene with an animation or physics; this one does not move"});
   };
   check("/from", asked.from);
   check("/to", asked.to);

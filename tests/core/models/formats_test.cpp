@@ -44,7 +44,7 @@ Soup random_soup(Random& random) {
     for (double& x : each) x = random.whole(-40, 40) / 8.0;
   return all;
 }
-std::string bytes_of(float x) {
+std::string bytes_of_float(float x) {
   std::string bytes(4, '\0');
   std::memcpy(bytes.data(), &x, 4);  // tests run on little-endian machines
   return bytes;
@@ -82,7 +82,7 @@ std::string as_gltf(const Soup& soup) {
 std::string as_bin(const Soup& soup) {
   std::string bytes;
   for (const auto& t : soup)
-    for (const double x : t) bytes += bytes_of(static_cast<float>(x));
+    for (const double x : t) bytes += bytes_of_float(static_cast<float>(x));
   return bytes;
 }
 
