@@ -145,8 +145,9 @@ class BodyFinder {
 
   void add_pair(const PhysicsPair& pair, const Place& at) {
     std::vector<std::size_t> numbers;
+    const Place objects = at.at("objects");
     for (std::size_t i = 0; i < 2; ++i) {
-      const Place where = at.at("objects").at(i);
+      const Place where = objects.at(i);
       const PlacedObject* const object = finder_.find(pair.objects[i], where, faults_);
       if (object == nullptr) return;
       const auto number = numbers_.find(object->object);
@@ -155,7 +156,7 @@ class BodyFinder {
       numbers.push_back(number->second);
     }
     if (!found_.pairs.emplace(SceneBodies::key_of(numbers[0], numbers[1]), &pair).second)
-      refuse(at.at("objects"), pair.objects[0], "two that no other pair names");
+      refuse(objects, pair.objects[0], "two that no other pair names");
   }
 
   void refuse(const Place& where, const std::string& got, const char* allowed) {

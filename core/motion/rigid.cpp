@@ -233,7 +233,7 @@ class BulletRun {
     bullet_.performDiscreteCollisionDetection();
     for (int k = 0; k < dispatcher_.getNumManifolds(); ++k) {
       const btPersistentManifold& two = *dispatcher_.getManifoldByIndexInternal(k);
-      const auto [a, b] = std::minmax(number_of(two.getBody0()), number_of(two.getBody1()));
+      const auto [a, b] = std::minmax({number_of(two.getBody0()), number_of(two.getBody1())});
       if (!entered_[a] && !(b < world_.bodies.size() && entered_[b])) continue;
       const double least = std::min(radius_of(a), radius_of(b)) / scale_.unit;
       for (int p = 0; p < two.getNumContacts(); ++p)

@@ -38,7 +38,8 @@ struct Wrapped {
 const std::vector<Wrapped> libraries = {
     {"nlohmann/", {"core/input/"}},
     {"stb", {"core/film/"}},
-    {"libdeflate", {"core/film/", "core/input/packed_text.cpp", "core/models/zip"}},
+    {"libdeflate",
+     {"core/film/", "core/input/packed_text.cpp", "core/models/zip", "core/video/stored_zip.cpp"}},
     {"webp/", {"core/models/webp.cpp", "core/video/webp_animation.cpp"}},
     {"vpx/", {"core/video/vp9.cpp"}},
     {"draco/", {"core/models/draco.cpp"}},
