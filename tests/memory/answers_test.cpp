@@ -82,6 +82,14 @@ const std::string all_kinds = R"({"title":"all kinds","camera":{"location":[0,2,
     "data":")" + jpeg + R"("}}}],
   "lights":[{"type":"point","position":[4,5,6]}]})";
 
+// A ball that bounces once and meets another one.
+const std::string falling_ball = R"({"scene":{"objects":[
+   {"name":"floor","type":"plane","point":[0,0,0],"normal":[0,1,0]},
+   {"name":"a","type":"sphere","center":[0,1.1,0],"radius":1},
+   {"name":"b","type":"sphere","center":[2.2,3,0],"radius":1}],
+  "physics":{"duration":0.3,"fixed":[{"object":"floor"}],"bodies":[
+   {"object":"a","mass":1},{"object":"b","mass":2,"velocity":[-4,0,0]}]}}})";
+
 std::vector<Asked> requests() {
   const std::string of_all_kinds = R"({"width":6,"height":4,"scene":)" + all_kinds;
   return {
@@ -97,7 +105,7 @@ std::vector<Asked> requests() {
       {"Verified", 200, {"POST", "/verify", {}, small_picture(), "id"}},
       {"Explanation", 200, get("/explain?scene=snell&width=64&height=48&x=32&y=20")},
       {"KeptScene", 201, post("/scenes", all_kinds)},
-      {"Simulated", 200, post("/simulate", R"({"scene":"newcomer"})")},
+      {"Simulated", 200, post("/simulate", falling_ball)},
       {"Scene", 200, get("/scenes/klein")},
       {"Scenes", 200, get("/scenes")},
       {"Schema", 200, get("/schema/scene.json")},
