@@ -72,9 +72,9 @@ TEST(LimitNumbers, AFaultEchoes120Bytes) {
   EXPECT_EQ(excerpt(std::string(121, 'x')), Value(std::string(100, 'x') + "… (21 bytes more)"));
 }
 
-TEST(LimitNumbers, AListOfNamesNames40Of64BytesEach) {
-  EXPECT_EQ(listed(std::vector<std::string_view>(40, "a")), times(39, "a, ") + "a");
-  EXPECT_EQ(listed(std::vector<std::string_view>(49, "a")), times(47, "a, ") + "a and 1 more");
+TEST(LimitNumbers, AListOfNamesNames64Of64BytesEach) {
+  EXPECT_EQ(listed(std::vector<std::string_view>(64, "a")), times(63, "a, ") + "a");
+  EXPECT_EQ(listed(std::vector<std::string_view>(65, "a")), times(63, "a, ") + "a and 1 more");
   const std::string name(65, 'n');
   EXPECT_EQ(listed({std::string_view(name).substr(1)}), std::string(64, 'n'));
   EXPECT_EQ(listed({name}), std::string(45, 'n') + "… (20 bytes more)");

@@ -38,7 +38,7 @@ TEST(SceneDigest, IsThatOfWhatRaysMeetInScenesByChance) {
   const JsonSchema schema(parse_json(scene_schema()));
   Corpus corpus(schema, 62);
   int apart = 0, alike = 0;
-  for (int i = 0; i < 3000; ++i) {
+  for (int i = 0; i < 4000; ++i) {
     const Value document = corpus.document();
     const auto scene = scene_of(document);
     if (!scene) continue;
