@@ -120,8 +120,10 @@ void ExactSolver::handle(const MotionEvent& event) {
   }
 }
 
-// All that enter now, before any of them meets another.
+// All that enter now, before any of them meets another. The energy before that is told, too: what
+// comes or goes makes a step of it.
 void ExactSolver::enter_all() {
+  if (now_ > 0) record_energy(false);
   while (!queue_.empty() && queue_.top().kind == Kind::enters && queue_.top().time == now_) {
     const std::size_t i = queue_.top().ball;
     queue_.pop();
@@ -156,13 +158,15 @@ void ExactSolver::check_free(std::size_t ball) const {
 void ExactSolver::leave(std::size_t ball) {
   State& state = states_[ball];
   if (!state.there) return;
+  record_energy(false);
   state.there = false;
   ++state.version;
   grid_.leave(ball);
   for (const std::size_t other : state.held)
     if (other < ball_count()) seed(other);
   state.held.clear();
-  if (!cluster_.bodies.empty()) solve(false);
+  if (cluster_.bodies.empty()) record_energy(false);
+  else solve(false);
 }
 
 void ExactSolver::count_events(std::size_t more) {

@@ -32,6 +32,16 @@ TEST(ExactRun, ABallEntersInMidAirAndLeaves) {
   EXPECT_EQ(motion.energy.back().kinetic, 2);
 }
 
+TEST(ExactRun, WhatComesOrGoesIsAStepOfTheEnergy) {
+  ExactWorld world;
+  world.duration = 3;
+  world.balls = {{{0, 0, 0}, {2, 0, 0}, 0.5, 1, 1, 2}};
+  std::vector<std::pair<double, double>> told;
+  for (const BodyEnergy& each : solve_exact(world, limit).energy)
+    told.emplace_back(each.time, each.kinetic);
+  EXPECT_EQ(told, (std::vector<std::pair<double, double>>{{1, 0}, {1, 2}, {2, 2}, {2, 0}, {3, 0}}));
+}
+
 // What lay on a ball that leaves falls on.
 TEST(ExactRun, WhatRestedOnABallThatLeavesFalls) {
   ExactWorld world;
