@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "core/motion/exact.h"
+#include "core/motion/thinned.h"
 #include "core/parallel/stopped.h"
 
 namespace tia {
@@ -166,6 +167,7 @@ class BulletRun {
       if (k < steps) bullet_.stepSimulation(step, 0);
       note_contacts(time_ + step);
     }
+    motion_.energy = std::move(energies_).take();
     return std::move(motion_);
   }
 
@@ -264,7 +266,7 @@ class BulletRun {
       energy.potential -= mass * dot(world_.gravity, center);
       ++motion_.steps;
     }
-    motion_.energy.push_back(energy);
+    energies_.add(energy);
   }
 
   // Those that begin: of pairs that did not touch in the step before.
@@ -308,6 +310,7 @@ class BulletRun {
   std::map<std::pair<std::size_t, std::size_t>, BodyContact> touching_;
   double time_ = 0;
   RigidMotion motion_;
+  Thinned<BodyEnergy> energies_{Motion::most_records};
 };
 
 }  // namespace

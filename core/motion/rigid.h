@@ -86,8 +86,8 @@ struct RigidPose {
 struct RigidMotion {
   std::vector<std::vector<RigidPose>> poses;
   std::vector<BodyContact> contacts;  ///< those that begin, Motion::most_records at most
-  std::vector<BodyEnergy> energy;
-  std::size_t steps = 0;  ///< of all bodies
+  std::vector<BodyEnergy> energy;     ///< of steps, Motion::most_records at most
+  std::size_t steps = 0;              ///< of all bodies
 };
 
 /// Steps of a second.
