@@ -18,7 +18,7 @@ struct FilmFormatRow {
   std::string_view name, media_type;
   bool has_alpha = true;
   bool takes_codes = false;  ///< of pixels, where others take PNG files
-  int longest_side = PictureRequest::most_px;
+  int longest_side = static_cast<int>(PictureRequest::most_px);
 };
 
 /// THE LIST of formats of films. Of those that a client likes equally well the first is given.
