@@ -35,9 +35,11 @@ TEST(AnimationFaults, OfTheWhole) {
                              {{out_of_range, "/animation/duration", "0", "above 0"}});
   test::expect_scene_refused(R"({"animation":{"duration":2000,"fps":60}})",
                              {{limit, "/animation/duration", "2000", "100000 frames"}});
-  test::expect_scene_refused(
-      R"({"animation":{"duration":1,"shutter":0.5}})",
-      {{unknown_name, "/animation/shutter", "\"shutter\"", "duration, fps, tracks"}});
+  test::expect_scene_refused(R"({"animation":{"duration":1,"shutter":1.5}})",
+                             {{out_of_range, "/animation/shutter", "1.5", "from 0 to 1"}});
+  test::expect_scene_refused(R"({"animation":{"duration":1,"shuter":0.5}})",
+                             {{unknown_name, "/animation/shuter", "\"shuter\"",
+                               "duration, fps, shutter, tracks", "shutter"}});
 }
 
 TEST(AnimationFaults, OfTracks) {

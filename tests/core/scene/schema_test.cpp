@@ -189,7 +189,7 @@ const std::vector<std::string> beyond_scene_schema = {
     "more than a constant", "total degree", "below major_radius", "not on the line through a and b",
     // the sun
     "either elevation_degrees", "longitude_degrees together", "a day that its month has",
-    "at most 4 suns",
+    "at most 4 suns", "at most the samples of a pixel",
     // pictures of the sky
     "a whole PNG or JPEG picture", "a whole Radiance HDR picture", "a picture by latitude",
     // voxels: what lies in the grid, whose numbers are materials
