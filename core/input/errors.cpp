@@ -153,7 +153,7 @@ std::string nearest_name(std::string_view name, const std::vector<std::string_vi
 }
 
 std::string listed(const std::vector<std::string_view>& names) {
-  constexpr std::size_t most = 64, longest = 64, enough = 640;
+  constexpr std::size_t most = 64, longest = 64, enough = 436;
   std::string text;
   std::size_t told = 0;
   for (; told < std::min(most, names.size()) && text.size() < enough; ++told) {

@@ -147,7 +147,7 @@ std::string describe(const Fault& fault);
 /// ones the first 2000 are tried.
 std::string nearest_name(std::string_view name, const std::vector<std::string_view>& known);
 
-/// The names as a list in words, "a, d, s, w": of many the first 64, or some 640 bytes; of long
+/// The names as a list in words, "a, d, s, w": of many the first 64, or some 440 bytes; of long
 /// ones the start.
 std::string listed(const std::vector<std::string_view>& names);
 
