@@ -254,7 +254,7 @@ std::int64_t addresses_beyond(std::int64_t memory_bytes, std::int64_t later) {
   if (getrlimit(RLIMIT_AS, &space) != 0 || space.rlim_cur == RLIM_INFINITY) return 0;
   const auto limit = static_cast<std::int64_t>(space.rlim_cur);
   const std::int64_t taken = number_in("/proc/self/statm", 0) * sysconf(_SC_PAGESIZE);
-  const std::int64_t scattered = limit / 6;  // between the pieces that are in use
+  const std::int64_t scattered = limit / 5;  // between the pieces that are in use
   return std::max<std::int64_t>(0, memory_bytes + taken + later + scattered - limit);
 }
 
