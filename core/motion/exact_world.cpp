@@ -8,7 +8,7 @@
 namespace tia {
 namespace {
 
-constexpr const char* known_fixed =
+constexpr const char* known_to_exact =
     "by exact a plane, sphere, box, cylinder, capsule, triangle, mesh or a group of them; what is "
     "round scaled alike on every axis";
 
@@ -101,34 +101,15 @@ MovingBall ball_of(const MovingBody& body, const Place& at, Faults& faults) {
 
 }  // namespace
 
-std::size_t LoweredExact::number_of(std::size_t in_world) const {
-  const std::size_t balls = world.balls.size();
-  return in_world < balls ? in_world : balls + row_of_fixed[in_world - balls];
-}
-
-LoweredExact exact_world(const Physics& physics, const SceneBodies& bodies, const Place& at,
-                         Faults& faults) {
-  const Place physics_at = at.at("physics");
-  const Place all_bodies = physics_at.at("bodies"), all_fixed = physics_at.at("fixed");
-  LoweredExact lowered;
-  ExactWorld& world = lowered.world;
-  world.gravity = physics.gravity;
-  world.duration = physics.duration;
-  for (std::size_t i = 0; i < bodies.bodies.size() && !faults.full(); ++i)
-    world.balls.push_back(ball_of(bodies.bodies[i], all_bodies.at(i), faults));
-  for (std::size_t i = 0; i < bodies.fixed.size() && !faults.full(); ++i) {
-    const FixedBody& fixed = bodies.fixed[i];
-    if (fixed.what.object != nullptr &&
-        !FixedSurfaces(world.fixed).add(*fixed.what.object, fixed.what.parent))
-      faults.add({FaultKind::conflict, all_fixed.at(i).at("object").pointer(),
-                  Value(fixed.said->object), known_fixed});
-    lowered.row_of_fixed.resize(world.fixed.size(), i);
-  }
-  world.restitution = [&bodies, rows = lowered.row_of_fixed, balls = world.balls.size()](
-                          std::size_t a, std::size_t b) {
-    return bodies.restitution(a, b < balls ? b : balls + rows[b - balls]);
+Lowered<ExactWorld> exact_world(const Physics& physics, const SceneBodies& bodies, const Place& at,
+                                Faults& faults) {
+  const auto add_body = [&](const MovingBody& body, const Place& where, ExactWorld& world) {
+    world.balls.push_back(ball_of(body, where, faults));
   };
-  return lowered;
+  const auto add_fixed = [](const Object& object, const Affine& parent, auto& fixed) {
+    return FixedSurfaces(fixed).add(object, parent);
+  };
+  return lowered<ExactWorld>(physics, bodies, at, faults, add_body, add_fixed, known_to_exact);
 }
 
 }  // namespace tia

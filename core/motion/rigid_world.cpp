@@ -30,43 +30,24 @@ RigidBody rigid_body(const MovingBody& body, const Place& at, Faults& faults) {
   return made;
 }
 
+constexpr const char* known_to_rigid =
+    "by rigid a plane, sphere, box, cylinder, cone, capsule, triangle, mesh or a group of them; "
+    "what "
+    "is round scaled alike on every axis";
+
 }  // namespace
 
-std::size_t LoweredRigid::number_of(std::size_t in_world) const {
-  const std::size_t bodies = world.bodies.size();
-  return in_world < bodies ? in_world : bodies + row_of_fixed[in_world - bodies];
-}
-
-LoweredRigid rigid_world(const Physics& physics, const SceneBodies& bodies, const Place& at,
-                         Faults& faults) {
-  const Place physics_at = at.at("physics");
-  const Place all_bodies = physics_at.at("bodies"), all_fixed = physics_at.at("fixed");
-  LoweredRigid lowered;
-  RigidWorld& world = lowered.world;
-  world.gravity = physics.gravity;
-  world.duration = physics.duration;
-  for (std::size_t i = 0; i < bodies.bodies.size() && !faults.full(); ++i)
-    world.bodies.push_back(rigid_body(bodies.bodies[i], all_bodies.at(i), faults));
-  for (std::size_t i = 0; i < bodies.fixed.size() && !faults.full(); ++i) {
-    const FixedBody& fixed = bodies.fixed[i];
-    if (fixed.what.object != nullptr &&
-        !add_fixed_parts(*fixed.what.object, fixed.what.parent, world.fixed))
-      faults.add({FaultKind::conflict, all_fixed.at(i).at("object").pointer(),
-                  Value(fixed.said->object),
-                  "by rigid a plane, sphere, box, cylinder, cone, capsule, triangle, mesh or a "
-                  "group of them; what is round scaled alike on every axis"});
-    lowered.row_of_fixed.resize(world.fixed.size(), i);
-  }
-  const auto numbers = [rows = lowered.row_of_fixed, count = world.bodies.size()](std::size_t i) {
-    return i < count ? i : count + rows[i - count];
+Lowered<RigidWorld> rigid_world(const Physics& physics, const SceneBodies& bodies, const Place& at,
+                                Faults& faults) {
+  const auto add_body = [&](const MovingBody& body, const Place& where, RigidWorld& world) {
+    world.bodies.push_back(rigid_body(body, where, faults));
   };
-  world.restitution = [&bodies, numbers](std::size_t a, std::size_t b) {
-    return bodies.restitution(numbers(a), numbers(b));
-  };
-  world.friction = [&bodies, numbers](std::size_t a, std::size_t b) {
+  auto made =
+      lowered<RigidWorld>(physics, bodies, at, faults, add_body, add_fixed_parts, known_to_rigid);
+  made.world.friction = [&bodies, numbers = made.numbers](std::size_t a, std::size_t b) {
     return bodies.friction(numbers(a), numbers(b));
   };
-  return lowered;
+  return made;
 }
 
 }  // namespace tia

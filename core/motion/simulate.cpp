@@ -65,7 +65,7 @@ class SimulatedScene {
                        " frames, duration times the animation's fps"});
   }
 
-  void solve(const LoweredExact& lowered, std::size_t most_events) {
+  void solve(const Lowered<ExactWorld>& lowered, std::size_t most_events) {
     const Motion motion = solve_exact(lowered.world, most_events, faults_.stop());
     made_.events = motion.events;
     for (std::size_t i = 0; i < motion.paths.size(); ++i) {
@@ -76,7 +76,7 @@ class SimulatedScene {
     tell(motion.contacts, motion.energy, lowered);
   }
 
-  void solve(const LoweredRigid& lowered, std::size_t most_events) {
+  void solve(const Lowered<RigidWorld>& lowered, std::size_t most_events) {
     const RigidWorld& world = lowered.world;
     if (physics_.duration * rigid_steps * static_cast<double>(world.bodies.size()) >
         static_cast<double>(most_events))
@@ -93,12 +93,12 @@ class SimulatedScene {
     tell(motion.contacts, motion.energy, lowered);
   }
 
-  template <class Lowered>
+  template <class World>
   void tell(const std::vector<BodyContact>& contacts, const std::vector<BodyEnergy>& energy,
-            const Lowered& lowered) {
+            const Lowered<World>& lowered) {
     for (const BodyContact& each : contacts)
-      made_.contacts.push_back({each.time, bodies_.name_of(lowered.number_of(each.a)),
-                                bodies_.name_of(lowered.number_of(each.b)), each.point, each.normal,
+      made_.contacts.push_back({each.time, bodies_.name_of(lowered.numbers(each.a)),
+                                bodies_.name_of(lowered.numbers(each.b)), each.point, each.normal,
                                 each.impulse});
     for (const BodyEnergy& each : energy)
       made_.energy.push_back({each.time, each.kinetic, each.potential});
@@ -112,7 +112,7 @@ class SimulatedScene {
 
   InputError overlapping(const BodiesOverlap& overlap) const {
     const auto number = [&](std::size_t i) {
-      return std::visit([&](const auto& lowered) { return lowered.number_of(i); }, lowered_);
+      return std::visit([&](const auto& lowered) { return lowered.numbers(i); }, lowered_);
     };
     const std::size_t a = number(overlap.a), b = number(overlap.b);
     return InputError({FaultKind::conflict, place("bodies/") + std::to_string(a) + "/object",
@@ -125,7 +125,7 @@ class SimulatedScene {
   const Place& at_;
   Faults faults_;
   SceneBodies bodies_;
-  std::variant<LoweredExact, LoweredRigid> lowered_;
+  std::variant<Lowered<ExactWorld>, Lowered<RigidWorld>> lowered_;
   Simulation made_;
 };
 
