@@ -163,7 +163,8 @@ for (const [colorScheme, locale] of [['light', 'en-GB'], ['dark', 'vi-VN']]) {
 test('every sentence of the page is there in every language', () =>
   shared(async (page) => {
     const [english, vietnamese] = await page.evaluate(() => Promise.all(['en', 'vi'].map(async (language) => {
-      const parts = await Promise.all([language, `timeline_${language}`].map((name) => import(`/words/${name}.js`)));
+      const later = [...document.querySelectorAll('template[data-panel]')].map(({ dataset }) => `${dataset.panel}_${language}`);
+      const parts = await Promise.all([language, ...later].map((name) => import(`/words/${name}.js`)));
       const words = Object.assign({}, ...parts.map((part) => part.default));
       const gaps = (text) => [...text.matchAll(/\{\w+\}/g)].map(String).sort().join();
       return Object.entries(words).flatMap(([section, all]) =>

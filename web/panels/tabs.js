@@ -3,11 +3,12 @@
 import { recall, remember } from '../state/memory.js';
 import { t } from '../words/words.js';
 import { element } from './element.js';
+import { later } from './later.js';
 
 /** The panels that index.html lists, in its order: [{ name, mount(studio, panel) }]. */
 export function loadPanels() {
-  return Promise.all([...document.querySelectorAll('[data-panel]')].map(async ({ href, dataset }) =>
-    ({ name: dataset.panel, mount: (await import(href)).default })));
+  return Promise.all([...document.querySelectorAll('[data-panel]')].map(async ({ href, dataset: { panel: name } }) =>
+    ({ name, mount: href ? (await import(href)).default : later(name) })));
 }
 
 /** Makes a tab of each panel and gives the studio `openTab(id)`; panels hear `tab` with `studio.tab`. */
