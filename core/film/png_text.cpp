@@ -83,6 +83,12 @@ std::string with_text(std::string png, std::string_view keyword, std::string_vie
   return png;
 }
 
+std::string with_plain_text(std::string png, std::string_view keyword, std::string_view text) {
+  const std::string data = std::string(keyword).append("\0\0\0\0\0"sv).append(text);
+  png.insert(header_end, png_chunk(text_type, data));
+  return png;
+}
+
 std::optional<std::string> text_in(std::string_view png, std::string_view keyword,
                                    std::size_t most) {
   if (!png.starts_with(png_signature)) throw_no_png("another file");

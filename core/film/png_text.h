@@ -12,6 +12,9 @@ namespace tia {
 /// Errors: std::bad_alloc. Source: W3C PNG (third edition), 11.3.3.4.
 std::string with_text(std::string png, std::string_view keyword, std::string_view text);
 
+/// The same uncompressed, as some programs look for it. Domain: ASCII letters, also ':' and '.'.
+std::string with_plain_text(std::string png, std::string_view keyword, std::string_view text);
+
 /// Reads the text that a file has under a keyword, from a compressed or a plain iTXt chunk.
 /// Returns: nothing where it has none. Cost: memory in proportion to the text, at most to `most`.
 /// Errors: InputError: malformed for what is no PNG file from its first byte to its last, each

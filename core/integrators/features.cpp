@@ -26,7 +26,8 @@ Vec3<Real> Integrator<IntegratorName::depth>::radiance(WorldView& world_view, co
   return {t, t, t};
 }
 
-// Distance along the view's axis; infinite where nothing is hit.
+// Distance along the view's axis, of a view that has none along the ray; infinite where nothing is
+// hit.
 template <>
 template <class Real>
 Vec3<Real> Integrator<IntegratorName::planar_depth>::radiance(WorldView& world_view,
@@ -34,7 +35,7 @@ Vec3<Real> Integrator<IntegratorName::planar_depth>::radiance(WorldView& world_v
                                                               Mask<Real> active,
                                                               const SamplerState<Real>&) {
   const Real t = first_hit(world_view, ray, active).t;
-  if (world_view.view == nullptr) return {t, t, t};
+  if (world_view.view == nullptr || !world_view.view->is_flat()) return {t, t, t};
   const View& view = *world_view.view;
   const Vec3<Real> axis = lift<Real>(view.axis);
   const Real before = dot(ray.origin - lift<Real>(view.origin), axis);

@@ -9,7 +9,7 @@
 #include "core/integrators/guides.h"
 #include "core/integrators/path_parts.h"
 #include "core/integrators/ray_path.h"
-#include "core/scene/pixel_cone.h"
+#include "core/scene/view.h"
 
 namespace tia {
 

@@ -44,6 +44,7 @@ Explanation explain(const Scene& scene, World world, const View& view, int x, in
   Explanation all{std::move(world), object_labels(scene), {}, {}, {}, {}};
   const Instant at{all.world, view};
   const PixelRays rays({&at, 1}, x, y, options);
+  rays.check(sample, sample + 1);
   all.pixel = rays.pixel(sample);
   all.ray = rays.exact(sample);
   explain_rays(all, scene, rays.traced(sample), rays.state(sample), &in_world, options, stop);

@@ -19,7 +19,8 @@ Explanation explain(const Scene& scene, World world, const Ray<double>& ray,
                     const RenderOptions& options, const std::stop_token& stop = {});
 /// The ray of the sample of pixel (x, y); its tree's colour is that sample's, bit for bit. Scene,
 /// world and view are those of the sample's stratum of the open time.
-/// Domain: a pixel of the view, one of the options' samples. Errors: as above.
+/// Domain: a pixel of the view, one of the options' samples. Errors: as above; out_of_range where
+/// that has no ray (SeenRay).
 Explanation explain(const Scene& scene, World world, const View& view, int x, int y, int sample,
                     const RenderOptions& options, const std::stop_token& stop = {});
 

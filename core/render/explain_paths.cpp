@@ -69,6 +69,7 @@ PathExplanation explain_paths(const Scene& scene, SeenWorlds seen, int x, int y,
     in_worlds.push_back(seen.views[i].seen_from(all.worlds[i].origin));
   }
   const PixelRays rays(instants, x, y, options);
+  rays.check(0, least_samples(options.samples, options.threshold));
   all.ray.pixel = rays.pixel(which.first);
   all.ray.ray = rays.exact(which.first);
   trace_paths(all, scene, in_worlds, which, options, stop, [&](int i, WorldView& world_view) {

@@ -1,14 +1,15 @@
 #include "core/render/explained_ray.h"
 
 #include "core/scene/left_out.h"
+#include "core/scene/views.h"
 
 namespace tia {
 namespace {
 
 template <class Real>
-Ray<Real> ray_through(const View& view, int x, int y, const Aim<float>& aim) {
-  const Vec3<Real> center = view.column(static_cast<Real>(x)) + view.row(static_cast<Real>(y));
-  return Eye<Real>(view).ray(center, Aim<Real>{aim.dx, aim.dy, aim.lens_x, aim.lens_y});
+SeenRay<Real> ray_through(const View& view, int x, int y, const Aim<float>& aim) {
+  return seen_ray(view, static_cast<Real>(x), static_cast<Real>(y),
+                  Aim<Real>{aim.dx, aim.dy, aim.lens_x, aim.lens_y});
 }
 
 std::vector<Note> notes_of(const Scene& scene, const World& world, IntegratorName integrator) {
@@ -22,6 +23,9 @@ std::vector<Note> notes_of(const Scene& scene, const World& world, IntegratorNam
   if (scene.shadow_ground)
     notes.push_back({"/shadow_ground", "the shadow that the picture shows there is not told of"});
   if (scene.sheet) notes.push_back({"/sheet", "the ray is of the scene's own camera"});
+  if (!scene.sheet && scene.camera.display && views_of(scene.camera, 1, 1).is_mixed())
+    notes.push_back(
+        {"/camera/display", "the picture mixes several views; the ray is of the first of them"});
   const std::vector<int>& unasked = world.of_objects->unasked.first;
   for (const auto& [number, pointer] : object_pointers(scene, {unasked.begin(), unasked.end()}))
     notes.push_back({pointer, "path meets its light by chance alone, and asks it for none"});
@@ -47,10 +51,17 @@ Aim<float> PixelRays::aim(int sample) const {
 
 Ray<float> PixelRays::traced(int sample) const {
   const auto& [world, view] = at(sample);
-  return ray_through<float>(view.seen_from(world.origin), x_, y_, aim(sample));
+  return ray_through<float>(view.seen_from(world.origin), x_, y_, aim(sample)).ray;
 }
 Ray<double> PixelRays::exact(int sample) const {
-  return ray_through<double>(at(sample).view, x_, y_, aim(sample));
+  return ray_through<double>(at(sample).view, x_, y_, aim(sample)).ray;
+}
+
+void PixelRays::check(int first, int end) const {
+  for (int sample = first; sample < end; ++sample)
+    if (!ray_through<double>(at(sample).view, x_, y_, aim(sample)).seen)
+      throw InputError({FaultKind::out_of_range, "/x", Value(x_),
+                        "a pixel inside of the fisheye's disc: outside there is no ray"});
 }
 
 ExplainedPixel PixelRays::pixel(int sample) const {

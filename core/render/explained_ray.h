@@ -16,6 +16,9 @@ class PixelRays {
  public:
   PixelRays(Instants instants, int x, int y, const RenderOptions& options);
 
+  /// Errors: InputError (out_of_range) where one of the samples first .. end - 1 has no ray.
+  void check(int first, int end) const;
+  /// Domain: samples that have a ray.
   Ray<float> traced(int sample) const;
   /// The same in double, and in the scene.
   Ray<double> exact(int sample) const;

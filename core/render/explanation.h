@@ -13,10 +13,18 @@
 
 namespace tia {
 
+/// ExplainedView: of a picture that has several, the one that the pixel is of, and where in it.
+struct ExplainedView {
+  int number = 0;
+  std::string name;
+  int x = 0, y = 0;
+};
+
 /// ExplainedPixel: one sample of one pixel of a picture.
 struct ExplainedPixel {
   int x = 0, y = 0, sample = 0;
-  Vec2d raster{}, ndc{}, screen{};  ///< where its ray goes through: in pixels, [0,1], [-1,1]
+  Vec2d raster{}, ndc{}, screen{};         ///< where its ray goes through: in pixels, [0,1], [-1,1]
+  std::optional<ExplainedView> view = {};  ///< whose those are, then
 };
 
 /// Note: what a part of the scene, by its JSON Pointer, is not as it may be thought to be.

@@ -139,6 +139,10 @@ Value::Object value_of(const Explanation& all) {
     const auto& at = *all.pixel;
     answer.emplace_back("pixel", Value::Array{at.x, at.y});
     answer.emplace_back("sample", at.sample);
+    if (at.view)
+      answer.emplace_back("view", Value::Object{{"number", at.view->number},
+                                                {"name", at.view->name},
+                                                {"pixel", Value::Array{at.view->x, at.view->y}}});
     auto& through = all.tree ? std::get<Value::Object>(tree.front().second.is) : ray;
     through.emplace_back("raster", Value::Array{at.raster.u, at.raster.v});
     through.emplace_back("ndc", Value::Array{at.ndc.u, at.ndc.v});

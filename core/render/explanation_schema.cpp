@@ -52,6 +52,12 @@ Value object_entry_schema() {
                         {"type", name_schema(), "of its shape"}});
 }
 
+Value view_schema() {
+  return object_schema({{"number", count_schema()},
+                        {"name", name_schema()},
+                        {"pixel", plain_schema<std::array<int, 2>>({.min = 0})}});
+}
+
 Value note_schema() {
   return object_schema({{"pointer", name_schema(), "a JSON Pointer into the scene"},
                         {"about", name_schema(), "what is noted of it"}});
@@ -105,6 +111,9 @@ Value explanation_schema(Definitions& named) {
     std::vector<SchemaMember> members{
         {"pixel", plain_schema<std::array<int, 2>>({.min = 0}), "x and y, of a pixel's ray", false},
         {"sample", count_schema(), "which of the pixel's rays", false},
+        {"view", view_schema(),
+         "of a picture of several views: which of them, what it is called, and the pixel there",
+         false},
         {"ray", ray_schema(named), "in double"},
         {"hits", list_schema(hit_schema()), "all along the ray, the nearest first, in double"},
         {"tree", node_schema(named),

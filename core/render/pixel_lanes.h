@@ -41,10 +41,13 @@ struct Pixels {
       estimates[i]->count += more;
     }
   }
-  Vec3<Real> center(const View& view) const {
-    return view.column(lanes_of([&](std::size_t i) { return static_cast<float>(x[i]); })) +
-           view.row(lanes_of([&](std::size_t i) { return static_cast<float>(y[i]); }));
+  Real column() const {
+    return lanes_of([&](std::size_t i) { return static_cast<float>(x[i]); });
   }
+  Real row() const {
+    return lanes_of([&](std::size_t i) { return static_cast<float>(y[i]); });
+  }
+  Vec3<Real> center(const View& view) const { return view.column(column()) + view.row(row()); }
   // Not inlined into what traces without.
   [[gnu::noinline]] void add(const Guides& guides, bool first_half) const {
     for (std::size_t i = 0; i < count; ++i)

@@ -81,6 +81,13 @@ class Tracer {
   }
 
   const View& view() const { return at_.view; }
+  /// Light in those lanes that have a ray, in the others what there is without.
+  [[gnu::noinline]] Vec3<Real> seen(const Vec3<Real>& light, const Mask<Real>& those) {
+    if constexpr (may_have_backdrop)
+      if (world_view_.parts != nullptr) parts_.replace(~bits(those), {});
+    const Real nothing(row_of(shot_.integrator).nothing);
+    return select(those, light, {nothing, nothing, nothing});
+  }
 
   Eye<Real> eye;
 
@@ -150,7 +157,7 @@ class Tracers {
   std::deque<OfInstant> all_;  // which do not move
 };
 
-// ---- one ray a pixel of a perspective view, as for most pictures --------------------------------
+// ---- one ray a pixel from one eye, as for most pictures -----------------------------------------
 
 template <class Real, class AnyWorldView>
 [[gnu::flatten]] void trace_centers_in(const Shot& shot, int x0, int y0, FilmTile& tile) {
@@ -160,6 +167,7 @@ template <class Real, class AnyWorldView>
   sampler_state.key = shot.sampler.key();
   const View& view = shot.first().view;
   Tracer<Real, AnyWorldView> tracer(shot, shot.first(), x0, y0, tile.width, tile.height);
+  const bool is_flat = view.is_flat();
   const Vec3<Real> origin = lift<Real>(view.origin);
   const Real column_of = PacketPixels::column(), row_of = PacketPixels::row();
   const auto number = [](int i) { return Real(static_cast<float>(i)); };
@@ -173,10 +181,17 @@ template <class Real, class AnyWorldView>
     const Mask<Real> rows = row_of < number(tile.height - y);
     for (int x = 0; x < tile.width; x += PacketPixels::width) {
       const Vec3<Real>& column = columns[static_cast<std::size_t>(x / PacketPixels::width)];
-      const Mask<Real> active = rows && column_of < number(tile.width - x);
+      Mask<Real> active = rows && column_of < number(tile.width - x);
       if constexpr (draws_much) PacketPixels::number(x0 + x, y0 + y, sampler_state);
-      const Vec3<Real> light =
-          tracer.light({origin, normalize(column + row)}, active, sampler_state);
+      Ray<Real> ray{origin, normalize(column + row)};
+      if (!is_flat) {
+        const SeenRay<Real> curved =
+            curved_ray(view, number(x0 + x) + column_of, number(y0 + y) + row_of, Real(0), Real(0));
+        ray = curved.ray;
+        active = active && curved.seen;
+      }
+      Vec3<Real> light = tracer.light(ray, active, sampler_state);
+      if (!is_flat) light = tracer.seen(light, active);
       const std::size_t i = FilmTile::index(x, y);
       PacketPixels::store(light.x, &tile.r[i]);
       PacketPixels::store(light.y, &tile.g[i]);
@@ -214,7 +229,8 @@ template <class Real, class AnyWorldView>
   Tracer<Real, AnyWorldView>* at = &tracers.first();
   Aims<Real> aims(shot.sampler, round, pixels.x, pixels.y, shot.has_lens());
   Vec3<Real> center = pixels.center(at->view());
-  const Mask<Real> active = pixels.active();
+  const Mask<Real> all = pixels.active();
+  const bool is_flat = at->view().is_flat();
   const int count = shot.sampler.count(round), before = shot.sampler.before(round);
   const int half = doubles(shot.sampler, round) ? 0 : (count + 1) / 2;  // is added to one of guides
   const bool watches = shot.watches(), clamps = shot.convergence.clamps();
@@ -231,8 +247,16 @@ template <class Real, class AnyWorldView>
     Tracer<Real, AnyWorldView>& tracer = *at;
     const int point = shot.sampler.point(round, i);
     sampler_state.sample = static_cast<std::uint32_t>(before + point);
-    const Ray<Real> ray = tracer.eye.ray(center, aims(point));
-    const Vec3<Real> light = tracer.light(ray, active, sampler_state);
+    const Aim<Real> aim = aims(point);
+    Ray<Real> ray = tracer.eye.ray(center, aim);
+    Mask<Real> active = all;
+    if (!is_flat) {
+      const auto curved = curved_ray(tracer.view(), pixels.column(), pixels.row(), aim.dx, aim.dy);
+      ray = curved.ray;
+      active = all && curved.seen;
+    }
+    Vec3<Real> light = tracer.light(ray, active, sampler_state);
+    if (!is_flat) light = tracer.seen(light, active);
     sums.add(light);
     if (pixels.parts[0] != nullptr) pixels.add(tracer.parts());
     if constexpr (Tracer<Real, AnyWorldView>::may_have_backdrop)

@@ -8,7 +8,7 @@ namespace tia {
 // A float ray strays from the exact one: its eye by half a float's step; its direction by a few
 // steps of the terms of its sum, whose length is no less than the eye's distance from the plane.
 Beam::Beam(const View& view, int x0, int y0, int x1, int y1) : origin_(view.origin) {
-  if (view.orthographic() || view.has_lens()) return;
+  if (view.orthographic() || view.has_lens() || !view.is_flat()) return;
   constexpr double step = 0x1p-23;
   const Vec3d normal = normalize(cross(view.right, view.up));
   const double terms = length(view.forward) + length(view.right) + length(view.up);

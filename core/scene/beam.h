@@ -7,8 +7,8 @@ namespace tia {
 
 /// Beam: a cone around all rays from the eye through one rectangle of the picture, those of float
 /// with all their roundings included. What is culled with it is only what no ray of it can meet, so
-/// that no pixel depends on it. Rays that do not all leave one point have no such cone: with a lens
-/// or orthographic, a beam meets everything.
+/// that no pixel depends on it. Rays that do not all leave one point, or go through no plane, have
+/// no such cone: with a lens, orthographic or by angles, a beam meets everything.
 class Beam {
  public:
   /// The rays through any points of the pixels x0 <= x < x1, y0 <= y < y1.

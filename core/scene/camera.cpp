@@ -33,6 +33,8 @@ class Check {
     projection();
     lens();
     planes();
+    display();
+    interlace();
     if (faults_.count() != before) return;
     if (camera_.basis) grid_extent();
     else axes();
@@ -47,11 +49,14 @@ class Check {
   void projection();
   void lens();
   void planes();
+  void display();
+  void interlace();
   void grid_extent();
   void axes();
   void view_plane();
 
   bool orthographic() const { return camera_.projection == Projection::orthographic; }
+  const ProjectionRow& row() const { return row_of(camera_.projection); }
   bool has_own_fov() const { return camera_.fov_degrees != Camera{}.fov_degrees; }
   void fault(FaultKind kind, const char* field, std::optional<Value> got, const char* allowed) {
     faults_.add({kind, at_.at(field).pointer(), std::move(got), allowed});
@@ -92,6 +97,11 @@ void Check::spellings() {
 }
 
 void Check::grid() {
+  if (!row().is_flat) {
+    constexpr auto alone = "a basis by angles goes without pixel_size and distance";
+    refuse("pixel_size", camera_.pixel_size, alone);
+    return refuse("distance", camera_.distance, alone);
+  }
   require("pixel_size", camera_.pixel_size, "the side of a pixel's square, for basis");
   if (orthographic())
     refuse("distance", camera_.distance, "an orthographic basis goes without distance");
@@ -100,22 +110,29 @@ void Check::grid() {
 
 void Check::projection() {
   const Camera& c = camera_;
-  if (!orthographic())
-    return refuse("height", c.height, "height goes with projection orthographic");
+  if (!row().takes_angle)
+    refuse("angle_degrees", c.angle_degrees,
+           "angle_degrees goes with projection fisheye or cylindrical");
+  if (!row().takes_height)
+    refuse("height", c.height, "height goes with projection orthographic or cylindrical");
+  if (!row().is_flat)
+    refuse("right", c.right, "a view plane goes with projection perspective or orthographic");
+  if (!row().takes_fov && has_own_fov() && !c.basis && !c.right)
+    fault(FaultKind::conflict, "fov_degrees", c.fov_degrees,
+          orthographic() ? "projection orthographic goes with height, without fov_degrees"
+                         : "fov_degrees goes with projection perspective");
+  if (!orthographic()) return;
   if (c.basis)
     return refuse("height", c.height, "basis goes without height: pixel_size gives the extent");
   if (c.right)
     return refuse("height", c.height, "right goes without height: the view plane is the extent");
   require("height", c.height, "the whole picture's height, for projection orthographic");
-  if (has_own_fov())
-    fault(FaultKind::conflict, "fov_degrees", c.fov_degrees,
-          "projection orthographic goes with height, without fov_degrees");
 }
 
 void Check::lens() {
   const Camera& c = camera_;
   constexpr auto allowed = "only projection perspective has a lens";
-  if (orthographic()) {
+  if (!row().has_lens) {
     if (c.aperture > 0) fault(FaultKind::conflict, "aperture", c.aperture, allowed);
     refuse("focus_distance", c.focus_distance, allowed);
   } else if (c.aperture > 0) {
@@ -125,14 +142,61 @@ void Check::lens() {
 }
 
 void Check::planes() {
+  if (!row().is_flat) {
+    constexpr auto allowed = "near and far go with projection perspective or orthographic";
+    refuse("near", camera_.near, allowed);
+    return refuse("far", camera_.far, allowed);
+  }
   if (camera_.near && camera_.far && !(*camera_.near < *camera_.far))
     fault(FaultKind::out_of_range, "far", *camera_.far, "more than near");
+}
+
+// What a display says itself, the camera must not say otherwise.
+void Check::display() {
+  const Camera& c = camera_;
+  if (!c.display) return;
+  const DisplayNeeds needs = c.display->needs();
+  const bool fits = c.projection == Projection::perspective ||
+                    (needs.orthographic && orthographic()) ||
+                    (needs.panorama && c.projection == Projection::equirectangular);
+  if (!fits)
+    fault(FaultKind::conflict, "projection", Value(row().text),
+          needs.orthographic ? "perspective or orthographic, of which such a display may be"
+          : needs.panorama   ? "perspective or equirectangular, of which such a display is anyhow"
+                             : "perspective, of which such a display is");
+  if (!needs.lens && c.aperture > 0)
+    fault(FaultKind::conflict, "aperture", c.aperture, "a display of such rays has no lens");
+  if (needs.own_extent) {
+    constexpr auto allowed = "such a display says itself how much its views see";
+    refuse("right", c.right, allowed);
+    refuse("pixel_size", c.pixel_size, allowed);
+    refuse("near", c.near, allowed);
+    refuse("far", c.far, allowed);
+    if (has_own_fov()) fault(FaultKind::conflict, "fov_degrees", c.fov_degrees, allowed);
+  }
+  if (needs.look_at && !c.look_at)
+    fault(FaultKind::missing, "look_at", std::nullopt, "the middle of the display's window");
+  if (const char* focus = c.display->missing_focus(); focus != nullptr && !c.look_at)
+    faults_.add({FaultKind::missing, at_.at("display").at(focus).pointer(), std::nullopt,
+                 "a distance above 0, where the camera has no look_at"});
+}
+
+// Its rays are made one by one, of a window before the eye.
+void Check::interlace() {
+  const Camera& c = camera_;
+  if (!c.interlace) return;
+  const auto wrong = [&](const char* allowed) {
+    fault(FaultKind::conflict, "interlace", write_value(*c.interlace), allowed);
+  };
+  if (!c.display || c.display->quilt() == nullptr) wrong("interlace goes with a display quilt");
+  else if (c.projection != Projection::perspective || c.right || c.aperture > 0 || c.near || c.far)
+    wrong("interlace goes with a perspective camera without right, lens, near and far");
 }
 
 // Pictures have up to 2^24 pixels, all perhaps in one row.
 void Check::grid_extent() {
   constexpr double most = 100;
-  if (!orthographic() && *camera_.pixel_size > most * *camera_.distance)
+  if (row().takes_fov && *camera_.pixel_size > most * *camera_.distance)
     fault(FaultKind::out_of_range, "distance", *camera_.distance, "at least 0.01 of pixel_size");
 }
 

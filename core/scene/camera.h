@@ -8,14 +8,11 @@
 #include "core/input/errors.h"
 #include "core/input/fields.h"
 #include "core/math/vec3.h"
+#include "core/scene/displays/display.h"
+#include "core/scene/displays/interlace.h"
+#include "core/scene/projections/projection.h"
 
 namespace tia {
-
-enum class Projection { perspective, orthographic };
-template <>
-struct Names<Projection> {
-  static constexpr std::array<std::string_view, 2> names{"perspective", "orthographic"};
-};
 
 /// Basis: AlgoWiki's frame of the camera, right-handed and orthonormal: u right, v up, w towards
 /// the viewer.
@@ -49,15 +46,17 @@ struct Camera {
   std::optional<Basis> basis;
   std::optional<double> distance, pixel_size;
   Projection projection = Projection::perspective;
-  std::optional<double> height;
+  std::optional<double> height, angle_degrees;
   double aperture = 0;
   std::optional<double> focus_distance;
   std::optional<double> near, far;  ///< along the view's axis; none: all is seen
+  std::optional<Display> display;   ///< none: one view
+  std::optional<Interlace> interlace;
 
   template <class Visitor>
   static void fields(Visitor&& visit);
   /// Conflicting spellings, what a spelling lacks, zero lengths, an `up` along the view,
-  /// planes in the wrong order.
+  /// planes in the wrong order, displays that do not fit.
   void check(const Place& at, Faults& faults) const;
   bool operator==(const Camera&) const = default;
 };
@@ -92,8 +91,19 @@ void Camera::fields(Visitor&& visit) {
   visit("distance", &Camera::distance, size("with basis: from the eye to the grid of pixels"));
   visit("pixel_size", &Camera::pixel_size, size("with basis: the side of a pixel's square"));
   visit("projection", &Camera::projection,
-        Spec{.about = "rays from the eye, or parallel ones from the plane of location"});
-  visit("height", &Camera::height, size("orthographic: the whole picture's height"));
+        Spec{.about = "rays from the eye through a plane, or parallel ones from the plane of "
+                      "location; or from the eye by angles: a disc of the sphere, all around, or a "
+                      "cylinder"});
+  visit("height", &Camera::height,
+        size("orthographic: the whole picture's height; cylindrical: on the cylinder of radius 1, "
+             "else such that pixels are squares"));
+  visit("angle_degrees", &Camera::angle_degrees,
+        Spec{.about = "fisheye: seen across the shorter side, else 180; cylindrical: across the "
+                      "width, else 360",
+             .unit = "degrees",
+             .min = 0,
+             .max = 360,
+             .open_min = true});
   visit("aperture", &Camera::aperture,
         Spec{.about = "the lens' diameter; 0 is a pinhole, all sharp", .min = 0, .max = most});
   visit("focus_distance", &Camera::focus_distance,
@@ -102,6 +112,10 @@ void Camera::fields(Visitor&& visit) {
         size("along the view's axis: what is nearer to the eye is not seen, but for its shadow"));
   visit("far", &Camera::far,
         size("along the view's axis: what is farther from the eye is not seen, but for its light"));
+  visit("display", &Camera::display,
+        Spec{.about = "what several views are made for; width and height are then of one view"});
+  visit("interlace", &Camera::interlace,
+        Spec{.about = "of a quilt: its views woven together for a panel or a sheet of lenses"});
 }
 
 }  // namespace tia

@@ -51,6 +51,7 @@ struct IntegratorRow {
   FeatureDisplay display = FeatureDisplay::light;  ///< what its numbers mean to the eye
   bool averages = true;  ///< whether a pixel may have the mean of several rays' numbers
   int channels = 3;      ///< how many numbers a ray finds: three, or one that all three show
+  float nothing = 0;  ///< what it is where a picture has no ray, as where a feature is of nothing
   /// The rays of a pixel where nothing is said of them: several where what one finds is chance.
   int samples = 1;
   int max_depth = 5;  ///< where nothing is said of it
@@ -86,7 +87,8 @@ inline constexpr std::array integrators = std::to_array<IntegratorRow>({
      .about = "how far away the surface is along the ray",
      .gathers = Gathers::features,
      .display = FeatureDisplay::depth,
-     .channels = 1},
+     .channels = 1,
+     .nothing = std::numeric_limits<float>::infinity()},
     {.name = IntegratorName::albedo,
      .text = "albedo",
      .about = "the surface's colour times what it scatters, without light or shadow",
@@ -103,7 +105,8 @@ inline constexpr std::array integrators = std::to_array<IntegratorRow>({
      .about = "the share of the lights that the surface sees",
      .gathers = Gathers::features,
      .display = FeatureDisplay::share,
-     .channels = 1},
+     .channels = 1,
+     .nothing = 1},
     {.name = IntegratorName::cost,
      .text = "cost",
      .about = "how many tests of boxes and surfaces the ray takes",
@@ -123,17 +126,20 @@ inline constexpr std::array integrators = std::to_array<IntegratorRow>({
     {.name = IntegratorName::planar_depth,
      .text = "planar_depth",
      .about =
-         "how far away the surface is along the view's axis: its distance from the eye's plane",
+         "how far away the surface is along the view's axis: its distance from the eye's plane; of "
+         "what looks through no plane, along the ray",
      .gathers = Gathers::features,
      .display = FeatureDisplay::depth,
-     .channels = 1},
+     .channels = 1,
+     .nothing = std::numeric_limits<float>::infinity()},
     {.name = IntegratorName::label,
      .text = "label",
      .about = "the material's base_color or color as it is told, without texture, light or curve, "
               "for masks; white where nothing is",
      .gathers = Gathers::features,
      .display = FeatureDisplay::share,
-     .averages = false},
+     .averages = false,
+     .nothing = 1},
 });
 
 constexpr const IntegratorRow& row_of(IntegratorName name) {

@@ -2,8 +2,8 @@
 
 namespace tia {
 
-void check_size(int width, int height, const Limits& limits) {
-  const std::int64_t pixels = static_cast<std::int64_t>(width) * height;
+void check_size(std::int64_t width, std::int64_t height, const Limits& limits) {
+  const std::int64_t pixels = width * height;
   if (pixels <= limits.max_pixels) return;
   throw InputError({FaultKind::limit, "/width",
                     Value(std::to_string(width) + " x " + std::to_string(height)),

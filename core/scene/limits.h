@@ -17,7 +17,7 @@ struct Limits {
 };
 
 /// Errors: InputError of one `limit` fault that names the limit and the option that sets it.
-void check_size(int width, int height, const Limits& limits);
+void check_size(std::int64_t width, std::int64_t height, const Limits& limits);
 /// Of the rays that a window takes at least: its pixels times the samples of each.
 void check_rays(std::int64_t pixels, std::int64_t samples, const Limits& limits);
 /// What a request for too many rays is refused with, before tracing or while it goes on.

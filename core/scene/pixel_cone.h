@@ -1,10 +1,6 @@
 // PixelCone: how wide what a pixel sees is.
 #pragma once
 
-#include <cmath>
-
-#include "core/scene/view.h"
-
 namespace tia {
 
 /// PixelCone: at a distance d along a pixel's ray it sees `width + spread * d`, in scene units; a
@@ -13,11 +9,5 @@ namespace tia {
 struct PixelCone {
   double width = 0, spread = 0;
 };
-
-inline PixelCone cone_of(const View& view) {
-  const double across = 2 * length(view.right) / view.width;
-  const double side = std::sqrt(across * (2 * length(view.up) / view.height));
-  return view.orthographic() ? PixelCone{side, 0} : PixelCone{0, side};
-}
 
 }  // namespace tia

@@ -1,67 +1,107 @@
 #include "core/scene/view.h"
 
-#include "core/math/deterministic.h"
+#include <array>
+#include <cmath>
 
 namespace tia {
 namespace {
 
-// What a spelling gives: the view but for its size, and the lens' axes.
-struct SpelledCamera {
-  Vec3d forward, right, up;
-  Vec3d across, upwards;  // unit, perpendicular, in the plane of right and up
-};
-
-// At distance 1 before the eye, lest a plane of 1e-30 vanish from float.
-SpelledCamera of_view_plane(const Camera& camera) {
-  const Vec3d forward = axis_of(camera);
-  const double near = 1 / length(forward);
-  const double scale = camera.projection == Projection::orthographic ? 1 : near;
-  const Vec3d across = normalize(*camera.right);  // the lens is round, also where they are skew
-  const Vec3d upwards = normalize(camera.up - across * dot(across, camera.up));
-  return {forward * near, *camera.right * scale, camera.up * scale, across, upwards};
+// The pixel's point on the raster from -1 to 1: as View::column and View::row have it.
+template <class S>
+Raster<S> raster_of(const View& view, const S& px, const S& py) {
+  const S w(static_cast<double>(view.width)), h(static_cast<double>(view.height));
+  return {(px + px + S(1.0) - w) / w, (h - (py + py) - S(1.0)) / h};
 }
 
-// Source: AlgoWiki's ray tracing article; pixel (i, j) from the bottom left looks along
-// (s (j - w/2 + 1/2), s (i - h/2 + 1/2), -d) in the basis.
-SpelledCamera of_grid(const Camera& camera, int width, int height) {
-  const Basis& basis = *camera.basis;
-  const double side = *camera.pixel_size / camera.distance.value_or(1);
-  return {normalize(-basis.w), basis.u * (side * width / 2), basis.v * (side * height / 2), basis.u,
-          basis.v};
+template <class S>
+Vec3<S> in_frame(const View& view, const Vec3<S>& local) {
+  const auto of = [](const Vec3d& axis) { return static_cast<Vec3<S>>(axis); };
+  return of(view.right) * local.x + of(view.up) * local.y - of(view.axis) * local.z;
 }
 
-SpelledCamera of_angle(const Camera& camera, int width, int height) {
-  const Vec3d w = normalize(axis_of(camera));
-  const Vec3d u = normalize(cross(w, camera.up));
-  const Vec3d v = cross(u, w);
-  const double half_height = camera.projection == Projection::orthographic
-                                 ? *camera.height / 2
-                                 : tan_of(camera.fov_degrees / 2 * (pi / 180));
-  const double half_width = half_height * static_cast<double>(width) / static_cast<double>(height);
-  return {w, u * half_width, v * half_height, u, v};
+// In space, from a local one of the view's form.
+template <class S>
+LocalRay<S> ray_of(const View& view, const Raster<S>& at) {
+  return std::visit(
+      [&](const auto& form) -> LocalRay<S> {
+        if constexpr (std::is_same_v<std::decay_t<decltype(form)>, FlatView>) {
+          return {};  // of no flat view
+        } else {
+          const LocalRay<S> local = form.ray(at);
+          return {static_cast<Vec3<S>>(view.origin) + in_frame(view, local.origin),
+                  in_frame(view, local.direction), local.seen};
+        }
+      },
+      view.curved);
 }
 
-// The picture's plane may be skew to the way to its centre.
-Vec3d axis_across(const SpelledCamera& spelled) {
-  const Vec3d axis = cross(spelled.upwards, spelled.across);
-  return dot(axis, spelled.forward) < 0 ? -axis : axis;
-}
+Vec3f rounded(const Vec3d& v) { return lift<float>(v); }
 
 }  // namespace
 
-View view_of(const Camera& camera, int width, int height) {
-  const SpelledCamera spelled = camera.right   ? of_view_plane(camera)
-                                : camera.basis ? of_grid(camera, width, height)
-                                               : of_angle(camera, width, height);
-  View view{camera.location, spelled.forward, spelled.right,    spelled.up,
-            width,           height,          camera.projection};
-  view.lens_right = spelled.across * (camera.aperture / 2);
-  view.lens_up = spelled.upwards * (camera.aperture / 2);
-  view.focus_distance = camera.focus_distance.value_or(1);
-  view.axis = axis_across(spelled);
-  view.near = camera.near.value_or(view.near);
-  view.far = camera.far.value_or(view.far);
-  return view;
+template <>
+SeenRay<double> curved_ray(const View& view, const double& x, const double& y, const double& dx,
+                           const double& dy) {
+  const auto ray = ray_of(view, raster_of(view, x + dx, y + dy));
+  return {{ray.origin, ray.direction}, ray.seen};
+}
+template <>
+SeenRay<float> curved_ray(const View& view, const float& x, const float& y, const float& dx,
+                          const float& dy) {
+  const auto [ray, seen] = curved_ray<double>(view, x, y, dx, dy);
+  return {{rounded(ray.origin), rounded(ray.direction)}, seen};
+}
+
+// Eight lanes at a time.
+template <>
+SeenRay<Wide> curved_ray(const View& view, const Wide& x, const Wide& y, const Wide& dx,
+                         const Wide& dy) {
+  constexpr std::size_t n = Wide::size;
+  std::array<double, n> px, py;
+  (widen(x) + widen(dx)).store_unaligned(px.data());
+  (widen(y) + widen(dy)).store_unaligned(py.data());
+  std::array<std::array<float, n>, 6> numbers;
+  std::array<float, n> seen;
+  for (std::size_t i = 0; i < n; i += Octet::size) {
+    const auto ray =
+        ray_of(view, raster_of(view, Octet::load_unaligned(&px[i]), Octet::load_unaligned(&py[i])));
+    const Octet* parts[] = {&ray.origin.x,    &ray.origin.y,    &ray.origin.z,
+                            &ray.direction.x, &ray.direction.y, &ray.direction.z};
+    std::array<double, Octet::size> each;
+    for (std::size_t k = 0; k < numbers.size(); ++k) {
+      parts[k]->store_unaligned(each.data());
+      for (std::size_t j = 0; j < each.size(); ++j) numbers[k][i + j] = static_cast<float>(each[j]);
+    }
+    const unsigned there = bits(ray.seen);
+    for (std::size_t j = 0; j < each.size(); ++j) seen[i + j] = static_cast<float>(there >> j & 1U);
+  }
+  const auto lanes_of = [&](std::size_t k) { return Wide::load_unaligned(numbers[k].data()); };
+  return {{{lanes_of(0), lanes_of(1), lanes_of(2)}, {lanes_of(3), lanes_of(4), lanes_of(5)}},
+          Wide::load_unaligned(seen.data()) > Wide(0)};
+}
+
+PixelCone cone_of(const View& view) {
+  return std::visit(
+      [&](const auto& form) -> PixelCone {
+        if constexpr (std::is_same_v<std::decay_t<decltype(form)>, FlatView>) {
+          const double across = 2 * length(view.right) / view.width;
+          const double side = std::sqrt(across * (2 * length(view.up) / view.height));
+          return view.orthographic() ? PixelCone{side, 0} : PixelCone{0, side};
+        } else {
+          return form.cone(view.width, view.height);
+        }
+      },
+      view.curved);
+}
+
+// At the depth of forward's tip, the window's middle is nearer to the eye's own side by as much as
+// the eye has moved, in shares of the depth.
+View moved_eye(const View& view, const Vec3d& by, double depth) {
+  View moved = view;
+  moved.origin = view.origin + by;
+  moved.forward = view.forward - by * (dot(view.forward, view.axis) / depth);
+  if (view.orthographic()) moved.forward = normalize(moved.forward);
+  return moved;
 }
 
 }  // namespace tia
