@@ -11,6 +11,10 @@ const std::vector<HeaderRow>& header_rows() {
        "^[a-z-]+(=[0-9]+)?(, [a-z-]+(=[0-9]+)?)*$"},
       {"Cache-Status", "whether the picture was drawn for this request (RFC 9211)",
        "^Tia(; (hit|fwd=miss|fwd=partial|collapsed|stored|detail=not-modified))+$"},
+      {"Content-Disposition",
+       "of a quilt: the file name by which its viewers know how many views it has; of an archive: "
+       "its name",
+       "^(inline|attachment); filename=\"[A-Za-z0-9_.-]+\"$", false},
       {"Content-Encoding", "how the body is compressed, where Accept-Encoding takes that", "^gzip$",
        false},
       {"Content-Location",

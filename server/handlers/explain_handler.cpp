@@ -13,6 +13,7 @@
 #include "server/handlers/handlers.h"
 #include "server/requests/explain_request.h"
 #include "server/requests/exposure.h"
+#include "server/requests/whole_picture.h"
 
 namespace tia::server {
 
@@ -26,13 +27,11 @@ void ExplainRequest::check(const Place& at, Faults& faults) const {
   ViewRequest::check(at, faults);
   const auto coordinate = [&](const char* name, const std::optional<int>& is, int size) {
     const std::string place = at.at(name).pointer();
-    const std::string range = range_text({.unit = "pixels", .min = 0, .max = size - 1.0}, true);
     if (ray && is) faults.add({FaultKind::conflict, place, write_value(*is), "x and y, or ray"});
     else if (!ray && !is)
-      faults.add(
-          {FaultKind::missing, place, std::nullopt, range + ", of a pixel with x and y; or a ray"});
-    else if (is && *is >= size)
-      faults.add({FaultKind::out_of_range, place, write_value(*is), range});
+      faults.add({FaultKind::missing, place, std::nullopt,
+                  range_text({.unit = "pixels", .min = 0, .max = size - 1.0}, true) +
+                      ", of a pixel with x and y; or a ray"});
   };
   coordinate("x", x, width);
   coordinate("y", y, height);
@@ -67,7 +66,23 @@ struct Explaining {
 
   WhichPaths which() const { return {asked.sample, asked.paths.value_or(WhichPaths{}.count)}; }
   bool by_paths() const { return options.integrator == IntegratorName::path; }
-  View view(const Scene& of) const { return view_of(of.camera, asked.width, asked.height); }
+  const WholePicture whole{};  // of which a pixel is asked for
+  int number = 0;              // the view that has it
+
+  View view(const Scene& of) const {
+    const auto views = views_of(of.camera, asked.width, asked.height).views;
+    return views.at(static_cast<std::size_t>(number)).view;
+  }
+  int column() const { return *asked.x % asked.width; }
+  int row() const { return *asked.y % asked.height; }
+  // Tells the pixel as one of the whole.
+  void tell_view(ExplainedPixel& pixel) const {
+    if (!has_display(scene->camera) || scene->sheet) return;
+    const GridView& of = whole.views.views[static_cast<std::size_t>(number)];
+    pixel.view = ExplainedView{number, of.name, pixel.x, pixel.y};
+    pixel.x = *asked.x;
+    pixel.y = *asked.y;
+  }
   template <class Tell>
   Value::Object alone(const Tell& tell) const {
     Value::Object told;
@@ -94,8 +109,10 @@ Value::Object explained_sample(const Explaining& by) {
   const KnownScene& scene = by.exposure.scenes[by.exposure.strata[stratum]];
   World world = by.context.geometries.compile(scene, by.workers);
   return by.alone([&] {
-    return explain(*scene, std::move(world), by.view(*scene), *by.asked.x, *by.asked.y,
-                   by.asked.sample, by.options, by.workers.stop());
+    Explanation told = explain(*scene, std::move(world), by.view(*scene), by.column(), by.row(),
+                               by.asked.sample, by.options, by.workers.stop());
+    by.tell_view(*told.pixel);
+    return told;
   });
 }
 
@@ -120,9 +137,38 @@ Value::Object explained_paths(const Explaining& by) {
   }
   const auto first = static_cast<std::size_t>(by.asked.sample) % by.exposure.strata.size();
   return by.alone([&] {
-    return explain_paths(*by.exposure.scenes[by.exposure.strata[first]], std::move(seen),
-                         *by.asked.x, *by.asked.y, by.which(), by.options, by.workers.stop());
+    PathExplanation told =
+        explain_paths(*by.exposure.scenes[by.exposure.strata[first]], std::move(seen), by.column(),
+                      by.row(), by.which(), by.options, by.workers.stop());
+    by.tell_view(*told.ray.pixel);
+    return told;
   });
+}
+
+// A sheet's pixels are told as of the scene's own camera, whose view is as large as each of them.
+WholePicture whole_of(const ExplainRequest& asked, const Scene& scene, const Limits& limits) {
+  if (!scene.sheet) return whole_picture(scene, asked.width, asked.height, limits);
+  return {{0, 0, asked.width, asked.height}, views_of(scene.camera, asked.width, asked.height)};
+}
+
+// Errors: InputError for a pixel outside of the picture, or where it has no view.
+int view_asked_for(const ExplainRequest& asked, const WholePicture& whole, const Scene& scene) {
+  Faults faults;
+  const auto coordinate = [&](const char* name, int is, int size) {
+    if (is >= size)
+      faults.add({FaultKind::out_of_range, Place{}.at(name).pointer(), Value(is),
+                  range_text({.unit = "pixels", .min = 0, .max = size - 1.0}, true)});
+  };
+  coordinate("x", *asked.x, whole.size.x1);
+  coordinate("y", *asked.y, whole.size.y1);
+  faults.raise();
+  if (scene.sheet) return 0;
+  const int number = whole.view_at(*asked.x, *asked.y, asked.width, asked.height);
+  if (number < 0)
+    throw InputError(
+        {FaultKind::out_of_range, "/x", Value(*asked.x),
+         "a pixel of one of the " + std::to_string(whole.views.views.size()) + " views"});
+  return number;
 }
 
 std::string explanation_of(const ExplainRequest& asked, const Service& service,
@@ -132,8 +178,11 @@ std::string explanation_of(const ExplainRequest& asked, const Service& service,
   SceneOptions in_effect = options_in_effect(found.plain->options, asked);
   Exposure exposure = exposure_of(asked, found, in_effect, context, requester);
   const Workers workers = context.pool.workers(context.pool.threads(), requester.stop, &flow);
+  WholePicture whole;
+  if (!asked.ray) whole = whole_of(asked, *found.plain, context.limits);
+  const int number = asked.ray ? 0 : view_asked_for(asked, whole, *found.plain);
   Explaining by{asked,   found.plain, std::move(exposure), options_of(in_effect, context.limits),
-                context, workers};
+                context, workers,     std::move(whole),    number};
   check_options(asked, by.options);
   by.options.blur_steps = by.exposure.blur_steps();
   const Value::Object told = asked.ray       ? explained_ray(by)

@@ -11,6 +11,7 @@
 #include "server/requests/etag.h"
 #include "server/requests/reached.h"
 #include "server/requests/recipe.h"
+#include "server/requests/view_texts.h"
 
 namespace tia::server {
 namespace {
@@ -28,6 +29,8 @@ Headers validators(const std::string& etag, const AskedPicture& asked) {
 Headers told_of(const Plan& plan) {
   Headers headers;
   if (plan.in_effect.clamp) headers.emplace_back("Tia-Biased", "clamp");
+  if (std::string as = disposition_of(plan); !as.empty())
+    headers.emplace_back("Content-Disposition", std::move(as));
   std::string ignored;
   for (const LeftOut& each : left_out_by(plan.in_effect.integrator, *plan.scene))
     ignored.append(ignored.empty() ? "" : ", ").append(each.pointer);
@@ -137,9 +140,9 @@ Response shown_while_drawn(RenderRequest asked, const Request& request, Service&
 Answer picture_answer() {
   Answer answer{.about = "the picture"};
   for (const FormatRow& row : formats) answer.contents.push_back({row.media_type});
-  answer.headers = {"Server-Timing", "Tia-Rays",         "Cache-Control", "ETag",
-                    "Cache-Status",  "Content-Location", "Tia-Samples",   "Tia-Noise",
-                    "Tia-Biased",    "Tia-Ignored"};
+  answer.headers = {"Server-Timing", "Tia-Rays",         "Cache-Control",      "ETag",
+                    "Cache-Status",  "Content-Location", "Tia-Samples",        "Tia-Noise",
+                    "Tia-Biased",    "Tia-Ignored",      "Content-Disposition"};
   return answer;
 }
 

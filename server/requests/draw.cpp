@@ -11,6 +11,7 @@
 #include "server/requests/parts.h"
 #include "server/requests/recipe.h"
 #include "server/requests/studio.h"
+#include "server/requests/whole_picture.h"
 #include "server/stores/digest.h"
 
 namespace tia::server {
@@ -57,17 +58,33 @@ void check_format(const PictureRequest& asked, const Scene& scene, IntegratorNam
                       alpha_formats() + ", which have alpha, or a backdrop that is a colour"});
 }
 
-// Errors: InputError (conflict) where a sheet is asked for what only a single view has.
-void check_sheet(const PictureRequest& asked, const Scene& scene) {
-  const auto check = [&](const char* name, const auto& given) {
-    if (!scene.sheet || !given) return;
+// Errors: InputError (conflict) where several views are asked for what only a single one has.
+void check_several(const PictureRequest& asked, const Plan& plan) {
+  const bool is_sheet = plan.scene->sheet.has_value();
+  const auto check = [&](bool refused, const char* name, const auto& given) {
+    if (!refused || !given) return;
     throw InputError({FaultKind::conflict, std::string("/") + name, write_value(*given),
-                      "a picture of one view; this one's scene is a sheet of several"});
+                      is_sheet ? "a picture of one view; this one's scene is a sheet of several"
+                               : "a picture of one view; this one's camera has a display"});
   };
-  check("crop", asked.crop);
-  check("aov", asked.aov);
-  check("budget_ms", asked.budget_ms);
-  check("max_rays", asked.max_rays);
+  check(is_sheet, "crop", asked.crop);
+  check(is_sheet || plan.is_mixed(), "aov", asked.aov);
+  check(plan.has_several(), "budget_ms", asked.budget_ms);
+  check(plan.has_several(), "max_rays", asked.max_rays);
+  check(asked.format == Format::zip, "crop", asked.crop);
+  if (is_sheet && asked.format == Format::zip)
+    throw InputError({FaultKind::conflict, "/format", write_value(asked.format),
+                      "a file of one picture, for a scene that is a sheet"});
+}
+
+// Errors: InputError (conflict) where a picture of an open time has not as many views all the time.
+void check_same_views(const Plan& plan) {
+  for (const KnownScene& each : plan.exposure.scenes)
+    if (!plan.scene->sheet &&
+        views_of(each->camera, plan.view.width, plan.view.height).views.size() !=
+            plan.views.views.size())
+      throw InputError({FaultKind::conflict, "/blur_steps", Value(plan.exposure.blur_steps()),
+                        "1 where the camera's display changes while the shutter is open"});
 }
 
 // Those that a pixel has in any case.
@@ -91,34 +108,34 @@ Plan plan_of(const PictureRequest& asked, const RenderContext& context,
   check_rounds(asked, in_effect);
   check_format(asked, *scene, in_effect.integrator);
   check_depth_range(asked, in_effect.integrator);
-  check_sheet(asked, *scene);
-  if (asked.format != Format::png && !in_effect.noise) in_effect.show_by({});
+  if (!holds_codes(asked.format) && !in_effect.noise) in_effect.show_by({});
   Exposure exposure = exposure_of(asked, found, in_effect, context, requester);
   RenderOptions options = options_of(in_effect, context.limits);
   options.blur_steps = exposure.blur_steps();
   options.threads =
       std::min(asked.threads.value_or(context.pool.threads()), context.pool.threads());
   options.denoise = asked.denoise;
-  const Window window = whole_window(asked, *scene);
-  check_size(window.x1, window.y1, context.limits);
+  WholePicture whole = whole_picture(*scene, asked.width, asked.height, context.limits);
   Plan plan{.scene = scene,
             .exposure = std::move(exposure),
             .view = view_of(scene->camera, asked.width, asked.height),
-            .window = window,
+            .window = window_within(whole.size, asked),
+            .whole = whole.size,
+            .views = std::move(whole.views),
             .in_effect = in_effect,
             .options = options,
             .display = {display_of(in_effect.integrator), in_effect.tone()},
             .format = asked.format,
             .asked = &asked,
             .fewest_samples = fewest_samples(asked, options)};
+  check_several(asked, plan);
+  check_same_views(plan);
   if (asked.format == Format::exr) {
     plan.layers = plan.options.layers = asked.layers_in_effect();
     check_layers(plan, context.limits);
   }
   check_denoise(plan);
-  const Window traced = plan.traced();
-  check_rays(static_cast<std::int64_t>(traced.width()) * traced.height(), plan.fewest_samples,
-             context.limits);
+  check_rays(plan.traced_pixels(), plan.fewest_samples, context.limits);
   const KnownScene& told = told_scene_of(plan);
   const std::size_t objects = told.objects.bytes <= most_told_bytes ? told.objects.bytes : 0;
   std::tie(plan.recipe, plan.rounds_name, plan.cost_key) =

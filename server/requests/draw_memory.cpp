@@ -7,10 +7,15 @@ namespace tia::server {
 
 namespace {
 
+// The views' files beside the picture, or what is mixed.
+std::int64_t memory_beside(const Plan& plan, std::size_t pixels) {
+  return (plan.format == Format::zip ? memory_for(memory_cost::alpha, pixels) : 0) +
+         (plan.is_mixed() ? memory_for(memory_cost::linear, pixels) : 0);
+}
 std::int64_t memory_of_pixels(const Plan& plan, std::size_t pixels) {
   if (plan.format == Format::exr)
     return memory_for(memory_cost::layers, pixels * static_cast<std::size_t>(plan.layers.planes()));
-  if (plan.format != Format::png) return memory_for(memory_cost::linear, pixels);
+  if (!holds_codes(plan.format)) return memory_for(memory_cost::linear, pixels);
   const bool alpha = is_transparent(*plan.scene, plan.options.integrator);
   return memory_for(alpha ? memory_cost::alpha : memory_cost::png, pixels);
 }
@@ -45,7 +50,7 @@ std::int64_t memory_of(const Plan& plan, bool is_watched) {
   const auto pixels = static_cast<std::size_t>(plan.window.width()) *
                       static_cast<std::size_t>(plan.window.height());
   return memory_for(memory_cost::request, 1) +
-         memory_of_pixels(plan, pixels) * (is_watched ? 2 : 1) +
+         memory_of_pixels(plan, pixels) * (is_watched ? 2 : 1) + memory_beside(plan, pixels) +
          memory_of_rounds(plan, is_watched) + memory_of_denoiser(plan);
 }
 

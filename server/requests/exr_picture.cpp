@@ -55,25 +55,26 @@ void check_layers(const Plan& plan, const Limits& limits) {
              limits);
 }
 
-RayCounts ExrPicture::draw_features(const std::optional<Reached>& reached, Instants instants,
-                                    const Instant& frame, Pool& pool, const std::stop_token& stop) {
+RayCounts ExrPicture::draw_features(const std::optional<Reached>& reached, const Part& part,
+                                    Instants instants, const Instant& frame, Pool& pool,
+                                    const std::stop_token& stop) {
   RayCounts rays;
   const bool was_open = plan_.asked->has_budget();
   const int samples = was_open ? reached->samples : plan_.options.samples;
   plan_.layers.for_each([&](const LayerRow& row) {
     if (!row.feature) return;
-    const Rendered drawn = render(averages(*row.feature) ? instants : Instants{&frame, 1},
-                                  plan_.window, options_of_feature(plan_, *row.feature, samples),
-                                  pool, stop, [&](const FilmTile& tile) { film_.put(tile, row); });
+    const Rendered drawn =
+        render(averages(*row.feature) ? instants : Instants{&frame, 1}, part.window,
+               options_of_feature(plan_, *row.feature, samples), pool, stop,
+               [&](const FilmTile& tile) { film_.put(moved(tile, part), row); });
     rays += drawn.rays;
   });
   return rays;
 }
 
 std::string ExrPicture::encode(const std::string& recipe, const Workers& workers) const {
-  const bool is_sheet = plan_.scene->sheet.has_value();
-  const ExrHead head{.width = is_sheet ? plan_.window.width() : plan_.asked->width,
-                     .height = is_sheet ? plan_.window.height() : plan_.asked->height,
+  const ExrHead head{.width = plan_.whole.width(),
+                     .height = plan_.whole.height(),
                      .x0 = plan_.window.x0,
                      .y0 = plan_.window.y0,
                      .channels = {},

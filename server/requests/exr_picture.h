@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/render/layer_film.h"
+#include "server/requests/parts.h"
 #include "server/requests/plan.h"
 #include "server/requests/render_context.h"
 
@@ -20,12 +21,13 @@ class ExrPicture {
               is_transparent(*plan.scene, plan.options.integrator)) {}
 
   void put(const FilmTile& tile) { film_.put(tile); }
-  /// Draws the layers that other integrators draw, once it is known how far a budget has reached:
-  /// as their pictures of the same request, with as many samples; where noise decides of these,
-  /// with no more than a first round has. Returns: their rays. Errors: as render().
-  /// `frame`: the frame's own time, of which those are that cannot be averaged.
-  RayCounts draw_features(const std::optional<Reached>& reached, Instants instants,
-                          const Instant& frame, Pool& pool, const std::stop_token& stop);
+  /// Draws a part's layers that other integrators draw, once it is known how far a budget has
+  /// reached: as their pictures of the same request, with as many samples; where noise decides of
+  /// these, with no more than a first round has. Returns: their rays. Errors: as render(). `frame`:
+  /// the frame's own time, of which those are that cannot be averaged.
+  RayCounts draw_features(const std::optional<Reached>& reached, const Part& part,
+                          Instants instants, const Instant& frame, Pool& pool,
+                          const std::stop_token& stop);
   /// Whether there are such.
   static bool shows_own_time(const Plan& plan) {
     return plan.layers.any(

@@ -93,7 +93,7 @@ void check_format(const FilmRequest& asked, const FilmPlan& film) {
 
 // Those that the eye sends out in any case.
 double sure_rays(const Plan& plan) {
-  return static_cast<double>(plan.traced().width()) * plan.traced().height() * plan.fewest_samples;
+  return static_cast<double>(plan.traced_pixels()) * plan.fewest_samples;
 }
 
 void check_film_rays(double rays, const FilmPlan& film, const Limits& limits) {

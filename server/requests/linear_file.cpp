@@ -23,7 +23,7 @@ void keep_within(const std::array<double, 2>& range, Image& image) {
 
 void check_depth_range(const PictureRequest& asked, IntegratorName integrator) {
   if (!asked.depth_range) return;
-  if (display_of(integrator) != FeatureDisplay::depth || asked.format == Format::png)
+  if (display_of(integrator) != FeatureDisplay::depth || holds_codes(asked.format))
     throw InputError({FaultKind::conflict, "/depth_range", write_value(*asked.depth_range),
                       "integrator depth or planar_depth, in the format tiff or pfm"});
 }
@@ -35,7 +35,8 @@ std::string linear_file(const Plan& plan, Image image, const std::stop_token& st
     case Format::hdr: return encode_hdr(std::move(image), stop);
     case Format::tiff: return encode_tiff(image, row_of(plan.options.integrator).channels, stop);
     case Format::png:
-    case Format::exr: break;
+    case Format::exr:
+    case Format::zip: break;
   }
   throw std::logic_error("a format of its own");
 }

@@ -17,11 +17,9 @@ bool is_this_version(std::string text) {
 
 void PictureRequest::check(const Place& at, Faults& faults) const {
   ViewRequest::check(at, faults);
-  const Window w = window();
-  if (w.x0 >= w.x1 || w.y0 >= w.y1 || w.x1 > width || w.y1 > height)
-    faults.add(
-        {FaultKind::out_of_range, at.at("crop").pointer(), write_value(crop),
-         "x0 < x1 <= " + std::to_string(width) + " and y0 < y1 <= " + std::to_string(height)});
+  if (const Window w = window(); w.x0 >= w.x1 || w.y0 >= w.y1)
+    faults.add({FaultKind::out_of_range, at.at("crop").pointer(), write_value(crop),
+                "x0 < x1 and y0 < y1, within the picture"});
   if (depth_range && (*depth_range)[0] > (*depth_range)[1])
     faults.add({FaultKind::out_of_range, at.at("depth_range").pointer(), write_value(*depth_range),
                 "near,far, of which far is not less than near"});

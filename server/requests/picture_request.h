@@ -14,22 +14,24 @@
 
 namespace tia::server {
 
-enum class Format { png, pfm, hdr, tiff, exr };
+enum class Format { png, pfm, hdr, tiff, exr, zip };
 
 /// FormatRow: what a format is called, in requests and as a file's ending, and over HTTP.
 struct FormatRow {
   Format format;
   std::string_view name, media_type;
   bool has_alpha = false;
+  bool holds_codes = false;  ///< keeps what is shown, not light
 };
 
 /// THE LIST of formats. Of those that a client likes equally well the first is given.
 inline constexpr std::array formats = std::to_array<FormatRow>({
-    {Format::png, "png", "image/png", true},
+    {Format::png, "png", "image/png", true, true},
     {Format::pfm, "pfm", "image/x-portable-floatmap"},
     {Format::hdr, "hdr", "image/vnd.radiance"},
     {Format::tiff, "tiff", "image/tiff"},
     {Format::exr, "exr", "image/x-exr", true},
+    {Format::zip, "zip", "application/zip", true, true},
 });
 static_assert(
     [] {
@@ -74,7 +76,7 @@ struct PictureRequest : TraceRequest {
     using P = PictureRequest;
     TraceRequest::fields(visit);
     visit("crop", &P::crop,
-          Spec{.about = "x0,y0,x1,y1: the window x0 <= x < x1, y0 <= y < y1 of the picture",
+          Spec{.about = "x0,y0,x1,y1: the window x0 <= x < x1, y0 <= y < y1 of the whole picture",
                .unit = "pixels",
                .min = 0,
                .max = most_px});
@@ -115,8 +117,10 @@ struct PictureRequest : TraceRequest {
           Spec{.about = "the same in rays of all kinds", .min = 1, .max = 9007199254740991});
     visit(
         "format", &P::format,
-        Spec{.about = "png; for linear light pfm or tiff in float, hdr in Radiance's RGBE, or exr "
-                      "in OpenEXR's layers; else what Accept prefers"});
+        Spec{.about =
+                 "png; for linear light pfm or tiff in float, hdr in Radiance's RGBE, or exr "
+                 "in OpenEXR's layers; zip: a PNG of each view, and views.json, which tells where "
+                 "their eyes and windows are; else what Accept prefers"});
     visit("depth_range", &P::depth_range,
           Spec{.about = "near,far: in numbers of depth and planar_depth what is nearer is 0, and "
                         "what is farther infinite",
@@ -141,7 +145,7 @@ struct PictureRequest : TraceRequest {
   }
   /// Whether it may end before all samples are there.
   bool has_budget() const { return budget_ms || max_rays; }
-  /// Also a crop that is empty or leaves the picture, a version that is not this one, a range of
+  /// Also a crop that is empty, a version that is not this one, a range of
   /// depths the wrong way round, what is an exr's alone.
   void check(const Place& at, Faults& faults) const;
   Window window() const;
@@ -156,6 +160,9 @@ struct PictureRequest : TraceRequest {
 std::string alpha_formats();
 constexpr bool has_alpha(Format format) {
   return formats[static_cast<std::size_t>(format)].has_alpha;
+}
+constexpr bool holds_codes(Format format) {
+  return formats[static_cast<std::size_t>(format)].holds_codes;
 }
 /// "image/png" or the like.
 constexpr std::string_view media_type_of(Format format) {

@@ -5,6 +5,7 @@
 
 #include "core/film/denoise.h"
 #include "core/render/render.h"
+#include "core/scene/views.h"
 #include "server/requests/exposure.h"
 #include "server/requests/picture_request.h"
 #include "server/stores/known_scene.h"
@@ -20,8 +21,10 @@ inline bool is_transparent(const Scene& scene, IntegratorName integrator) {
 struct Plan {
   KnownScene scene;  ///< plain, of the frame's own time
   Exposure exposure;
-  View view;  ///< the scene's
+  View view;  ///< the scene's camera's own; each view of the picture is as large
   Window window;
+  Window whole;            ///< all of the picture, of which `window` is asked for
+  ViewGrid views;          ///< but of a sheet
   SceneOptions in_effect;  ///< the scene's options, or what the request says instead
   RenderOptions options;
   DisplayRule display;
@@ -34,15 +37,23 @@ struct Plan {
   std::string rounds_name = {};  ///< of what its rounds come to (recipe.h); empty: of no use again
   std::string cost_key = {};     ///< what tells how much one of its rays takes (draw.h)
 
-  /// The pixels that are traced: with a margin where they are denoised and the picture goes on.
+  /// Whether the picture has several views, or is mixed of them.
+  bool has_several() const { return scene->sheet || has_display(scene->camera); }
+  bool is_mixed() const { return !scene->sheet && views.is_mixed(); }
+  /// The pixels that are traced: with a margin where they are denoised and the picture goes on; of
+  /// several views without their margins.
   Window traced() const {
-    if (!options.denoise || scene->sheet) return window;
+    if (!options.denoise || has_several()) return window;
     return window.grown(denoise_margin, view.width, view.height);
+  }
+  /// How many those are: each of what is mixed is one.
+  std::int64_t traced_pixels() const {
+    const auto mixed = static_cast<std::int64_t>(is_mixed() ? views.views.size() : 1);
+    return std::int64_t{traced().width()} * traced().height() * mixed;
   }
   /// The rays that the eye sends out: the fewest with a threshold, the most with noise.
   double rays() const {
-    return static_cast<double>(traced().width()) * traced().height() *
-           least_samples(options.samples, options.threshold);
+    return static_cast<double>(traced_pixels()) * least_samples(options.samples, options.threshold);
   }
 };
 

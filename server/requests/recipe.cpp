@@ -109,8 +109,7 @@ std::string recipe_of(const PictureRequest& asked, const Plan& plan) {
     request.emplace_back("time", plan.exposure.seconds);
   if (asked.width != usual.width) request.emplace_back("width", asked.width);
   if (asked.height != usual.height) request.emplace_back("height", asked.height);
-  if (!plan.scene->sheet && !(plan.window == Window{0, 0, asked.width, asked.height}))
-    request.emplace_back("crop", write_value(asked.crop));
+  if (!(plan.window == plan.whole)) request.emplace_back("crop", write_value(asked.crop));
   if (asked.denoise) request.emplace_back("denoise", true);
   if (asked.format != usual.format) request.emplace_back("format", name_of(asked.format));
   if (asked.depth_range) request.emplace_back("depth_range", write_value(*asked.depth_range));
@@ -123,7 +122,7 @@ std::string recipe_of(const PictureRequest& asked, const Plan& plan) {
 
 std::string rounds_name_of(const PictureRequest& asked, const Plan& plan) {
   if (!row_of(plan.options.integrator).is_chance() || plan.options.threshold > 0 ||
-      plan.options.denoise || plan.scene->sheet)
+      plan.options.denoise || plan.has_several())
     return "";
   Plan any = plan;
   any.in_effect.samples = std::nullopt;

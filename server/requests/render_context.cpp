@@ -64,8 +64,16 @@ KnownScene told(const Scene& scene, const RenderContext& context, const Requeste
   return made;
 }
 
-Camera patched(const Camera& camera, const CameraPatch& patch) {
+// A display of a named type replaces whatever display there is: its fields are of no other kind.
+bool names_display(const CameraPatch& patch) {
+  const Value* display = find(patch.members, "display");
+  const auto* members = display != nullptr ? display->as<Value::Object>() : nullptr;
+  return members != nullptr && find(*members, "type") != nullptr;
+}
+
+Camera patched(Camera camera, const CameraPatch& patch) {
   const Place all{}, at = all.at("camera");
+  if (names_display(patch)) camera.display.reset();
   return read_described<Camera>(merge_patch(write_value(camera), patch.members), at);
 }
 

@@ -12,6 +12,8 @@
 #include "server/requests/linear_file.h"
 #include "server/requests/parts.h"
 #include "server/requests/recipe.h"
+#include "server/requests/view_texts.h"
+#include "server/requests/views_archive.h"
 
 namespace tia::server {
 namespace {
@@ -79,12 +81,16 @@ class Encoding {
   }
   std::string operator()(const DisplayFilm& film) const {
     if (plan_.takes_codes) return {film.image().rgb.begin(), film.image().rgb.end()};
+    if (plan_.format == Format::zip)
+      return alone([&] { return views_archive(plan_, film.image(), stop_); });
     if (is_cut_in_strips(film.image().width, film.image().height))
       return with_recipe(encode_png(scanlines_of(film.image(), workers_), workers_));
     return with_recipe(alone([&] { return encode_png(film.image(), stop_); }));
   }
   std::string operator()(const AlphaFilm& film) const {
     if (plan_.takes_codes) return {film.image().rgba.begin(), film.image().rgba.end()};
+    if (plan_.format == Format::zip)
+      return alone([&] { return views_archive(plan_, film.image(), stop_); });
     return with_recipe(alone([&] { return encode_png(film.image(), stop_); }));
   }
 
@@ -97,7 +103,8 @@ class Encoding {
   }
   std::string with_recipe(std::string png) const {
     if (recipe_.empty()) return png;
-    return alone([&] { return with_text(std::move(png), recipe_keyword, recipe_); });
+    return alone(
+        [&] { return with_view_texts(with_text(std::move(png), recipe_keyword, recipe_), plan_); });
   }
 
   const Plan& plan_;
@@ -155,9 +162,12 @@ void Studio::draw_features(ExrPicture& film, const Worlds& worlds, Picture& pict
   World of_frame;
   const bool has_own = plan_.exposure.blurs() && ExrPicture::shows_own_time(plan_);
   if (has_own) of_frame = context_.geometries.compile(plan_.scene, workers_);
-  const auto instants = instants_of(parts_of(plan_).front(), worlds, plan_.exposure);
-  const Instant frame{has_own ? of_frame : worlds.front(), plan_.view};
-  picture.rays += film.draw_features(picture.reached, instants, frame, context_.pool, stop_);
+  for (const Part& part : parts_of(plan_)) {
+    const auto instants = instants_of(part, worlds, plan_.exposure);
+    const Instant frame{has_own ? of_frame : worlds.front(), part.own};
+    picture.rays +=
+        film.draw_features(picture.reached, part, instants, frame, context_.pool, stop_);
+  }
 }
 
 template <class Film>
@@ -213,10 +223,11 @@ void Studio::show(const Glimpse& glimpse, Film& film) {
 void Studio::draw_on_a_film(const Worlds& worlds, Picture& picture) {
   const int width = plan_.window.width(), height = plan_.window.height();
   if (plan_.format == Format::exr) return draw_on(ExrPicture(plan_), worlds, picture);
-  if (plan_.format != Format::png) return draw_on(LinearFilm(width, height), worlds, picture);
+  if (!holds_codes(plan_.format)) return draw_on(LinearFilm(width, height), worlds, picture);
   if (is_transparent(*plan_.scene, plan_.options.integrator))
     return draw_on(AlphaFilm(width, height, plan_.display), worlds, picture);
-  if (is_cut_in_strips(width, height) && onlooker_ == nullptr && !plan_.takes_codes)
+  const bool is_one_file = plan_.format == Format::png;
+  if (is_cut_in_strips(width, height) && onlooker_ == nullptr && !plan_.takes_codes && is_one_file)
     return draw_on(ScanlineFilm(width, height, plan_.display), worlds, picture);
   draw_on(DisplayFilm(width, height, plan_.display), worlds, picture);
 }

@@ -83,6 +83,7 @@ std::size_t heap(const AnimationKey& key) {
   return heap_of(key.value) + heap_of(key.before) + heap_of(key.after);
 }
 std::size_t heap(const TimeFormula& formula) { return heap_of(formula.parts); }
+std::size_t heap(const ModuleRow& modules) { return heap_of(modules.at); }
 template <Described T>
 std::size_t heap(const T& value) {
   FieldsHeap<T> fields{value};

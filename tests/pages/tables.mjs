@@ -40,7 +40,7 @@ function options() {
 // ---- the scene -------------------------------------------------------------------------------------
 
 const COMMON = { object: ['type', 'name', 'material', 'materials', 'transform'], texture: ['type'],
-  light: ['type', 'color', 'intensity', 'fade_distance', 'fade_power'] };
+  display: ['type'], light: ['type', 'color', 'intensity', 'fade_distance', 'fade_power'] };
 
 /** The kinds of a list with their fields: those that must be there, and the others with their defaults. */
 function kinds({ schema }, list) {
@@ -101,6 +101,7 @@ const TABLES = {
   shapes: (facts) => kinds(facts, 'object'),
   lights: (facts) => kinds(facts, 'light'),
   textures: (facts) => kinds(facts, 'texture'),
+  displays: (facts) => kinds(facts, 'display'),
   finish: (facts) => fieldsOf(facts, 'material', 'finish'),
   principled: (facts) => fieldsOf(facts, 'material', 'principled'),
   'scene-options': (facts) => fieldsOf(facts, 'options'),
