@@ -64,6 +64,12 @@ void Database::Statement::bind(int place, const std::string& text) {
     database_.fail();
 }
 
+void Database::Statement::bind_bytes(int place, const std::string& bytes) {
+  if (sqlite3_bind_blob64(statement_.get(), place, bytes.data(), bytes.size(), SQLITE_STATIC) !=
+      SQLITE_OK)
+    database_.fail();
+}
+
 bool Database::Statement::next() {
   const int code = sqlite3_step(statement_.get());
   if (code != SQLITE_ROW && code != SQLITE_DONE) database_.fail();
@@ -74,6 +80,16 @@ std::string Database::Statement::text(int column) const {
   const auto* bytes = sqlite3_column_text(statement_.get(), column);
   const auto size = static_cast<std::size_t>(sqlite3_column_bytes(statement_.get(), column));
   return bytes == nullptr ? "" : std::string(reinterpret_cast<const char*>(bytes), size);
+}
+
+std::int64_t Database::Statement::number(int column) const {
+  return sqlite3_column_int64(statement_.get(), column);
+}
+
+std::string Database::Statement::bytes(int column) const {
+  const void* bytes = sqlite3_column_blob(statement_.get(), column);
+  const auto size = static_cast<std::size_t>(sqlite3_column_bytes(statement_.get(), column));
+  return bytes == nullptr ? "" : std::string(static_cast<const char*>(bytes), size);
 }
 
 // ---- transactions ---------------------------------------------------------------------------

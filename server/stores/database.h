@@ -52,9 +52,12 @@ class Database::Statement {
   /// long as the statement.
   void bind(int place, std::int64_t number);
   void bind(int place, const std::string& text);
+  void bind_bytes(int place, const std::string& bytes);
   /// Returns: whether there is one more row.
   bool next();
   std::string text(int column = 0) const;
+  std::int64_t number(int column = 0) const;
+  std::string bytes(int column = 0) const;
 
  private:
   struct Finalize {
