@@ -101,9 +101,12 @@ void Connection::deliver(RequestTask& task) {
   outbox_.put(std::move(task.bytes),
               task.response.shared);  // after what may fail: or a second answer would follow
   keep_alive_ = task.keep_alive;
+  const std::shared_ptr<Feed> feed = std::move(task.response.feed);
+  const bool is_chunked = !task.request.is_http_1_0;
   task_.reset();
   account();
   outbox_.begin();
+  if (feed) return begin_feed(feed, is_chunked);
   enter(Phase::writing, timeouts::look);
   gone_ = 0;
   gone_at_ = since_;

@@ -8,6 +8,7 @@
 #include <new>
 #include <utility>
 
+#include "server/http/answer_writer.h"
 #include "server/http/error.h"
 #include "server/http/timeouts.h"
 
@@ -123,6 +124,9 @@ void Connection::go_on() {
         if (!take_request()) return wait_readable();
         break;
       case Phase::answering: return wait_readable();  // to see whether the client leaves
+      case Phase::feeding:
+        if (!take_fed()) return wait_readable();
+        break;
       case Phase::writing:
         if (!keep_alive_) return linger();
         enter(Phase::reading, timeouts::idle);
@@ -252,6 +256,7 @@ void Connection::cut_off(Clock::time_point now) {
                             " ms, the time in the queue included (option TIA_DEADLINE_MS)",
                         {{"Retry-After", std::to_string(context_.application.retry_after())}}));
       return proceed();
+    case Phase::feeding: return watch_feed(now);
     case Phase::writing: return watch_taking(now);
     case Phase::lingering:
     case Phase::closed: return close();
@@ -287,6 +292,11 @@ void Connection::watch_parts(Clock::time_point now) {
 }
 
 void Connection::retire() {
+  if (phase_ == Phase::feeding) {
+    keep_alive_ = false;
+    end_feed(is_chunked_ ? std::string(last_chunk) : "");
+    return proceed();
+  }
   if (phase_ != Phase::reading || reader_.state() != State::idle || queued_) return;
   if (requests_ > 0) linger();
   else due_ = Clock::now() + timeouts::drained;
@@ -316,6 +326,7 @@ void Connection::close() {
   if (phase_ == Phase::closed) return;
   phase_ = Phase::closed;
   context_.hold(-static_cast<std::ptrdiff_t>(std::exchange(held_, 0)));
+  drop_feed();
   if (task_) task_->abandon();
   task_.reset();
   asio::error_code error;

@@ -45,7 +45,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
   Clock::time_point since() const { return since_; }
 
  private:
-  enum class Phase { reading, answering, writing, lingering, closed };
+  enum class Phase { reading, answering, feeding, writing, lingering, closed };
 
   void enter(Phase phase, Clock::duration timeout);
   void attempt(void (Connection::*step)());
@@ -63,6 +63,11 @@ class Connection : public std::enable_shared_from_this<Connection> {
   void finish(const std::shared_ptr<RequestTask>& task);
   void hand_over(RequestTask& task);
   void deliver(RequestTask& task);
+  void begin_feed(std::shared_ptr<Feed> feed, bool is_chunked);
+  bool take_fed();
+  void end_feed(std::string last);
+  void watch_feed(Clock::time_point now);
+  void drop_feed();
   void refuse(const std::exception_ptr& failure);
   void fail_turn(const std::exception_ptr& failure);
   void tell_failure(const std::exception_ptr& failure);
@@ -89,6 +94,8 @@ class Connection : public std::enable_shared_from_this<Connection> {
   Clock::time_point stored_from_;      // when the writer was last given something
   Clock::time_point taken_;            // when the client last took bytes, or sent some
   std::shared_ptr<RequestTask> task_;  // the request in work
+  std::shared_ptr<Feed> feed_;         // of an answer whose body comes by and by
+  bool is_chunked_ = true;             // that body
   Outbox outbox_;
   std::size_t storing_ = 0;    // bytes of a long body that are being put away
   std::size_t gone_ = 0;       // bytes of an answer that the client's system had, at the last look

@@ -77,6 +77,26 @@ struct SendPart {
   void operator()(std::string_view part) const { next(part); }
 };
 
+/// Feed: a body that comes by and by, and for which no worker waits.
+class Feed {
+ public:
+  /// Piece: what has come, and whether it is the end.
+  struct Piece {
+    std::string bytes;
+    bool is_last = false;
+  };
+  Feed() = default;
+  Feed(const Feed&) = delete;
+  Feed& operator=(const Feed&) = delete;
+  virtual ~Feed() = default;
+
+  /// What has come since the last call, some KiB at most; never waits.
+  virtual Piece take() = 0;
+  /// Has `more` called, by any thread, whenever something has come: at once, if it has already.
+  /// Null: nobody listens any more.
+  virtual void listen(std::function<void()> more) = 0;
+};
+
 struct Response {
   int status = 200;
   std::string content_type;  ///< "" = no body
@@ -91,6 +111,8 @@ struct Response {
   /// What the parts may take from the request's arrival on; 0: no more than any answer. For so long
   /// only who takes them at the slowest rate is waited for.
   std::chrono::milliseconds parts_deadline{};
+  /// Makes the body by and by, in the body's place: for as long as the client stays and takes it.
+  std::shared_ptr<Feed> feed = nullptr;
   /// The part that tells of a problem, by its document, where the others have to end with it; null:
   /// the body is cut.
   std::string (*problem_part)(const std::string& document) = nullptr;

@@ -20,6 +20,7 @@ void RequestTask::make_answer(const Answer& answer, const std::atomic<bool>& clo
                               const std::function<void()>& more) {
   response = answer(request);
   if (closing) keep_alive = false;
+  if (response.feed) return make_head();
   if (response.parts && request.is_http_1_0) gather_parts();
   if (!response.parts) {
     body_bytes = response.shared ? response.shared->size() : response.body.size();
@@ -34,6 +35,15 @@ void RequestTask::make_answer(const Answer& answer, const std::atomic<bool>& clo
     more();
   }
   send_parts(more);
+}
+
+// HTTP/1.0 knows no chunks: there the connection's end is the body's.
+void RequestTask::make_head() {
+  keep_alive = keep_alive && !request.is_http_1_0;
+  if (request.is_http_1_0) response.unsized = true;
+  else response.parts = [](const SendPart&) {};
+  bytes = answer_bytes(response, true, keep_alive);
+  response.parts = nullptr;
 }
 
 // HTTP/1.0 knows no chunks.

@@ -50,6 +50,7 @@ class RequestTask {
  private:
   void make_answer(const Answer& answer, const std::atomic<bool>& closing,
                    const std::function<void()>& more);
+  void make_head();
   void gather_parts();
   void send_parts(const std::function<void()>& more);
   bool put(std::string_view bytes, Part part, const std::function<void()>& more);
