@@ -1,5 +1,5 @@
-// The command line: subcommands `serve` (default), `render`, `film`, `simulate`, `still` and
-// `model`. Bad use exits with 2.
+// The command line: subcommands `serve` (default), `render`, `film`, `simulate`, `still`,
+// `model` and `job`. Bad use exits with 2.
 #include <CLI/CLI.hpp>
 #include <csignal>
 #include <iostream>
@@ -7,6 +7,7 @@
 #include "core/version.h"
 #include "server/contract/text_form.h"
 #include "server/film_command.h"
+#include "server/job_command.h"
 #include "server/model_command.h"
 #include "server/operation/config.h"
 #include "server/picture_file.h"
@@ -34,6 +35,9 @@ struct Asked {
   Confinement confinement = {};
   bool healthcheck = false, print_config = false, plain = false;
   Watching watching = {};
+  JobWishes job = {};
+  std::string job_file, join_folder;
+  std::optional<int> part = {};
 };
 
 // Every row of the options' table as a flag; what is given goes to `settings`.
@@ -108,10 +112,28 @@ void add_scene(CLI::App& command, Asked& asked) {
       ->type_name("");
 }
 
+// Parts of a job in the place of a scene.
+void add_job_parts(CLI::App& render, Asked& asked) {
+  render
+      .add_option("--job", asked.job_file,
+                  "a job, as POST /jobs takes it, in the place of a scene: draws the part that "
+                  "--part, SLURM_ARRAY_TASK_ID or JOB_COMPLETION_INDEX says into the folder that "
+                  "-o names, or, without one, says how many there are")
+      ->type_name("");
+  render.add_option("--part", asked.part, "the part of --job, from 0")->type_name("");
+  render
+      .add_option("--join", asked.join_folder,
+                  "with --job: puts the parts in this folder together, to the file that -o names")
+      ->type_name("");
+}
+
 CLI::App* add_render(CLI::App& app, Asked& asked) {
   CLI::App* render = app.add_subcommand("render", "draw one picture to a file")->fallthrough();
   add_scene(*render, asked);
   add_picture(*render, asked);
+  add_job_parts(*render, asked);
+  render->get_option("scene")->required(false);
+  render->get_option("-o")->required(false);
   render->add_flag("--progress", asked.watching.shows_progress,
                    "show a bar with samples, noise and the time left on standard error");
   render
@@ -168,6 +190,50 @@ CLI::App* add_still(CLI::App& app, Asked& asked) {
   return still;
 }
 
+/// JobCommands: the subcommands of `tia job`.
+struct JobCommands {
+  CLI::App *job, *submit, *status, *cancel;
+};
+JobCommands add_job(CLI::App& app, Asked& asked) {
+  CLI::App* job = app.add_subcommand("job", "jobs of a server: submit, status, cancel");
+  job->require_subcommand(1);
+  job->add_option("--url", asked.job.url, "the server [" + asked.job.url + "]")->type_name("");
+  job->fallthrough();
+  CLI::App* submit = job->add_subcommand("submit", "send one, as POST /jobs takes it");
+  submit->add_option("file", asked.job.file, "a JSON file")->required()->type_name("");
+  submit->add_flag("--wait", asked.job.waits, "wait for its end");
+  submit
+      ->add_option("-o,--output", asked.job.output,
+                   "wait, and write the result there; NAME.zip for that of several pictures")
+      ->type_name("");
+  const auto with_id = [&](const char* name, const char* about) {
+    CLI::App* command = job->add_subcommand(name, about);
+    command->add_option("id", asked.job.id, "the job's id")->required()->type_name("");
+    return command;
+  };
+  return {job, submit, with_id("status", "say how far it is, as JSON"),
+          with_id("cancel", "cancel it, or let its result go")};
+}
+void run_job(const JobCommands& commands, const Asked& asked) {
+  if (commands.submit->parsed()) submit_job(asked.job);
+  else if (commands.status->parsed()) tell_job(asked.job);
+  else cancel_job(asked.job);
+}
+
+void run_render(const Asked& asked, const Config& config) {
+  if (asked.job_file.empty()) {
+    if (asked.scene.empty()) throw std::invalid_argument("render needs a scene, or --job");
+    if (asked.file.empty()) throw std::invalid_argument("render needs -o");
+    return render_to_file(asked.scene, asked.file, asked.parameters, asked.plain, asked.watching,
+                          config);
+  }
+  const std::optional<int> part = asked.part ? asked.part : part_of_environment();
+  if (asked.file.empty() && (part || !asked.join_folder.empty()))
+    throw std::invalid_argument("render --job needs -o");
+  if (!asked.join_folder.empty()) join_job(asked.job_file, asked.join_folder, asked.file, config);
+  else draw_job_part(asked.job_file, part, asked.file, config);
+}
+
 // What the server starts: nobody else should.
 CLI::App* add_read_model(CLI::App& app, Asked& asked) {
   CLI::App* reader = app.add_subcommand("read-model")->group("");
@@ -188,6 +254,7 @@ int run(int argc, char** argv) {
   const CLI::App* simulate = add_simulate(app, asked);
   const CLI::App* still = add_still(app, asked);
   const CLI::App* model = add_model(app, asked);
+  const JobCommands jobs = add_job(app, asked);
   const CLI::App* reader = add_read_model(app, asked);
   app.require_subcommand(0, 1);
   try {
@@ -197,6 +264,10 @@ int run(int argc, char** argv) {
   }
 
   if (reader->parsed()) answer_as_reader(asked.confinement);
+  if (jobs.job->parsed()) {
+    run_job(jobs, asked);
+    return 0;
+  }
   if (model->parsed()) {
     describe_model(asked.model_files);
     return 0;
@@ -205,8 +276,7 @@ int run(int argc, char** argv) {
   if (asked.healthcheck) return is_healthy(config) ? 0 : 1;
   for (const std::string& warning : unknown_variables()) std::cerr << "tia: " << warning << '\n';
   if (asked.print_config) std::cout << env_file(config) << std::flush;
-  else if (render->parsed())
-    render_to_file(asked.scene, asked.file, asked.parameters, asked.plain, asked.watching, config);
+  else if (render->parsed()) run_render(asked, config);
   else if (film->parsed())
     film_to_file(asked.scene, asked.file, asked.parameters, asked.watching.shows_progress, config);
   else if (simulate->parsed()) simulate_to_file(asked.scene, asked.file, config);

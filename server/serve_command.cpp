@@ -140,7 +140,7 @@ void serve_until_told(const Config& config) {
   pthread_sigmask(SIG_BLOCK, &signals, nullptr);
 
   const Gallery gallery;
-  Backend backend(config, gallery, {scene_file(config), model_folder(config)});
+  Backend backend(config, gallery, {scene_file(config), model_folder(config), job_store(config)});
   Service& service = backend.service;
   HttpServer server(http_options(config), application(service));
   service.connections = [&] { return server.connections(); };

@@ -130,6 +130,8 @@ OPTIONS = [
     ("max_work", SERVER, "OptionLimits.APictureMayTake*"),
     ("max_events", SERVER, "OptionLimits.AMotionMayHave*"),
     ("max_frames", SERVER, "FilmLimits.Frames*"),
+    ("max_job_rays", SERVER, "JobLimits.Rays*"),
+    ("max_jobs", SERVER, "JobLimits.Unfinished*"),
     ("memory_bytes", SERVER, "OptionLimits.ARequest*"),
 ]
 

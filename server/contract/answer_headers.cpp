@@ -24,6 +24,8 @@ const std::vector<HeaderRow>& header_rows() {
       {"ETag", "the tag of the body's bytes, for If-None-Match; of a picture its recipe's SHA-256",
        "^\"[^\"]+\"$"},
       {"Location", "where what this is about is", "^/"},
+      {"Preference-Applied", "which of the request's Prefer has been done (RFC 7240)",
+       "^(respond-async|wait=[0-9]+)$", false},
       {"Retry-After", "the seconds after which to ask again", "^[1-9][0-9]*$"},
       {"Server-Timing", "where the time went, in ms (W3C Server Timing)",
        "^[a-z]+(;desc=[a-z]+)?;dur=[0-9.]+(, [a-z]+(;desc=[a-z]+)?;dur=[0-9.]+)*$"},

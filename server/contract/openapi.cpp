@@ -123,12 +123,16 @@ Value responses_object(const Route& route, Definitions& named) {
 Value::Array parameters_array(const Route& route, Definitions& named) {
   Value::Array parameters;
   if (route.query != nullptr) parameters = route.query(named);
-  if (route.path.find("{}") != route.path.npos)
-    parameters.push_back(Value::Object{{"name", route.segment.name},
+  const auto add = [&](const Segment& segment, const Value& schema) {
+    parameters.push_back(Value::Object{{"name", segment.name},
                                        {"in", "path"},
                                        {"required", true},
-                                       {"description", route.segment.about},
-                                       {"schema", segment_schema(route)}});
+                                       {"description", segment.about},
+                                       {"schema", schema}});
+  };
+  if (route.path.find("{}") != route.path.npos) add(route.segment, segment_schema(route));
+  if (!route.last_segment.name.empty())
+    add(route.last_segment, Value::Object{{"type", "string"}});
   return parameters;
 }
 
@@ -237,7 +241,10 @@ Value rebased(Value value) {
 std::string path_template(const Route& route) {
   std::string path(route.path);
   const std::size_t open = path.find("{}");
-  return open == path.npos ? path : path.insert(open + 1, route.segment.name);
+  if (open != path.npos) path.insert(open + 1, route.segment.name);
+  if (!route.last_segment.name.empty())
+    path.insert(path.size() - 1, std::string(route.last_segment.name));
+  return path;
 }
 
 Value openapi_document(const std::vector<Route>& routes) {

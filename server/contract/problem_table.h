@@ -16,6 +16,7 @@ enum class Met {
   by_write,   ///< one that is no GET
   by_input,   ///< one with parameters
   by_name,    ///< one whose path holds a name, or leads nowhere
+  by_job,     ///< one for what a job has come to
   by_accept,  ///< one that is asked what media types it accepts
   by_method   ///< one whose path is for other methods
 };

@@ -30,11 +30,15 @@ Backend::Backend(const Config& given, const Gallery& gallery, DataFiles files,
       pictures(config.cache_bytes, &memory),
       models(model_reader(config, reader), {config.max_models_bytes, config.model_limits()},
              {memory, long_work, metrics}, std::move(files.models)),
+      jobs(files.jobs ? std::move(files.jobs) : job_store_in_memory(config), config,
+           {gallery, kept, geometries, pressed, pool, long_work, config.limits(), &models}, costs,
+           pictures, metrics, memory),
       service{
           config,   {gallery, kept, geometries, pressed, pool, long_work, config.limits(), &models},
           memory,   admission,
           costs,    metrics,
-          pictures, models} {
+          pictures, models,
+          jobs} {
   kept.book_with(memory);
   kept.read_as(long_work, config.json_limits().values);
   kept.forget_after(config.scene_keep_s);

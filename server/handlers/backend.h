@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "server/handlers/service.h"
+#include "server/jobs/jobs.h"
 
 namespace tia::server {
 
@@ -11,6 +12,7 @@ namespace tia::server {
 struct DataFiles {
   std::unique_ptr<SceneFile> scenes;
   std::unique_ptr<ModelFolder> models;
+  std::unique_ptr<JobStore> jobs = nullptr;  ///< null: in memory
 };
 
 class Backend {
@@ -31,6 +33,7 @@ class Backend {
   Metrics metrics;
   PictureStore pictures;
   ModelStore models;
+  Jobs jobs;
   Service service;
 };
 

@@ -15,7 +15,22 @@ namespace tia::server {
 namespace {
 
 // Whether the path fits the route; `name` becomes what its {} stands for.
+bool matches(const Route& route, std::string_view path, std::string_view& name);
+
+// A path that ends with a second {}: `name` becomes all from the first one on.
+bool matches_two(const Route& route, std::string_view path, std::string_view& name) {
+  const auto slash = path.rfind('/');
+  if (slash == path.npos || slash + 1 == path.size()) return false;
+  Route front = route;
+  front.path.remove_suffix(3);
+  front.last_segment = {};
+  if (!matches(front, path.substr(0, slash), name)) return false;
+  name = path.substr(static_cast<std::size_t>(name.data() - path.data()));
+  return true;
+}
+
 bool matches(const Route& route, std::string_view path, std::string_view& name) {
+  if (!route.last_segment.name.empty()) return matches_two(route, path, name);
   const std::size_t open = route.path.find("{}");
   if (open == route.path.npos) return path == route.path;
   const std::string_view stem = route.path.substr(0, open), end = route.path.substr(open + 2);
@@ -44,6 +59,7 @@ Response dispatch(const Request& request, Service& service) {
       if (!route.gives.empty()) static_cast<void>(preferred_type(request, route.gives));
       return route.handler(request, percent_decode(name), service);
     }
+    if (allow.find(route.method) != allow.npos) continue;  // of a path that fits another one, too
     allow += (allow.empty() ? "" : ", ") + std::string(route.method);
     if (route.method == "GET") allow += ", HEAD";
   }

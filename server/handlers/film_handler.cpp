@@ -5,11 +5,11 @@
 #include "server/contract/query_parameters.h"
 #include "server/handlers/bodies.h"
 #include "server/handlers/handlers.h"
-#include "server/handlers/with_memory.h"
 #include "server/http/headers.h"
 #include "server/requests/accept.h"
 #include "server/requests/etag.h"
 #include "server/requests/shooting.h"
+#include "server/requests/with_memory.h"
 
 namespace tia::server {
 namespace {

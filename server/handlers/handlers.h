@@ -25,6 +25,7 @@ std::vector<Route> simulate_routes();
 std::vector<Route> gallery_model_routes();
 std::vector<Route> model_routes();
 std::vector<Route> still_routes();
+std::vector<Route> job_routes();
 std::vector<Route> operation_routes();
 std::vector<Route> document_routes();
 std::vector<Route> page_routes();

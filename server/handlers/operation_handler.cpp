@@ -4,6 +4,7 @@
 #include "core/version.h"
 #include "server/contract/answers.h"
 #include "server/handlers/handlers.h"
+#include "server/jobs/jobs.h"
 
 namespace tia::server {
 namespace {
@@ -41,6 +42,14 @@ Response get_ready(const Request&, const std::string&, Service& service) {
   return status_of("ready", 200);
 }
 
+std::vector<std::pair<std::string_view, std::int64_t>> jobs_by_state(Service& service) {
+  const JobLoad load = service.jobs.store().load(Runner::now());
+  std::vector<std::pair<std::string_view, std::int64_t>> counts;
+  for (std::size_t i = 0; i < load.jobs.size(); ++i)
+    counts.emplace_back(name_of(static_cast<JobState>(i)), load.jobs[i]);
+  return counts;
+}
+
 Response get_metrics(const Request&, const std::string&, Service& service) {
   const Admission& admission = service.admission;
   const SceneStore& kept = service.rendering.kept;
@@ -53,6 +62,7 @@ Response get_metrics(const Request&, const std::string&, Service& service) {
                       .geometry = service.rendering.geometries.counts(),
                       .pictures = service.pictures.counts(),
                       .models = service.models.counts(),
+                      .jobs = jobs_by_state(service),
                       .memory = &service.memory};
   return {.content_type = std::string(Metrics::media_type),
           .body = service.metrics.text(gauges),

@@ -7,6 +7,7 @@
 #include "server/handlers/handlers.h"
 #include "server/handlers/rendered.h"
 #include "server/handlers/sent_model.h"
+#include "server/handlers/submitted_job.h"
 #include "server/operation/timing.h"
 #include "server/requests/accept.h"
 #include "server/requests/drake_form.h"
@@ -32,6 +33,8 @@ AskedRender asked_in(Value parameters, const Request& request) {
 
 Response answered(AskedRender asked, const Stopwatch& watch, const Request& request,
                   Service& service) {
+  if (!asked.picture.stream && prefers_job(request, asked.picture))
+    if (auto job = submitted_picture(asked.picture, request, service)) return std::move(*job);
   if (asked.picture.stream) return shown_while_drawn(std::move(asked.picture), request, service);
   return rendered({std::move(asked.picture), asked.accepted}, watch, request, service);
 }
@@ -104,7 +107,8 @@ std::vector<Route> render_routes() {
                 "which alone parameters may stand in the query",
        .pace = Pace::in_turn,
        .handler = post_render,
-       .answers = {shown_answer(picture_answer())},
+       .answers = {shown_answer(picture_answer()),
+                   submitted_answer("with Prefer: respond-async a job draws it")},
        .chooses = true,
        .query = query_parameters<DrakeQuery>,
        .body = picture_body(),

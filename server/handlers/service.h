@@ -16,6 +16,8 @@
 
 namespace tia::server {
 
+class Jobs;  // server/jobs/jobs.h
+
 /// Service: what handlers share. Everything in it is const or safe to call from any thread.
 struct Service {
   const Config& config;
@@ -26,6 +28,7 @@ struct Service {
   Metrics& metrics;
   PictureStore& pictures;
   ModelStore& models;
+  Jobs& jobs;
   KnownTargets targets{};
   std::function<int()> connections = [] { return 0; };  ///< that are open
   std::atomic<bool> draining = false;                   ///< the server goes down

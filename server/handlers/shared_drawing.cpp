@@ -4,10 +4,10 @@
 #include <memory>
 
 #include "server/handlers/handlers.h"
-#include "server/handlers/with_memory.h"
 #include "server/operation/shared_flow.h"
 #include "server/operation/timing.h"
 #include "server/requests/draw.h"
+#include "server/requests/with_memory.h"
 
 namespace tia::server {
 namespace {

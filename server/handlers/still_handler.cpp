@@ -8,6 +8,7 @@
 #include "server/handlers/picture_response.h"
 #include "server/handlers/rendered.h"
 #include "server/handlers/sent_model.h"
+#include "server/handlers/submitted_job.h"
 #include "server/http/head.h"
 #include "server/http/headers.h"
 #include "server/requests/accept.h"
@@ -68,6 +69,8 @@ Response shown(const AskedStill<Query>& asked, const SharedModel& model, const S
   AskedPicture picture{asked.query, asked.accepted};
   picture.picture.scene = std::move(scene);
   picture.picture.along = {asked.query.id, model};
+  if (prefers_job(request, picture.picture))
+    if (auto job = submitted_picture(picture.picture, request, service)) return std::move(*job);
   return rendered(picture, watch, request, service);
 }
 
@@ -129,7 +132,8 @@ std::vector<Route> still_routes() {
            .about = "the picture of the model that the body is, which is kept as by POST /models",
            .pace = Pace::in_turn,
            .handler = post_still,
-           .answers = {still_answer()},
+           .answers = {still_answer(),
+                       submitted_answer("with Prefer: respond-async a job draws it")},
            .chooses = true,
            .query = query_parameters<SentStillQuery>,
            .body = model_bodies(),

@@ -13,7 +13,7 @@ namespace {
 
 constexpr int job_file_id = 0x5469614A;  // "TiaJ", in the file's header
 constexpr int job_file_layout = 1;
-constexpr int job_file_timeout_ms = 5000;
+constexpr int job_file_timeout_ms = 500;
 
 // What a job takes besides its request and results.
 constexpr std::int64_t own_bytes = 1024;
@@ -33,6 +33,8 @@ SqliteJobs::SqliteJobs(const std::string& path, const JobLimits& limits, TimeMs 
     open(path.empty() ? ":memory:" : path);
     take_up(now);
   } catch (const DatabaseError& error) {
+    if (error.kind == DatabaseError::busy)
+      throw InUse(path + " is another process': jobs are kept in memory alone");
     throw std::runtime_error("option TIA_DATA_DIR: " + path + ": " + error.what());
   }
 }
@@ -152,6 +154,15 @@ std::vector<PartRow> SqliteJobs::parts(const std::string& id, std::optional<Part
       if (!state || part.state == *state) found.push_back(std::move(part));
     }
     return found;
+  });
+}
+
+std::optional<PartRow> SqliteJobs::part(const std::string& id, int n) {
+  return change([&]() -> std::optional<PartRow> {
+    auto found = with_values(
+        *database_, std::string("SELECT ") + part_columns + " FROM parts WHERE job = ? AND n = ?",
+        id, std::int64_t{n});
+    return found.next() ? std::optional(part_in(found)) : std::nullopt;
   });
 }
 

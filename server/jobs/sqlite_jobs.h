@@ -2,6 +2,7 @@
 #pragma once
 
 #include <mutex>
+#include <stdexcept>
 #include <type_traits>
 
 #include "server/jobs/store.h"
@@ -15,14 +16,19 @@ class SqliteJobs : public JobStore {
  public:
   static constexpr const char* name = "jobs.sqlite";
 
+  /// InUse: another process has the file.
+  struct InUse : std::runtime_error {
+    using std::runtime_error::runtime_error;
+  };
   /// Opens the file, or begins it. Parts that were being drawn when its last process ended without
-  /// giving them back have lost a try. Errors: std::runtime_error where that cannot be.
+  /// giving them back have lost a try. Errors: std::runtime_error where that cannot be; InUse.
   SqliteJobs(const std::string& path, const JobLimits& limits, TimeMs now);
 
   Job submit(const NewJob& job, TimeMs now) override;
   std::optional<Job> find(const std::string& id) override;
   std::vector<PartRow> parts(const std::string& id, std::optional<PartState> state, int first,
                              int most) override;
+  std::optional<PartRow> part(const std::string& id, int n) override;
   std::optional<Claim> claim(const std::string& worker, TimeMs now) override;
   bool heartbeat(const Claim& claim, TimeMs now) override;
   bool finish(const Claim& claim, const PartResult& result, TimeMs now) override;

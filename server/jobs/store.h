@@ -44,6 +44,8 @@ class JobStore {
   /// From `first` on, at most so many; those in that state alone, where one is named.
   virtual std::vector<PartRow> parts(const std::string& id, std::optional<PartState> state,
                                      int first, int most) = 0;
+  /// One part, or what they were put together by; none where nobody has begun it.
+  virtual std::optional<PartRow> part(const std::string& id, int n) = 0;
   /// What is to be done next; its try is on the disk before this returns. A try that ended with the
   /// process is made again first, and by itself: so the tries of the part that ends processes go
   /// up, and no other's.

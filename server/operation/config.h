@@ -48,6 +48,11 @@ struct Config {
   std::int64_t max_events = Limits{}.max_events;
   int max_frames = Limits{}.max_frames;
   int film_deadline_ms = 600'000;
+  std::int64_t max_job_rays = 1'000'000'000'000;
+  int max_jobs = 1000;
+  std::int64_t max_jobs_bytes = 1 << 30;
+  std::int64_t job_keep_s = 86'400;
+  int job_tries = 5;
   std::vector<Origin> cors_origins;
   std::vector<Network> trusted_proxies;
   std::vector<HostName> hosts;
@@ -184,6 +189,29 @@ struct Config {
                .unit = "ms",
                .min = 1,
                .max = 24 * hour_ms});
+    visit("max_job_rays", &Config::max_job_rays,
+          Spec{.about = "most rays of all kinds that a job may take",
+               .unit = "rays",
+               .min = 1,
+               .max = 1e15});
+    visit("max_jobs", &Config::max_jobs,
+          Spec{.about = "jobs that may be unfinished", .min = 0, .max = 100'000});
+    visit("max_jobs_bytes", &Config::max_jobs_bytes,
+          Spec{.about = "what jobs may hold, their requests and results; the results of those go "
+                        "first that ended first. In memory, without TIA_DATA_DIR, at most an "
+                        "eighth of TIA_MEMORY_BYTES",
+               .unit = "bytes",
+               .min = 1 << 20,
+               .max = 1LL << 40U});
+    visit("job_keep_s", &Config::job_keep_s,
+          Spec{.about = "how long a job's results are kept after its end",
+               .unit = "s",
+               .min = 1,
+               .max = 1e9});
+    visit("job_tries", &Config::job_tries,
+          Spec{.about = "how often a part of a job may end without a result before the job fails",
+               .min = 1,
+               .max = 1000});
     visit("cors_origins", &Config::cors_origins,
           Spec{.about = "origins whose pages may read answers (CORS)"});
     visit("trusted_proxies", &Config::trusted_proxies,

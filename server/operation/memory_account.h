@@ -37,11 +37,12 @@ class MemoryAccount {
     scenes,
     pressed,
     models,
-    read_models
+    read_models,
+    jobs
   };
-  static constexpr std::array<std::string_view, 9> holders{
-      "program", "connections", "requests", "pictures",   "geometries",
-      "scenes",  "pressed",     "models",   "read_models"};
+  static constexpr std::array<std::string_view, 10> holders{
+      "program", "connections", "requests", "pictures",    "geometries",
+      "scenes",  "pressed",     "models",   "read_models", "jobs"};
   /// The program itself with its libraries, tables, gallery and the stacks of its threads, and what
   /// the allocator holds beyond what it has given out. Unit: bytes.
   static constexpr std::int64_t program_bytes = 64 << 20;

@@ -101,6 +101,17 @@ struct Metrics::Families {
   prometheus::Family<Counter>& reader_deaths =
       family(prometheus::BuildCounter(), "tia_model_reader_deaths_total",
              "Readers of models that were killed, or answered what nobody can read.", registry);
+  prometheus::Family<Gauge>& jobs =
+      family(prometheus::BuildGauge(), "tia_jobs", "Jobs that are kept, by state.", registry);
+  prometheus::Family<Counter>& job_parts =
+      family(prometheus::BuildCounter(), "tia_job_parts_total",
+             "Parts of jobs, by what came of them: done; lost: they are tried again; given_back: "
+             "nobody wanted them any more; fault: of what was asked for.",
+             registry);
+  Histogram& job_part_seconds =
+      family(prometheus::BuildHistogram(), "tia_job_part_seconds",
+             "How long parts of jobs took that are done.", registry)
+          .Add({}, Histogram::BucketBoundaries{0.01, 0.1, 1, 10, 100});
   prometheus::Family<Gauge>& build =
       family(prometheus::BuildGauge(), "tia_build_info", "Always 1; what this build is.", registry);
 
@@ -186,6 +197,11 @@ void Metrics::count(const RayCounts& rays, const Timing& ms) {
   families_->phase("encode").Observe(ms.encode / 1000);
 }
 
+void Metrics::count_part(std::string_view result, double seconds) {
+  families_->job_parts.Add({{"result", std::string(result)}}).Increment();
+  if (result == "done") families_->job_part_seconds.Observe(seconds);
+}
+
 void Metrics::count_shown() { families_->shown.Increment(); }
 void Metrics::count_resumed() { families_->resumed.Increment(); }
 
@@ -211,6 +227,8 @@ std::string Metrics::text(const Gauges& gauges) {
   set(families_->cached_bytes, gauges.pictures.bytes);
   families_->models.Add({{"state", "kept"}}).Set(static_cast<double>(gauges.models.kept));
   families_->models.Add({{"state", "read"}}).Set(static_cast<double>(gauges.models.read));
+  for (const auto& [state, count] : gauges.jobs)
+    families_->jobs.Add({{"state", std::string(state)}}).Set(static_cast<double>(count));
   if (gauges.memory != nullptr) families_->tell(*gauges.memory);
   families_->raise(gauges);
   return prometheus::TextSerializer().Serialize(families_->registry.Collect());

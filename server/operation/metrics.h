@@ -4,6 +4,8 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "core/render/meter.h"
 #include "server/operation/memory_account.h"
@@ -22,6 +24,7 @@ struct Gauges {
   StoreCounts geometry{};       ///< also what was found there since the start
   PictureCounts pictures{};     ///< the same
   ModelCounts models{};
+  std::vector<std::pair<std::string_view, std::int64_t>> jobs{};  ///< by state
   const MemoryAccount* memory = nullptr;  ///< the account
 };
 
@@ -44,6 +47,8 @@ class Metrics {
   void count_resumed();
   /// Counts a model of that format that was read, or was not.
   void count(std::string_view format, ModelReading result, double seconds);
+  /// Counts a part of a job, by what came of it, and the seconds of one that is done.
+  void count_part(std::string_view result, double seconds);
   /// Prometheus' text format 0.0.4.
   std::string text(const Gauges& gauges);
   static constexpr std::string_view media_type = "text/plain; version=0.0.4; charset=utf-8";

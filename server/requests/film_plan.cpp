@@ -91,11 +91,6 @@ void check_format(const FilmRequest& asked, const FilmPlan& film) {
                           ", or sides of at most " + std::to_string(row.longest_side) + " pixels"});
 }
 
-// Those that the eye sends out in any case.
-double sure_rays(const Plan& plan) {
-  return static_cast<double>(plan.traced_pixels()) * plan.fewest_samples;
-}
-
 void check_film_rays(double rays, const FilmPlan& film, const Limits& limits) {
   if (rays <= static_cast<double>(limits.max_rays)) return;
   throw InputError({FaultKind::limit, "/samples",
@@ -154,7 +149,7 @@ FilmPlan film_plan_of(FilmRequest& asked, const RenderContext& context,
     std::string etag = etag_of(plan.recipe);
     if (film.shots.empty() || film.shots.back().etag != etag) {
       film.shots.push_back({frame, 0, std::move(etag)});
-      check_film_rays(rays += sure_rays(plan), film, context.limits);
+      check_film_rays(rays += plan.sure_rays(), film, context.limits);
     }
     ++film.shots.back().frames;
   }

@@ -29,7 +29,8 @@ struct Plan {
   RenderOptions options;
   DisplayRule display;
   Format format = Format::png;
-  bool takes_codes = false;  ///< the bytes are the pixels' codes, row by row, and no file
+  bool takes_codes = false;  ///< the bytes are the pixels' codes (PNG) or light in floats, row by
+                             ///< row, and no file
   LayerSet layers = {};      ///< of an exr, which alone has any
   const PictureRequest* asked = nullptr;  ///< the request
   int fewest_samples = 1;                 ///< that a pixel has in any case
@@ -54,6 +55,10 @@ struct Plan {
   /// The rays that the eye sends out: the fewest with a threshold, the most with noise.
   double rays() const {
     return static_cast<double>(traced_pixels()) * least_samples(options.samples, options.threshold);
+  }
+  /// Those that it sends out in any case.
+  double sure_rays() const {
+    return static_cast<double>(traced_pixels()) * fewest_samples;
   }
 };
 

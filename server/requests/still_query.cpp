@@ -75,6 +75,15 @@ Scene read_again(const Scene& scene, const std::stop_token& stop) {
   return again;
 }
 
+Scene unread_still(const StillParameters& asked, const SharedModel& model,
+                   const std::stop_token& stop) {
+  const double aspect = static_cast<double>(asked.width) / asked.height;
+  Scene scene =
+      still_scene(asked, body_of(asked, model, stop), aspect, asked.integrator_in_effect());
+  scene.options = options_of(asked);
+  return scene;
+}
+
 }  // namespace
 
 void StillParameters::check(const Place& at, Faults& faults) const {
@@ -94,11 +103,24 @@ void ShownStill::check(const Place& at, Faults& faults) const {
 
 Scene still_of(const StillParameters& asked, const SharedModel& model,
                const std::stop_token& stop) {
-  const double aspect = static_cast<double>(asked.width) / asked.height;
-  Scene scene =
-      still_scene(asked, body_of(asked, model, stop), aspect, asked.integrator_in_effect());
-  scene.options = options_of(asked);
-  return read_again(scene, stop);
+  return read_again(unread_still(asked, model, stop), stop);
+}
+
+Scene TurnedStills::at(int n) const {
+  const SheetView& view = views[static_cast<std::size_t>(n)];
+  Scene scene = first;
+  scene.camera = view.camera;
+  scene.lights = view.lights;
+  return scene;
+}
+
+TurnedStills turned_stills_of(StillParameters asked, const SharedModel& model, int views,
+                              const std::stop_token& stop) {
+  asked.turntable = views;
+  Scene scene = unread_still(asked, model, stop);
+  std::vector<SheetView> turned = std::move(scene.sheet->views);
+  scene.sheet.reset();
+  return {read_again(scene, stop), std::move(turned)};
 }
 
 }  // namespace tia::server

@@ -145,4 +145,15 @@ struct SentStillQuery : ShownStill {
 Scene still_of(const StillParameters& asked, const SharedModel& model,
                const std::stop_token& stop = {});
 
+/// TurnedStills: the views of a turntable as scenes of their own, which differ in camera and
+/// lights.
+struct TurnedStills {
+  Scene first;
+  std::vector<SheetView> views;
+  Scene at(int n) const;
+};
+/// As many as that, each the view that still_of's sheet of as many has. Errors: as still_of.
+TurnedStills turned_stills_of(StillParameters asked, const SharedModel& model, int views,
+                              const std::stop_token& stop = {});
+
 }  // namespace tia::server

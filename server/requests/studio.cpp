@@ -6,14 +6,11 @@
 
 #include "core/film/film.h"
 #include "core/film/png.h"
-#include "core/film/png_text.h"
 #include "server/http/error.h"
 #include "server/requests/draw_memory.h"
-#include "server/requests/linear_file.h"
 #include "server/requests/parts.h"
+#include "server/requests/picture_encoding.h"
 #include "server/requests/recipe.h"
-#include "server/requests/view_texts.h"
-#include "server/requests/views_archive.h"
 
 namespace tia::server {
 namespace {
@@ -66,52 +63,21 @@ std::string recipe_of_reached(const Plan& plan, int samples) {
 }
 
 // The file of a film, each kind in its own way.
-class Encoding {
- public:
-  Encoding(const Plan& plan, const Workers& workers, const std::stop_token& stop,
-           const std::string& recipe)
-      : plan_(plan), workers_(workers), stop_(stop), recipe_(recipe) {}
-
-  std::string operator()(const ExrPicture& film) const { return film.encode(recipe_, workers_); }
-  std::string operator()(LinearFilm film) const {
-    return alone([&] { return linear_file(plan_, std::move(film).image(), stop_); });
-  }
-  std::string operator()(const ScanlineFilm& film) const {
-    return with_recipe(encode_png(film.scanlines(), workers_));
-  }
-  std::string operator()(const DisplayFilm& film) const {
-    if (plan_.takes_codes) return {film.image().rgb.begin(), film.image().rgb.end()};
-    if (plan_.format == Format::zip)
-      return alone([&] { return views_archive(plan_, film.image(), stop_); });
-    if (is_cut_in_strips(film.image().width, film.image().height))
-      return with_recipe(encode_png(scanlines_of(film.image(), workers_), workers_));
-    return with_recipe(alone([&] { return encode_png(film.image(), stop_); }));
-  }
-  std::string operator()(const AlphaFilm& film) const {
-    if (plan_.takes_codes) return {film.image().rgba.begin(), film.image().rgba.end()};
-    if (plan_.format == Format::zip)
-      return alone([&] { return views_archive(plan_, film.image(), stop_); });
-    return with_recipe(alone([&] { return encode_png(film.image(), stop_); }));
-  }
-
- private:
-  template <class Work>
-  std::string alone(const Work& work) const {
-    std::string bytes;
-    workers_.alone([&] { bytes = work(); });
-    return bytes;
-  }
-  std::string with_recipe(std::string png) const {
-    if (recipe_.empty()) return png;
-    return alone(
-        [&] { return with_view_texts(with_text(std::move(png), recipe_keyword, recipe_), plan_); });
-  }
-
-  const Plan& plan_;
-  const Workers& workers_;
-  const std::stop_token& stop_;
-  const std::string& recipe_;
-};
+std::string file_of(const ExrPicture& film, const PictureEncoding& encode) {
+  return film.encode(encode.recipe, encode.workers);
+}
+std::string file_of(LinearFilm film, const PictureEncoding& encode) {
+  return encode(std::move(film).image());
+}
+std::string file_of(const ScanlineFilm& film, const PictureEncoding& encode) {
+  return encode(film.scanlines());
+}
+std::string file_of(const DisplayFilm& film, const PictureEncoding& encode) {
+  return encode(film.image());
+}
+std::string file_of(const AlphaFilm& film, const PictureEncoding& encode) {
+  return encode(film.image());
+}
 
 }  // namespace
 
@@ -172,7 +138,7 @@ void Studio::draw_features(ExrPicture& film, const Worlds& worlds, Picture& pict
 
 template <class Film>
 void Studio::make_file(Film&& film, const std::string& recipe, Picture& picture) const {
-  picture.bytes = Encoding(plan_, workers_, stop_, recipe)(std::forward<Film>(film));
+  picture.bytes = file_of(std::forward<Film>(film), {plan_, workers_, stop_, recipe});
   picture.media_type = media_type_of(plan_.format);
 }
 

@@ -184,6 +184,10 @@ std::string place_of_fault(const JsonSchema& document, const Value& value, const
 }
 
 bool Contract::fits(const std::string& path, const Value& item, std::string_view asked) const {
+  if (const auto last = path.rfind("/{"); last != path.find("/{")) {  // a second one ends the path
+    const auto slash = asked.rfind('/');
+    return slash + 1 < asked.size() && fits(path.substr(0, last), item, asked.substr(0, slash));
+  }
   const auto open = path.find('{');
   if (open == path.npos || !asked.starts_with(path.substr(0, open))) return path == asked;
   const std::string end = path.substr(path.find('}') + 1);

@@ -82,9 +82,9 @@ TEST(OpenApi, EveryPathIsATemplateWhoseNamesAreParameters) {
   const std::regex name(R"(\{([a-z]+)\})");
   for (const Operation& each : operations()) {
     EXPECT_TRUE(each.path.starts_with('/'));
-    std::smatch found;
     std::vector<std::string> expected;
-    if (std::regex_search(each.path, found, name)) expected.push_back(found[1]);
+    for (std::sregex_iterator i(each.path.begin(), each.path.end(), name), end; i != end; ++i)
+      expected.push_back((*i)[1]);
     EXPECT_EQ(parameter_names(each.is, "path"), expected) << each.path;
   }
 }

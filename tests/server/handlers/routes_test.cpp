@@ -61,6 +61,8 @@ INSTANTIATE_TEST_SUITE_P(
                     Path{"Still", "/still", "GET, HEAD, POST, OPTIONS", 422, 415},
                     Path{"Explain", "/explain", "GET, HEAD, POST, OPTIONS", 422, 422},
                     Path{"Simulate", "/simulate", "POST, OPTIONS", 405, 422},
+                    Path{"Jobs", "/jobs", "POST, OPTIONS", 405, 422},
+                    Path{"JobLoad", "/jobs/load", "GET, HEAD, DELETE, OPTIONS"},
                     Path{"Scene", "/scenes/thesis", "GET, HEAD, DELETE, OPTIONS"},
                     Path{"Schema", "/schema/scene.json", "GET, HEAD, OPTIONS"},
                     Path{"Health", "/healthz", "GET, HEAD, OPTIONS"},

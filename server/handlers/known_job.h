@@ -1,0 +1,14 @@
+// The job that a path names.
+#pragma once
+
+#include <string>
+
+#include "server/handlers/service.h"
+#include "server/jobs/job.h"
+
+namespace tia::server {
+
+/// Errors: HttpError (not-found) where none is kept by that id.
+Job known_job(const std::string& id, Service& service);
+
+}  // namespace tia::server

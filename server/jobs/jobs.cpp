@@ -1,0 +1,82 @@
+#include "server/jobs/jobs.h"
+
+#include <algorithm>
+
+#include "server/jobs/sqlite_jobs.h"
+#include "server/operation/log.h"
+
+namespace tia::server {
+namespace {
+
+// Of a job, not of a request: as many rays, and as many tests for each of them.
+RenderContext with_limits_of_jobs(const RenderContext& context, const Config& config) {
+  RenderContext own = context;
+  const double more =
+      static_cast<double>(config.max_job_rays) / static_cast<double>(config.max_rays);
+  own.limits.max_rays = config.max_job_rays;
+  own.limits.max_work = static_cast<std::int64_t>(
+      std::min(9e18, static_cast<double>(config.max_work) * std::max(more, 1.0)));
+  return own;
+}
+
+}  // namespace
+
+Jobs::Jobs(std::unique_ptr<JobStore> store, const Config& config, const RenderContext& context,
+           CostMemory& costs, PictureStore& pictures, Metrics& metrics, MemoryAccount& memory)
+    : store_(std::move(store)),
+      host_{with_limits_of_jobs(context, config), costs},
+      memory_(memory),
+      at_once_(std::max(1, config.renders / 2)),
+      board_(std::max(1, config.connections / 2)),
+      workplace_{host_, *store_, pictures, metrics, memory} {
+  store_->changed = [this](const std::string& id) { has_changed(id); };
+  const JobLoad load = store_->load(Runner::now());
+  for (const std::int64_t jobs : load.jobs)
+    if (jobs > 0) start();  // to go on with them, and to forget them in time
+}
+
+Jobs::~Jobs() {
+  if (runner_) runner_->stop();  // which has changes told
+}
+
+void Jobs::start() {
+  const std::lock_guard lock(mutex_);
+  if (!runner_) runner_ = std::make_unique<Runner>(workplace_, at_once_);
+}
+
+void Jobs::has_changed(const std::string& id) {
+  board_.has_changed(id);
+  const std::lock_guard lock(mutex_);
+  if (runner_) runner_->look_again(id);
+  if (store_->is_durable()) return;
+  const std::int64_t bytes = store_->load(0).bytes;
+  memory_.add(MemoryAccount::jobs, bytes - booked_);
+  booked_ = bytes;
+}
+
+JobLimits job_limits(const Config& config, bool is_durable) {
+  JobLimits limits;
+  limits.tries = config.job_tries;
+  limits.unfinished = config.max_jobs;
+  limits.bytes =
+      is_durable ? config.max_jobs_bytes : std::min(config.max_jobs_bytes, config.memory_bytes / 8);
+  limits.keep_ms = config.job_keep_s * 1000;
+  return limits;
+}
+
+std::unique_ptr<JobStore> job_store_in_memory(const Config& config) {
+  return std::make_unique<SqliteJobs>("", job_limits(config, false), Runner::now());
+}
+
+std::unique_ptr<JobStore> job_store(const Config& config) {
+  if (config.data_dir.empty()) return job_store_in_memory(config);
+  try {
+    return std::make_unique<SqliteJobs>(config.data_dir + "/" + SqliteJobs::name,
+                                        job_limits(config, true), Runner::now());
+  } catch (const SqliteJobs::InUse& error) {
+    log_failure("jobs", error.what());
+    return job_store_in_memory(config);
+  }
+}
+
+}  // namespace tia::server
