@@ -131,8 +131,7 @@ Value::Array parameters_array(const Route& route, Definitions& named) {
                                        {"schema", schema}});
   };
   if (route.path.find("{}") != route.path.npos) add(route.segment, segment_schema(route));
-  if (!route.last_segment.name.empty())
-    add(route.last_segment, Value::Object{{"type", "string"}});
+  if (!route.last_segment.name.empty()) add(route.last_segment, Value::Object{{"type", "string"}});
   return parameters;
 }
 

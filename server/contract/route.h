@@ -40,7 +40,8 @@ struct Route {
   BodyLimit (*form_limit)(const Config&) = nullptr;  ///< the same of one that is a form
   bool keeps_body = false;  ///< a long one goes to the folder of kept models as it comes
   Segment segment = {};     ///< what the path's {} stands for
-  /// What its second one does, which ends the path: the handler's name is all from the first one on.
+  /// What its second one does, which ends the path: the handler's name is all from the first one
+  /// on.
   Segment last_segment = {};
   std::vector<std::string_view> segments = {};  ///< all that there are; none = any text
   /// Which paths there are, where it shares its place with what is not here; null = all that fit.

@@ -117,28 +117,28 @@ Answer still_answer() {
 }  // namespace
 
 std::vector<Route> still_routes() {
-  return {{.method = "GET",
-           .path = "/still",
-           .name = "get_still",
-           .about = "the picture of a kept model: framed, in a studio's light",
-           .pace = Pace::in_turn,
-           .handler = get_still,
-           .answers = {still_answer(), picture_unchanged()},
-           .chooses = true,
-           .query = query_parameters<StillQuery>},
-          {.method = "POST",
-           .path = "/still",
-           .name = "post_still",
-           .about = "the picture of the model that the body is, which is kept as by POST /models",
-           .pace = Pace::in_turn,
-           .handler = post_still,
-           .answers = {still_answer(),
-                       submitted_answer("with Prefer: respond-async a job draws it")},
-           .chooses = true,
-           .query = query_parameters<SentStillQuery>,
-           .body = model_bodies(),
-           .body_limit = model_limit,
-           .keeps_body = true}};
+  return {
+      {.method = "GET",
+       .path = "/still",
+       .name = "get_still",
+       .about = "the picture of a kept model: framed, in a studio's light",
+       .pace = Pace::in_turn,
+       .handler = get_still,
+       .answers = {still_answer(), picture_unchanged()},
+       .chooses = true,
+       .query = query_parameters<StillQuery>},
+      {.method = "POST",
+       .path = "/still",
+       .name = "post_still",
+       .about = "the picture of the model that the body is, which is kept as by POST /models",
+       .pace = Pace::in_turn,
+       .handler = post_still,
+       .answers = {still_answer(), submitted_answer("with Prefer: respond-async a job draws it")},
+       .chooses = true,
+       .query = query_parameters<SentStillQuery>,
+       .body = model_bodies(),
+       .body_limit = model_limit,
+       .keeps_body = true}};
 }
 
 }  // namespace tia::server

@@ -108,10 +108,9 @@ struct Metrics::Families {
              "Parts of jobs, by what came of them: done; lost: they are tried again; given_back: "
              "nobody wanted them any more; fault: of what was asked for.",
              registry);
-  Histogram& job_part_seconds =
-      family(prometheus::BuildHistogram(), "tia_job_part_seconds",
-             "How long parts of jobs took that are done.", registry)
-          .Add({}, Histogram::BucketBoundaries{0.01, 0.1, 1, 10, 100});
+  Histogram& job_part_seconds = family(prometheus::BuildHistogram(), "tia_job_part_seconds",
+                                       "How long parts of jobs took that are done.", registry)
+                                    .Add({}, Histogram::BucketBoundaries{0.01, 0.1, 1, 10, 100});
   prometheus::Family<Gauge>& build =
       family(prometheus::BuildGauge(), "tia_build_info", "Always 1; what this build is.", registry);
 

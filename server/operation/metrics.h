@@ -25,7 +25,7 @@ struct Gauges {
   PictureCounts pictures{};     ///< the same
   ModelCounts models{};
   std::vector<std::pair<std::string_view, std::int64_t>> jobs{};  ///< by state
-  const MemoryAccount* memory = nullptr;  ///< the account
+  const MemoryAccount* memory = nullptr;                          ///< the account
 };
 
 /// ModelReading: what became of a model that was read.
