@@ -40,10 +40,13 @@ export async function startBalancer([REPLICA_1, REPLICA_2], variables = {}) {
   const ADMIN_SOCKET = join(folder, 'admin');
   const env = { PATH, LISTEN, ADMIN_SOCKET, REPLICA_1, REPLICA_2, ...variables };
   if (process.getuid() !== 0) env.AS_STARTED = '1';
-  const child = spawn('haproxy', ['-q', '-f', CONFIG], { env, stdio: ['ignore', 'ignore', 'inherit'] });
+  const child = spawn('haproxy', ['-q', '-f', CONFIG], { env, stdio: ['ignore', 'pipe', 'inherit'] });
   const ended = once(child, 'exit');
+  let log = '';
+  child.stdout.setEncoding('utf8').on('data', (lines) => (log += lines));
   const balancer = {
     base: `http://${LISTEN}`,
+    log: () => log,
     replicas: () => replicasOf(ADMIN_SOCKET),
     sees: (count) => eventually(async () => (await balancer.replicas()).filter(isUp).length === count,
       `${count} replicas to be seen`),

@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import http from 'node:http';
 import { test } from 'node:test';
 import { setTimeout } from 'node:timers/promises';
-import { checkConfig, isUp, startBalancer, startReplica } from './balancer.mjs';
+import { checkConfig, eventually, isUp, startBalancer, startReplica } from './balancer.mjs';
 import { HANG_UP, SILENCE, startStandIn } from './stand_in.mjs';
 
 const SCENE = { objects: [{ type: 'sphere', center: [0, 0, -9], radius: 2 }] };
@@ -69,6 +69,22 @@ test('the same request goes to the same replica, and different ones to both', wi
     assert.equal(new Set(seen).size, 2);
   }
 }));
+
+test('a signed URL goes where it goes without its signature, which no log knows', withStandIns(
+  async (balancer, replicas) => {
+    const askedOf = (url) => replicas.findIndex(({ asked }) => asked.some((one) => one.url === url));
+    const seen = new Set();
+    for (let seed = 0; seed < 12; ++seed) {
+      const plain = `/render?seed=${seed}`;
+      const signed = `${plain}&exp=${2_000_000_000 + seed}&kid=k${seed}&sig=Secret-_${seed}`;
+      for (const url of [plain, signed]) assert.equal((await get(balancer, url)).status, 200);
+      assert.equal(askedOf(signed), askedOf(plain));
+      seen.add(askedOf(plain));
+    }
+    assert.deepEqual([...seen].sort(), [0, 1]);
+    await eventually(() => balancer.log().split('GET /render?seed=11 HTTP').length === 3, 'its log');
+    assert.doesNotMatch(balancer.log(), /Secret|sig=|kid=/);
+  }));
 
 test('what names a kept scene or model goes to the replica that keeps it', withReplicas(async (balancer, replicas) => {
   const kept = await (await post(balancer, '/scenes', JSON.stringify(SCENE))).json();
