@@ -1,5 +1,5 @@
-// The command line: subcommands `serve` (default), `render`, `film`, `simulate`, `still`,
-// `model` and `job`. Bad use exits with 2.
+// The command line: subcommands `serve` (default), `render`, `film`, `simulate`, `still`, `model`,
+// `job`, `key` and `sign`. Bad use exits with 2.
 #include <CLI/CLI.hpp>
 #include <csignal>
 #include <iostream>
@@ -8,6 +8,7 @@
 #include "server/contract/text_form.h"
 #include "server/film_command.h"
 #include "server/job_command.h"
+#include "server/key_command.h"
 #include "server/model_command.h"
 #include "server/operation/config.h"
 #include "server/picture_file.h"
@@ -38,6 +39,8 @@ struct Asked {
   JobWishes job = {};
   std::string job_file, join_folder;
   std::optional<int> part = {};
+  std::string key_id = {}, url = {};
+  double sign_for_s = 3600;
 };
 
 // Every row of the options' table as a flag; what is given goes to `settings`.
@@ -190,6 +193,22 @@ CLI::App* add_still(CLI::App& app, Asked& asked) {
   return still;
 }
 
+CLI::App* add_key(CLI::App& app, Asked& asked) {
+  CLI::App* key = app.add_subcommand("key", "make a secret, and its entry for TIA_KEYS_FILE");
+  key->add_option("ID", asked.key_id, "what the key is called")->required()->type_name("");
+  return key;
+}
+
+CLI::App* add_sign(CLI::App& app, Asked& asked) {
+  CLI::App* sign = app.add_subcommand("sign", "sign a URL by the first line of TIA_SIGN_FILE");
+  sign->fallthrough();
+  sign->add_option("URL", asked.url, "a URL, or its path and query")->required()->type_name("");
+  sign->add_option("--for", asked.sign_for_s, "for how many seconds it holds [3600]")
+      ->check(CLI::Range(1.0, 1e9))
+      ->type_name("");
+  return sign;
+}
+
 /// JobCommands: the subcommands of `tia job`.
 struct JobCommands {
   CLI::App *job, *submit, *status, *cancel;
@@ -255,6 +274,8 @@ int run(int argc, char** argv) {
   const CLI::App* still = add_still(app, asked);
   const CLI::App* model = add_model(app, asked);
   const JobCommands jobs = add_job(app, asked);
+  const CLI::App* key = add_key(app, asked);
+  const CLI::App* sign = add_sign(app, asked);
   const CLI::App* reader = add_read_model(app, asked);
   app.require_subcommand(0, 1);
   try {
@@ -272,6 +293,10 @@ int run(int argc, char** argv) {
     describe_model(asked.model_files);
     return 0;
   }
+  if (key->parsed()) {
+    print_new_key(asked.key_id);
+    return 0;
+  }
   const Config config = read_config(asked.settings);
   if (asked.healthcheck) return is_healthy(config) ? 0 : 1;
   for (const std::string& warning : unknown_variables()) std::cerr << "tia: " << warning << '\n';
@@ -282,6 +307,7 @@ int run(int argc, char** argv) {
   else if (simulate->parsed()) simulate_to_file(asked.scene, asked.file, config);
   else if (still->parsed())
     still_to_file(asked.model_files, asked.file, asked.parameters, asked.plain, config);
+  else if (sign->parsed()) print_signed_url(asked.url, asked.sign_for_s, config);
   else serve(config);
   return 0;
 }

@@ -17,6 +17,7 @@
 #endif
 
 #include "core/version.h"
+#include "server/access/sites.h"
 #include "server/handlers/backend.h"
 #include "server/handlers/dispatch.h"
 #include "server/http/http_server.h"
@@ -64,6 +65,26 @@ void give_memory_back() {
 #endif
 }
 
+// What is told of keys at the start.
+void warn_of_keys(const Config& config) {
+  if (config.keys_file.empty() || is_loopback(config.host) || !config.trusted_proxies.empty())
+    return;
+  std::fputs(
+      "tia: keys come from other machines in the clear: put a proxy before the server that speaks "
+      "TLS, and name it in TIA_TRUSTED_PROXIES\n",
+      stderr);
+}
+
+// What goes wrong is told, and changes nothing.
+void reload(Access& access) {
+  try {
+    access.reload();
+    log_event("the keys have been read anew");
+  } catch (const std::exception& error) {
+    log_event(std::string("the keys stay as they were: ") + error.what());
+  }
+}
+
 // RFC 3986, 3.2.2: an IPv6 address stands in brackets.
 std::string in_url(const std::string& host) {
   return host.find(':') == host.npos ? host : '[' + host + ']';
@@ -106,6 +127,7 @@ Application application(Service& service) {
       .answer = [&](const Request& request) { return answer(request, service); },
       .refuse = [&](const std::exception_ptr& failure,
                     const Request& request) { return refusal(failure, request, service); },
+      .identify = [&](Request& request) { service.access.identify(request); },
       .at_once = is_answered_at_once,
       .from_memory = [&](const Request& request) { return answer_from_memory(request, service); },
       .body_limit = [&](const Request& request) { return body_limit(request, service.config); },
@@ -137,8 +159,10 @@ void serve_until_told(const Config& config) {
   sigemptyset(&signals);
   sigaddset(&signals, SIGTERM);
   sigaddset(&signals, SIGINT);
+  if (!config.keys_file.empty()) sigaddset(&signals, SIGHUP);
   pthread_sigmask(SIG_BLOCK, &signals, nullptr);
 
+  warn_of_keys(config);
   const Gallery gallery;
   Backend backend(config, gallery, {scene_file(config), model_folder(config), job_store(config)});
   Service& service = backend.service;
@@ -153,7 +177,8 @@ void serve_until_told(const Config& config) {
   std::printf("Tia %s listening on http://%s:%d\n", version().c_str(), in_url(config.host).c_str(),
               server.port());
   std::fflush(stdout);
-  wait_for(signals);
+  while (wait_for(signals) == SIGHUP) reload(backend.access);
+  std::signal(SIGHUP, config.keys_file.empty() ? SIG_DFL : SIG_IGN);
   for (const int impatience : {SIGTERM, SIGINT})
     std::signal(impatience, [](int number) { std::_Exit(128 + number); });
   pthread_sigmask(SIG_UNBLOCK, &signals, nullptr);

@@ -6,6 +6,7 @@
 #include "core/version.h"
 #include "server/contract/answer_headers.h"
 #include "server/contract/refusals.h"
+#include "server/contract/security.h"
 #include "server/http/headers.h"
 
 namespace tia::server {
@@ -33,21 +34,29 @@ Value header_object(const HeaderRow& row, bool is_always) {
                        {"schema", Value::Object{{"type", "string"}, {"pattern", row.pattern}}}};
 }
 
+const HeaderRow& header_row(std::string_view name) {
+  return *std::ranges::find(header_rows(), name, &HeaderRow::name);
+}
+
 bool is_of_types(std::string_view header, const std::vector<Content>& contents) {
   return std::ranges::any_of(
       contents, [&](const Content& each) { return std::ranges::count(each.headers, header) > 0; });
 }
 
-// Every answer carries the request's ids and, where CORS knows origins, varies with them. Those
-// that not each type of its body has are required by the types (x-required-headers).
+// Every answer carries the request's ids and, where CORS knows origins, varies with them; to a key
+// it says what is left, and who may keep it. Those that not each type of its body has are required
+// by the types (x-required-headers).
 Value headers_object(HeaderNames names, const std::vector<Content>& contents = {}) {
-  for (const char* any : {"Vary", "X-Request-Id", "traceparent"}) names.emplace_back(any);
+  for (const char* any : {"RateLimit", "RateLimit-Policy", "Vary", "X-Request-Id", "traceparent"})
+    names.emplace_back(any);
   Value::Object headers;
+  if (!contents.empty() && std::ranges::find(names, "Cache-Control") == names.end())
+    headers.emplace_back("Cache-Control", header_object(header_row("Cache-Control"), false));
   for (const std::string_view name : names) {
     if (find(headers, name) != nullptr) continue;
-    const auto row = std::ranges::find(header_rows(), name, &HeaderRow::name);
-    headers.emplace_back(name, row->always && is_of_types(name, contents)
-                                   ? header_object(*row, false)
+    const HeaderRow& row = header_row(name);
+    headers.emplace_back(name, row.always && is_of_types(name, contents)
+                                   ? header_object(row, false)
                                    : reference("headers", name));
   }
   return headers;
@@ -151,6 +160,7 @@ Value operation_object(const Route& route, Definitions& named) {
     operation.emplace_back(
         "requestBody",
         Value::Object{{"required", true}, {"content", content_object(route.body, named)}});
+  if (!route.rights.empty()) operation.emplace_back("security", security_array(route));
   operation.emplace_back("responses", responses_object(route, named));
   return operation;
 }
@@ -258,7 +268,8 @@ Value openapi_document(const std::vector<Route>& routes) {
                            {"license", license}};
   Value::Object components{{"schemas", Value::Object(named.begin(), named.end())},
                            {"headers", header_components()},
-                           {"responses", std::move(answers)}};
+                           {"responses", std::move(answers)},
+                           {"securitySchemes", security_schemes()}};
   return rebased(
       Value::Object{{"openapi", "3.1.0"},
                     {"info", info},

@@ -29,8 +29,13 @@ constexpr std::array table{
     ProblemRow{
         "unreadable", 422, "A file cannot be read as what it is", Met::by_input,
         "A model's, which ends too early, or has a word for a number; errors name its line."},
-    ProblemRow{"forbidden", 403, "This is not for who asks", Met::by_write,
-               "A page of another origin that writes, or a wrong Tia-Delete-Key."},
+    ProblemRow{"unauthorized", 401, "A key is needed that holds", Met::by_right,
+               "None came with the request, or one that is unknown, wrong or has ended; or the "
+               "signature of a URL does not fit, or has ended.",
+               "WWW-Authenticate"},
+    ProblemRow{"forbidden", 403, "This is not for who asks", Met::by_right,
+               "A key without the right to it, a page of another origin that writes, or a wrong "
+               "Tia-Delete-Key."},
     ProblemRow{"not-found", 404, "Nothing is here", Met::by_name,
                "No such path, or no such name in it."},
     ProblemRow{"method", 405, "The method is not allowed here", Met::by_method,
@@ -63,6 +68,9 @@ constexpr std::array table{
                "Host is none of TIA_HOSTS."},
     ProblemRow{"busy", 429, "The server has too much to do", Met::by_any,
                "Connections, queue or memory are full. Retry-After says when to ask again.",
+               "Retry-After"},
+    ProblemRow{"quota", 429, "The key has used up what it may", Met::by_right,
+               "Its requests a second, or its rays a day. Retry-After says when there are more.",
                "Retry-After"},
     ProblemRow{"header-too-large", 431, "The request's head is too large", Met::by_any,
                "More than 16 KiB or 100 fields."},

@@ -14,6 +14,7 @@ enum class Met {
   by_any,     ///< before anybody looks at what it asks for, or when all goes wrong
   by_body,    ///< one with a body
   by_write,   ///< one that is no GET
+  by_right,   ///< one that a key needs a right for
   by_input,   ///< one with parameters
   by_name,    ///< one whose path holds a name, or leads nowhere
   by_job,     ///< one for what a job has come to

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "server/contract/contract.h"
+#include "server/contract/rights.h"
 #include "server/http/head.h"
 #include "server/http/message.h"
 
@@ -27,6 +28,7 @@ struct Route {
   std::string_view path;    ///< exact, or with {} in place of one segment
   std::string_view name;    ///< that programs call it by
   std::string_view about;
+  std::vector<Right> rights = {};  ///< that a key needs for it, all of them; none: it needs no key
   Pace pace = Pace::at_once;
   Handler handler = nullptr;
   std::vector<Answer> answers = {};  ///< but for problems

@@ -30,6 +30,7 @@ Backend::Backend(const Config& given, const Gallery& gallery, DataFiles files,
       pictures(config.cache_bytes, &memory),
       models(model_reader(config, reader), {config.max_models_bytes, config.model_limits()},
              {memory, long_work, metrics}, std::move(files.models)),
+      access(config, metrics),
       jobs(files.jobs ? std::move(files.jobs) : job_store_in_memory(config), config,
            {gallery, kept, geometries, pressed, pool, long_work, config.limits(), &models}, costs,
            pictures, metrics, memory),
@@ -38,7 +39,7 @@ Backend::Backend(const Config& given, const Gallery& gallery, DataFiles files,
           memory,   admission,
           costs,    metrics,
           pictures, models,
-          jobs} {
+          access,   jobs} {
   kept.book_with(memory);
   kept.read_as(long_work, config.json_limits().values);
   kept.forget_after(config.scene_keep_s);

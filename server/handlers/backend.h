@@ -33,6 +33,7 @@ class Backend {
   Metrics metrics;
   PictureStore pictures;
   ModelStore models;
+  Access access;
   Jobs jobs;
   Service service;
 };

@@ -5,7 +5,9 @@
 
 namespace tia::server {
 
-Requester requester_of(const Request& request) { return {share_of(request.peer), request.stop}; }
+Requester requester_of(const Request& request) {
+  return {share_of(request.peer), request.stop, request.key};
+}
 
 // What calls itself a picture may be longer than a text, and be none.
 LongWork::Need body_need(const Request& request, const Service& service) {

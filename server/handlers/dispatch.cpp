@@ -3,11 +3,11 @@
 #include <new>
 
 #include "core/models/multipart.h"
+#include "server/access/sites.h"
 #include "server/contract/problem.h"
 #include "server/handlers/handlers.h"
 #include "server/handlers/route_table.h"
 #include "server/http/headers.h"
-#include "server/operation/access.h"
 #include "server/operation/log.h"
 #include "server/requests/accept.h"
 
@@ -49,13 +49,14 @@ Response dispatch(const Request& request, Service& service) {
   if (request.method == "OPTIONS" && request.target == "*")
     return options("GET, HEAD, POST, DELETE, OPTIONS");
   if (request.target.size() > longest_target) throw uri_too_long();
-  check_access(request, service.config);
+  check_sites(request, service.config);
   const std::string_view method = request.is_head() ? "GET" : std::string_view(request.method);
   std::string allow;
   for (const Route& route : routes()) {
     std::string_view name;
     if (!matches(route, request.path(), name)) continue;
     if (route.method == method) {
+      service.access.admit(request, route.rights);
       if (!route.gives.empty()) static_cast<void>(preferred_type(request, route.gives));
       return route.handler(request, percent_decode(name), service);
     }
@@ -75,6 +76,7 @@ Response dressed(Response response, const Request& request, const Service& servi
   guard(response);
   if (request.trace) response.headers.emplace_back("traceparent", request.trace->traceparent());
   share(response, request, service.config.cors_origins);
+  service.access.tell(response, request);
   return response;
 }
 
@@ -125,12 +127,12 @@ Response answer(const Request& request, Service& service) {
 
 std::optional<Response> answer_from_memory(const Request& request, Service& service) {
   try {
-    check_access(request, service.config);
+    check_sites(request, service.config);
   } catch (const HttpError&) {
     return std::nullopt;  // it is refused where all are
   }
   auto response = known_picture(request, service);
-  if (!response) return std::nullopt;
+  if (!response || !service.access.takes(request, route_of(request)->rights)) return std::nullopt;
   return finished(std::move(*response), request, service);
 }
 

@@ -57,6 +57,7 @@ SharedPicture Filming::drawn(Plan& plan, const Shot& shot, Flow& flow) {
     Picture picture = draw(plan, service.rendering, requester.stop);
     service.costs.learn(plan.cost_key, plan.rays(), picture.trace_seconds, true);
     service.metrics.count(picture.rays, picture.timing);
+    service.access.charge(requester.key, picture.rays.all());
     return picture;
   };
   const auto picture = std::make_shared<const Picture>(with_memory_for(attempt, requester.stop));
@@ -105,6 +106,7 @@ Response filmed(AskedFilm asked, const Request& request, Service& service) {
   response.headers.emplace_back("X-Accel-Buffering", "no");
   response.unsized = request.is_head();
   if (request.is_head()) return response;
+  service.access.check_rays(filming->requester.key, film.rays);
   response.parts_deadline = std::chrono::milliseconds(service.config.film_deadline_ms);
   response.parts = [filming](const SendPart& send) { (*filming)(send); };
   return response;
@@ -143,6 +145,7 @@ std::vector<Route> film_routes() {
            .name = "get_film",
            .about = "an animated scene as a film, sent while it is drawn; a scene that does not "
                     "move is one frame",
+           .rights = {Right::render},
            .pace = Pace::in_turn,
            .handler = get_film,
            .answers = {film_answer(),
@@ -157,6 +160,7 @@ std::vector<Route> film_routes() {
            .path = "/film",
            .name = "post_film",
            .about = "the same, parameters as a JSON object",
+           .rights = {Right::render},
            .pace = Pace::in_turn,
            .handler = post_film,
            .answers = {film_answer()},

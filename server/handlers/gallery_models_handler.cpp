@@ -40,6 +40,7 @@ std::vector<Route> gallery_model_routes() {
                     "own fields place and pose it, with the file's first camera and its lights, "
                     "candela and lux as W/sr and W/m^2; else a camera that frames it, and light "
                     "from all around",
+           .rights = {Right::models},
            .pace = Pace::in_turn,
            .handler = get_model_scene,
            .answers = tagged("the scene, fields at their defaults left out (RFC 8785)",
@@ -51,6 +52,7 @@ std::vector<Route> gallery_model_routes() {
            .path = "/models",
            .name = "get_models",
            .about = "the gallery's models: names, ids and formats",
+           .rights = {Right::models},
            .handler = get_models,
            .answers = tagged("the models that come with the server",
                              {{media::json, gallery_models_schema}}),

@@ -87,6 +87,7 @@ std::vector<Route> model_routes() {
        .name = "post_model",
        .about = "keeps a model: GLB, glTF, OBJ, PLY or STL, or a ZIP archive or form of one and "
                 "the files that it names",
+       .rights = {Right::models},
        .pace = Pace::in_turn,
        .handler = post_model,
        .answers = {told(200, "it was kept already"), told(201, "it is kept")},
@@ -99,6 +100,7 @@ std::vector<Route> model_routes() {
        .path = "/models/{}",
        .name = "get_model",
        .about = "what is in a model; HEAD says whether it is there",
+       .rights = {Right::models},
        .pace = Pace::in_turn,
        .handler = get_model,
        .answers = tagged("the model in words and numbers", {{media::json, model_schema}}),

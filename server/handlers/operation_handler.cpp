@@ -118,6 +118,7 @@ std::vector<Route> operation_routes() {
            .path = "/metrics",
            .name = "get_metrics",
            .about = "counters and gauges, in Prometheus' text format",
+           .rights = {Right::metrics},
            .handler = get_metrics,
            .answers = {ok("the metrics", Metrics::media_type, nullptr, {"Cache-Control"})}}};
 }

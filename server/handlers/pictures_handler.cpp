@@ -60,6 +60,7 @@ std::vector<Route> picture_routes() {
            .path = "/pictures/{}",
            .name = "get_picture",
            .about = "a picture that is kept, by its tag: also one on the way to another",
+           .rights = {Right::render},
            .pace = Pace::in_turn,
            .handler = get_picture,
            .answers = {answer, picture_unchanged()},

@@ -91,6 +91,7 @@ std::vector<Route> render_routes() {
        .path = "/render",
        .name = "get_render",
        .about = "a picture; no parameter is required",
+       .rights = {Right::render},
        .pace = Pace::in_turn,
        .handler = get_render,
        .answers = {shown_answer(picture_answer()), picture_unchanged()},
@@ -105,6 +106,7 @@ std::vector<Route> render_routes() {
        .about = "the same, parameters as a JSON object; or again, from a PNG that was sent; or, "
                 "of a form with a glTF file, as Drake's RenderEngineGltfClient sees it, with "
                 "which alone parameters may stand in the query",
+       .rights = {Right::render},
        .pace = Pace::in_turn,
        .handler = post_render,
        .answers = {shown_answer(picture_answer()),

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <functional>
 
+#include "server/access/access.h"
 #include "server/operation/admission.h"
 #include "server/operation/config.h"
 #include "server/operation/cost_memory.h"
@@ -28,6 +29,7 @@ struct Service {
   Metrics& metrics;
   PictureStore& pictures;
   ModelStore& models;
+  Access& access;
   Jobs& jobs;
   KnownTargets targets{};
   std::function<int()> connections = [] { return 0; };  ///< that are open

@@ -1,8 +1,10 @@
 // Pictures drawn once for all who ask for them: by turns, within what memory allows.
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <memory>
 
+#include "core/render/kept_rounds.h"
 #include "server/handlers/handlers.h"
 #include "server/operation/shared_flow.h"
 #include "server/operation/timing.h"
@@ -70,6 +72,7 @@ Picture drawn(Plan& plan, const Requester& requester, SharedFlow& shared, Showin
               const std::stop_token& stop, Service& service) {
   const bool is_watched = showing.is_watched();
   const double rays = plan.rays();
+  service.access.check_rays(requester.key, rays);
   Stopwatch watch;
   // It begins once admission has given a ticket, and gives it back at its end.
   auto ticket = service.admission.enter(cost_of(plan, is_watched, service), requester.client, stop,
@@ -77,7 +80,9 @@ Picture drawn(Plan& plan, const Requester& requester, SharedFlow& shared, Showin
   Flow flow{Requester{ticket.client(), stop}.number()};
   const double queue_ms = watch.lap_ms();
   plan.options.flow = &flow;
+  std::atomic<std::int64_t> traced = 0;  // with what it goes on from
   plan.options.spent = [&](std::int64_t rays_done, std::int64_t tests) {
+    traced = rays_done;
     ticket.has_done(rays_done, tests);
   };
   use_rounds(plan, service);
@@ -95,12 +100,21 @@ Picture drawn(Plan& plan, const Requester& requester, SharedFlow& shared, Showin
     picture.timing.queue = queue_ms;
     picture.timing.wait = claim != nullptr ? claim->waited_ms() : 0;
     service.metrics.count(picture.rays, picture.timing);
+    service.access.charge(requester.key, picture.rays.all() - picture.rays_before);
     return picture;
+  };
+  const auto charge_for_what_is_left = [&] {
+    const std::int64_t before = plan.options.from ? plan.options.from->rays().all() : 0;
+    service.access.charge(requester.key, traced - before);
   };
   try {
     return with_memory_for(attempt, stop);
   } catch (const Stopped&) {
     service.costs.learn(plan.cost_key, rays, static_cast<double>(flow.attained) * 1e-9, false);
+    charge_for_what_is_left();
+    throw;
+  } catch (const InputError&) {  // it has passed a limit
+    charge_for_what_is_left();
     throw;
   }
 }

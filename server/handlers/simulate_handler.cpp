@@ -60,6 +60,7 @@ std::vector<Route> simulate_routes() {
            .name = "post_simulate",
            .about = "how a scene's bodies move: the scene with tracks in the place of its physics, "
                     "who met whom, and the energy",
+           .rights = {Right::render},
            .pace = Pace::in_turn,
            .handler = post_simulate,
            .answers = {ok("the motion, which needs no solver any more", media::json, answer_schema,

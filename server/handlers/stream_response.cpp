@@ -5,7 +5,7 @@
 #include "core/input/json.h"
 #include "core/parallel/stopped.h"
 #include "server/handlers/picture_response.h"
-#include "server/operation/access.h"
+#include "server/http/peers.h"
 
 namespace tia::server {
 namespace {

@@ -110,6 +110,7 @@ std::vector<Route> verify_routes() {
            .path = "/verify",
            .name = "post_verify",
            .about = "whether a PNG is, byte by byte, what this version draws",
+           .rights = {Right::render},
            .pace = Pace::in_turn,
            .handler = post_verify,
            .answers = {verdict()},

@@ -27,6 +27,8 @@ Request without_body(const Request& from) {
   Request to{from.method, from.target, from.headers, "", from.id, from.peer};
   to.trace = from.trace;
   to.arrived = from.arrived;
+  to.key = from.key;
+  to.caller = from.caller;
   return to;
 }
 
@@ -34,6 +36,7 @@ Request without_body(const Request& from) {
 
 void Connection::begin(Request request) {
   request.peer = client_address(peer_, request.headers, context_.options.trusts_proxy);
+  context_.application.identify(request);
   task_ = std::make_shared<RequestTask>(std::move(request));
   parts_due_ = {};
   task_->client = context_.options.share_of(task_->request.peer);
@@ -160,6 +163,7 @@ void Connection::refuse(const std::exception_ptr& failure) {
   if (task_->request.id.empty()) task_->request.id = request_id("");
   task_->request.peer =
       client_address(peer_, task_->request.headers, context_.options.trusts_proxy);
+  context_.application.identify(task_->request);
   keep_alive_ = false;
   fail_turn(failure);
 }

@@ -50,6 +50,9 @@ struct Application {
   std::function<Response(const Request&)> answer;
   /// The answer to what is no request, failed, or has no time or place here. Any thread may call.
   std::function<Response(const std::exception_ptr&, const Request&)> refuse;
+  /// Called with each request before all others: notes who asks, and takes out what no log may
+  /// know.
+  std::function<void(Request&)> identify = [](Request&) {};
   /// Whether the answer costs so little that it need not wait for a worker.
   std::function<bool(const Request&)> at_once = [](const Request&) { return false; };
   /// The answer that is there already and costs next to nothing to send, or none. Called before

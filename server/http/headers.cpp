@@ -13,7 +13,8 @@ constexpr const char* page_policy =
 // What the page of another origin may know of an answer besides its body.
 constexpr const char* exposed =
     "ETag, Server-Timing, Tia-Rays, Tia-Delete-Key, X-Request-Id, traceparent, Retry-After, "
-    "Cache-Status, Content-Location, Tia-Samples, Tia-Noise, Tia-Biased, Tia-Ignored";
+    "Cache-Status, Content-Location, Tia-Samples, Tia-Noise, Tia-Biased, Tia-Ignored, "
+    "WWW-Authenticate, RateLimit-Policy, RateLimit";
 constexpr const char* preflight_seconds = "7200";  // the longest that Chromium remembers
 
 bool is_document(std::string_view type) {
@@ -66,7 +67,8 @@ void share(Response& response, const Request& request, const std::vector<Origin>
   const std::string methods = *allow;
   headers.emplace_back("Access-Control-Allow-Methods", methods);
   headers.emplace_back("Access-Control-Allow-Headers",
-                       "Content-Type, If-None-Match, X-Request-Id, Tia-Delete-Key, traceparent");
+                       "Content-Type, If-None-Match, X-Request-Id, Tia-Delete-Key, traceparent, "
+                       "Authorization");
   headers.emplace_back("Access-Control-Max-Age", preflight_seconds);
 }
 

@@ -16,6 +16,8 @@
 
 namespace tia::server {
 
+struct Caller;  // whom a request is from (access/caller.h)
+
 /// Header fields in order. Names compare without case.
 using Headers = std::vector<std::pair<std::string, std::string>>;
 
@@ -53,6 +55,8 @@ struct Request {
   std::stop_token stop = {};               ///< requested once nobody waits for the answer any more
   Clock::time_point arrived = Clock::now();  ///< when its last byte had come
   std::shared_ptr<LongBody> long_body = {};  ///< has the body in the place of `body`; or null
+  std::string key = {};  ///< the id of the key that it came with, which holds; "" = none
+  std::shared_ptr<const Caller> caller = {};  ///< null where it does not say whom it is from
 
   std::string_view path() const { return std::string_view(target).substr(0, target.find('?')); }
   std::string_view query() const {

@@ -56,6 +56,7 @@ struct Config {
   std::vector<Origin> cors_origins;
   std::vector<Network> trusted_proxies;
   std::vector<HostName> hosts;
+  std::string keys_file, sign_file;
 
   template <class Visitor>
   static void fields(Visitor&& visit) {
@@ -219,6 +220,12 @@ struct Config {
     visit("hosts", &Config::hosts,
           Spec{.about = "names that requests may call the server by (Host), against DNS rebinding; "
                         "none: the loopback's where it listens there, else any"});
+    visit("keys_file", &Config::keys_file,
+          Spec{.about = "JSON file of keys, of what each may do and how much; none: anybody may do "
+                        "anything but what is for admin"});
+    visit("sign_file", &Config::sign_file,
+          Spec{.about = "file of lines K HEX KEYID: by what URLs are signed, and whose rights "
+                        "they then have; none: no URL is"});
   }
 
   /// An empty host.

@@ -155,11 +155,14 @@ void log_exchange(const Exchange& exchange) {
     line.add("trace_id", Value(request.trace->trace_id))
         .add("parent_id", Value(request.trace->parent_id))
         .add("span_id", Value(request.trace->span_id));
+  if (!request.key.empty()) line.add("key", Value(request.key));
   const std::string_view problem = exchange.response.problem;
   if (!problem.empty()) line.add("problem", Value(problem));
   for (const auto& [name, value] : exchange.response.log) line.add(name.c_str(), value);
   write(line.finish());
 }
+
+void log_event(std::string_view what) { write(Line().add("event", Value(what)).finish()); }
 
 void log_failure(const std::string& id, std::string_view what) {
   write(Line().add("id", id).add("failure", Value(what)).finish());

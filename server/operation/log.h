@@ -39,6 +39,9 @@ class Log {
 /// A line for a request: who asked for what, what came of it, how long it took.
 void log_exchange(const Exchange& exchange);
 
+/// A line for what no request has caused.
+void log_event(std::string_view what);
+
 /// A line for what went wrong while a request was answered, and is not for the client's eyes.
 void log_failure(const std::string& id, std::string_view what);
 

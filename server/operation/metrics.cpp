@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <mutex>
+#include <set>
 
 #include "core/version.h"
 #include "server/http/application.h"
@@ -111,6 +112,33 @@ struct Metrics::Families {
   Histogram& job_part_seconds = family(prometheus::BuildHistogram(), "tia_job_part_seconds",
                                        "How long parts of jobs took that are done.", registry)
                                     .Add({}, Histogram::BucketBoundaries{0.01, 0.1, 1, 10, 100});
+  static constexpr std::size_t most_keys = 100;  // that have a label of their own
+  prometheus::Family<Counter>& key_requests =
+      family(prometheus::BuildCounter(), "tia_key_requests_total",
+             "Requests by the id of their key; anonymous: without one; other: of the keys beyond "
+             "the first hundred.",
+             registry);
+  prometheus::Family<Counter>& key_rays =
+      family(prometheus::BuildCounter(), "tia_key_rays_total", "Rays traced, by key.", registry);
+  prometheus::Family<Counter>& key_refusals =
+      family(prometheus::BuildCounter(), "tia_key_refusals_total",
+             "Requests that a key's rights or quotas did not allow, by key.", registry);
+  prometheus::Family<Counter>& refused =
+      family(prometheus::BuildCounter(), "tia_keys_refused_total",
+             "The same and requests whose key or signature does not hold, by reason.", registry);
+  std::mutex naming;
+  std::set<std::string, std::less<>> keys;  // that have a label
+
+  std::string label_of(std::string_view key) {
+    if (key.empty()) return "anonymous";
+    const std::lock_guard lock(naming);
+    if (keys.find(key) == keys.end() && keys.size() < most_keys) keys.emplace(key);
+    return keys.find(key) != keys.end() ? std::string(key) : "other";
+  }
+  Counter& of_key(prometheus::Family<Counter>& counters, std::string_view key) {
+    return counters.Add({{"key", label_of(key)}});
+  }
+
   prometheus::Family<Gauge>& build =
       family(prometheus::BuildGauge(), "tia_build_info", "Always 1; what this build is.", registry);
 
@@ -169,6 +197,9 @@ Metrics::Metrics() : families_(std::make_unique<Families>()) {
     families_->reads_of(format, ModelReading::read);
   families_->model_read();
   families_->reader_deaths.Add({});
+  for (auto* each : {&families_->key_requests, &families_->key_rays, &families_->key_refusals})
+    families_->of_key(*each, "");
+  families_->refused.Add({{"why", "none"}});
 }
 Metrics::~Metrics() = default;
 
@@ -178,6 +209,7 @@ void Metrics::count(const Exchange& exchange, std::string_view route) {
       .Increment();
   families_->received.Increment(static_cast<double>(exchange.request.body_bytes()));
   families_->sent.Increment(static_cast<double>(exchange.body_bytes));
+  families_->of_key(families_->key_requests, exchange.request.key).Increment();
 }
 
 void Metrics::count(const RayCounts& rays, const Timing& ms) {
@@ -208,6 +240,15 @@ void Metrics::count(std::string_view format, ModelReading result, double seconds
   families_->reads_of(format, result).Increment();
   families_->model_read().Observe(seconds);
   if (result == ModelReading::died) families_->reader_deaths.Add({}).Increment();
+}
+
+void Metrics::count_refusal(std::string_view key, std::string_view why) {
+  families_->of_key(families_->key_refusals, key).Increment();
+  families_->refused.Add({{"why", std::string(why)}}).Increment();
+}
+
+void Metrics::count_rays_of(std::string_view key, std::int64_t rays) {
+  families_->of_key(families_->key_rays, key).Increment(static_cast<double>(rays));
 }
 
 std::string Metrics::text(const Gauges& gauges) {

@@ -49,6 +49,10 @@ class Metrics {
   void count(std::string_view format, ModelReading result, double seconds);
   /// Counts a part of a job, by what came of it, and the seconds of one that is done.
   void count_part(std::string_view result, double seconds);
+  /// Counts a request that was refused to a key, "" = none, for that reason.
+  void count_refusal(std::string_view key, std::string_view why);
+  /// Counts rays that were traced for a key.
+  void count_rays_of(std::string_view key, std::int64_t rays);
   /// Prometheus' text format 0.0.4.
   std::string text(const Gauges& gauges);
   static constexpr std::string_view media_type = "text/plain; version=0.0.4; charset=utf-8";

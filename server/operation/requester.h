@@ -11,6 +11,7 @@ namespace tia::server {
 struct Requester {
   std::string client;  ///< by which clients are told apart
   std::stop_token stop;
+  std::string key = {};  ///< who pays for its rays; "" = whoever has no key
 
   std::uint64_t number() const { return std::hash<std::string>{}(client); }
 };

@@ -140,7 +140,6 @@ FilmPlan film_plan_of(FilmRequest& asked, const RenderContext& context,
     check_still(asked);
     film.fps = asked.fps.value_or(film.fps);
   }
-  double rays = 0;
   for (int frame = 0; frame < film.frames; ++frame) {
     end_if_asked(requester.stop);
     const Plan plan = frame_plan_of(asked, film, frame, context, requester);
@@ -149,7 +148,7 @@ FilmPlan film_plan_of(FilmRequest& asked, const RenderContext& context,
     std::string etag = etag_of(plan.recipe);
     if (film.shots.empty() || film.shots.back().etag != etag) {
       film.shots.push_back({frame, 0, std::move(etag)});
-      check_film_rays(rays += plan.sure_rays(), film, context.limits);
+      check_film_rays(film.rays += plan.sure_rays(), film, context.limits);
     }
     ++film.shots.back().frames;
   }

@@ -25,6 +25,7 @@ struct FilmPlan {
   bool is_transparent = false;
   std::vector<Shot> shots;
   std::string etag;  ///< of the film
+  double rays = 0;   ///< that its pictures are sure to take together
 
   double seconds_of(int frame) const { return (first + frame) / fps; }
   /// From the film's beginning to that frame, to the nearest thousandth: the last one's end is the

@@ -11,12 +11,13 @@ namespace {
 
 constexpr std::size_t picture_entry_bytes = 512;  // an entry's own, with its places in the tables
 
+// Of the client alone who asked, so that who waited for it may draw it.
 bool is_busy(const std::exception_ptr& failure) {
   if (!failure) return false;
   try {
     std::rethrow_exception(failure);
   } catch (const HttpError& error) {
-    return error.type() == "busy";
+    return error.type() == "busy" || error.type() == "quota";
   } catch (...) {
     return false;
   }

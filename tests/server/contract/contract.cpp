@@ -134,6 +134,10 @@ struct Judge {
       for (const Value& each : as_array(*parameters))
         if (as_text(*member(each, "in")) == "query") known.insert(as_text(*member(each, "name")));
     if (known.empty()) return;  // who takes no query does not look at it
+    if (const Value* ways = member(*member(document.document(), "components"), "securitySchemes"))
+      for (const auto& [name, way] : as_object(*ways))
+        if (const Value* place = member(way, "in"); place != nullptr && *place == Value("query"))
+          known.insert(name);
     std::string_view left = request.query();
     while (!left.empty()) {
       const std::string_view pair = left.substr(0, left.find('&'));

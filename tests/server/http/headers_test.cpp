@@ -97,7 +97,7 @@ TEST(Cors, AnOriginOfTheListMayReadEveryAnswerProblemsToo) {
       EXPECT_EQ(header(response, "Access-Control-Expose-Headers"),
                 "ETag, Server-Timing, Tia-Rays, Tia-Delete-Key, X-Request-Id, traceparent, "
                 "Retry-After, Cache-Status, Content-Location, Tia-Samples, Tia-Noise, Tia-Biased, "
-                "Tia-Ignored");
+                "Tia-Ignored, WWW-Authenticate, RateLimit-Policy, RateLimit");
       EXPECT_THAT(header(response, "Vary").value_or(""), HasSubstr("Origin")) << target;
     }
 }
@@ -129,7 +129,8 @@ TEST(Cors, APreflightNamesWhatThePathTakes) {
   EXPECT_EQ(header(response, allow_origin), "https://a.example");
   EXPECT_EQ(header(response, "Access-Control-Allow-Methods"), "GET, HEAD, POST, OPTIONS");
   EXPECT_EQ(header(response, "Access-Control-Allow-Headers"),
-            "Content-Type, If-None-Match, X-Request-Id, Tia-Delete-Key, traceparent");
+            "Content-Type, If-None-Match, X-Request-Id, Tia-Delete-Key, traceparent, "
+            "Authorization");
   EXPECT_EQ(header(response, "Access-Control-Max-Age"), "7200");
   EXPECT_EQ(
       header(preflight(sharing(), "https://a.example", "/healthz"), "Access-Control-Allow-Methods"),

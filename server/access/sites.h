@@ -1,5 +1,5 @@
-// Who may ask at all: requests under a name that is not this server's, and writes that a page of
-// another site has a browser send.
+// From where one may ask at all: not under a name that is not this server's, nor with a write that
+// a page of another site has a browser send.
 #pragma once
 
 #include <optional>
@@ -18,6 +18,9 @@ struct Config;
 /// HEAD or OPTIONS and comes from another origin that CORS does not name. /healthz and /readyz are
 /// open: they tell nothing, and balancers ask them by whatever name. Source: W3C Fetch Metadata
 /// (Sec-Fetch-Site); RFC 6454, 7 (Origin); RFC 9110, 15.5.20 (421).
-void check_access(const Request& request, const Config& config);
+void check_sites(const Request& request, const Config& config);
+
+/// Whether only this machine can ask a server of that name or address.
+bool is_loopback(const std::string& host);
 
 }  // namespace tia::server

@@ -1,4 +1,4 @@
-#include "server/operation/access.h"
+#include "server/access/sites.h"
 
 #include <algorithm>
 #include <string_view>
@@ -8,6 +8,14 @@
 #include "server/operation/config.h"
 
 namespace tia::server {
+
+// Not every name that begins with 127. is an address, nor is one with a zone behind it.
+bool is_loopback(const std::string& host) {
+  static const auto addresses = Network::parse("127.0.0.0/8");
+  return host == "localhost" || host == "::1" || host == "[::1]" ||
+         (host.find('%') == host.npos && addresses->contains(host));
+}
+
 namespace {
 
 // A Host field without its port, in lower case.
@@ -15,13 +23,6 @@ std::string name_in(std::string_view host) {
   const auto bracket = host.find(']');
   const auto colon = host.find(':', bracket == host.npos ? 0 : bracket);
   return lower(host.substr(0, colon));
-}
-
-// Not every name that begins with 127. is an address, nor is one with a zone behind it.
-bool is_loopback(const std::string& host) {
-  static const auto addresses = Network::parse("127.0.0.0/8");
-  return host == "localhost" || host == "::1" || host == "[::1]" ||
-         (host.find('%') == host.npos && addresses->contains(host));
 }
 
 bool is_ours(const std::string& name, const Config& config) {
@@ -59,7 +60,7 @@ bool is_foreign_write(const Request& request, const Config& config) {
 
 }  // namespace
 
-void check_access(const Request& request, const Config& config) {
+void check_sites(const Request& request, const Config& config) {
   const std::string_view host = request.header("Host");
   const bool is_probe = request.path() == "/healthz" || request.path() == "/readyz";
   if (!host.empty() && !is_probe && !is_ours(name_in(host), config))
