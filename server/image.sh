@@ -30,6 +30,7 @@ licence() {
   case $1 in
     libc6) echo LGPL-2.1-or-later ;;
     libseccomp2) echo LGPL-2.1-only ;;
+    libjpeg62-turbo) echo IJG AND BSD-3-Clause AND Zlib ;;
     libvpx7 | libwebp7 | libwebpmux3) echo BSD-3-Clause ;;
     libdraco-dev) echo Apache-2.0 ;;
     libgcc-s1 | libstdc++6) echo GPL-3.0-or-later WITH GCC-exception-3.1 ;;

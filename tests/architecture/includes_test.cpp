@@ -42,6 +42,7 @@ const std::vector<Wrapped> libraries = {
      {"core/film/", "core/input/packed_text.cpp", "core/models/zip", "core/video/stored_zip.cpp"}},
     {"webp/", {"core/models/webp.cpp", "core/video/webp_animation.cpp"}},
     {"vpx/", {"core/video/vp9.cpp"}},
+    {"jpeglib", {"core/film/jpeg.cpp"}},
     {"draco/", {"core/models/draco.cpp"}},
     {"meshoptimizer", {"core/models/meshopt.cpp"}},
     {"btBullet", {"core/motion/rigid.cpp"}},
