@@ -106,9 +106,9 @@ HttpOptions http_options(const Config& config) {
   options.max_body_bytes = config.max_body_bytes;
   options.max_png_bytes = config.max_png_bytes;
   options.connections = config.connections;
-  // One for each request that may be worked at or wait, which tickets bound, and some for requests
-  // that need no ticket.
-  options.workers = config.queue + 2 * config.renders + without_ticket;
+  // One for each request that may be worked at or wait, which tickets bound, some for requests
+  // that need no ticket, and one for each live stream.
+  options.workers = config.queue + 2 * config.renders + without_ticket + config.streams;
   options.spare_workers = without_ticket;
   options.share_of = share_of;
   options.deadline = milliseconds(config.deadline_ms);

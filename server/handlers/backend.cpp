@@ -34,12 +34,14 @@ Backend::Backend(const Config& given, const Gallery& gallery, DataFiles files,
       jobs(files.jobs ? std::move(files.jobs) : job_store_in_memory(config), config,
            {gallery, kept, geometries, pressed, pool, long_work, config.limits(), &models}, costs,
            pictures, metrics, memory),
+      live(config.streams),
       service{
           config,   {gallery, kept, geometries, pressed, pool, long_work, config.limits(), &models},
           memory,   admission,
           costs,    metrics,
           pictures, models,
-          access,   jobs} {
+          access,   jobs,
+          live} {
   kept.book_with(memory);
   kept.read_as(long_work, config.json_limits().values);
   kept.forget_after(config.scene_keep_s);

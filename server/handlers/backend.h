@@ -35,6 +35,7 @@ class Backend {
   ModelStore models;
   Access access;
   Jobs jobs;
+  LiveStreams live;
   Service service;
 };
 

@@ -5,6 +5,8 @@
 #include "server/contract/query_parameters.h"
 #include "server/handlers/bodies.h"
 #include "server/handlers/handlers.h"
+#include "server/handlers/live_film.h"
+#include "server/handlers/mixed_parts.h"
 #include "server/http/headers.h"
 #include "server/requests/accept.h"
 #include "server/requests/etag.h"
@@ -89,9 +91,25 @@ std::string frames_told(const FilmPlan& film) {
          (film.moves ? "" : ", still");
 }
 
+// Of what is live there is no tag: it is another one each time.
+Response played(const std::shared_ptr<Filming>& filming, bool accepted, const Request& request,
+                Service& service) {
+  const auto show = [filming](LivePictures& pictures) {
+    play(filming->asked, filming->film, filming->service.rendering, filming->requester, pictures);
+  };
+  Response response = live_response(show, request, service);
+  if (accepted) add_vary(response.headers, "Accept");
+  response.headers.emplace_back("Tia-Frames", frames_told(filming->film));
+  response.unsized = request.is_head();
+  if (request.is_head()) response.parts = nullptr;
+  return response;
+}
+
 Response filmed(AskedFilm asked, const Request& request, Service& service) {
   const auto filming = std::make_shared<Filming>(std::move(asked.film), request, service);
   const FilmPlan& film = filming->film;
+  if (row_of(filming->asked.film_format).is_live)
+    return played(filming, asked.accepted, request, service);
   Response response{.content_type = "", .body = ""};
   response.headers = {
       {"ETag", film.etag},
@@ -132,7 +150,10 @@ Response post_film(const Request& request, const std::string&, Service& service)
 
 Answer film_answer() {
   Answer answer{.about = "the film; one that is not whole ends without the last chunk"};
-  for (const FilmFormatRow& row : film_formats) answer.contents.push_back({row.media_type});
+  for (const FilmFormatRow& row : film_formats) {
+    answer.contents.push_back({row.is_live ? mixed_parts::media_type : row.media_type});
+    if (!row.is_live) answer.contents.back().headers = {"ETag"};
+  }
   answer.headers = {"ETag", "Cache-Control", "Tia-Frames", "X-Accel-Buffering"};
   return answer;
 }

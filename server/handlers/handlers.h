@@ -17,6 +17,7 @@ namespace tia::server {
 // The routes that each group answers, in the file of its name.
 std::vector<Route> render_routes();
 std::vector<Route> film_routes();
+std::vector<Route> live_routes();
 std::vector<Route> picture_routes();
 std::vector<Route> verify_routes();
 std::vector<Route> explain_routes();

@@ -24,7 +24,7 @@ bool is_tag(std::string_view text) {
 // Waits for one that is being drawn.
 Response shown_so_far(Stream stream, const std::string& etag, const Request& request,
                       Service& service) {
-  check_stream(stream, request);
+  check_stream(name_of(stream), request);
   const auto drawing = [etag, requester = requester_of(request), &service](const auto& see) {
     const auto found = service.pictures.find_or_join(etag, waiting_wish(requester, see, service));
     if (!found) throw not_kept();

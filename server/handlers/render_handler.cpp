@@ -35,7 +35,13 @@ Response answered(AskedRender asked, const Stopwatch& watch, const Request& requ
                   Service& service) {
   if (!asked.picture.stream && prefers_job(request, asked.picture))
     if (auto job = submitted_picture(asked.picture, request, service)) return std::move(*job);
-  if (asked.picture.stream) return shown_while_drawn(std::move(asked.picture), request, service);
+  if (asked.picture.stream == RenderStream::mjpeg)
+    return shown_live(std::move(asked.picture), request, service);
+  if (asked.picture.stream) {
+    const bool is_told = asked.picture.stream == RenderStream::events;
+    return shown_while_drawn(std::move(asked.picture), is_told ? Stream::events : Stream::multipart,
+                             request, service);
+  }
   return rendered({std::move(asked.picture), asked.accepted}, watch, request, service);
 }
 

@@ -118,12 +118,12 @@ std::optional<Response> known_picture(const Request& request, Service& service) 
   return with(with(picture_response(*found, 0, 0), known->validators), known->beside);
 }
 
-Response shown_while_drawn(RenderRequest asked, const Request& request, Service& service) {
-  const Stream stream = *asked.stream;
-  check_stream(stream, request, asked.format);
+Response shown_while_drawn(PictureRequest asked, Stream stream, const Request& request,
+                           Service& service) {
+  check_stream(name_of(stream), request, asked.format);
   /// Kept: what the drawing needs of its request, which has been read.
   struct Kept {
-    RenderRequest asked;
+    PictureRequest asked;
     Plan plan;
   };
   const Requester requester = requester_of(request);

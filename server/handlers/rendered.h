@@ -22,7 +22,10 @@ Response rendered(const AskedPicture& asked, Stopwatch watch, const Request& req
                   Service& service);
 
 /// The picture while it is drawn. Errors: as plan_of; check_stream.
-Response shown_while_drawn(RenderRequest asked, const Request& request, Service& service);
+Response shown_while_drawn(PictureRequest asked, Stream stream, const Request& request,
+                           Service& service);
+/// The scene as it is changed, in JPEGs. Errors: as plan_of, check_stream, LiveStreams::take.
+Response shown_live(RenderRequest asked, const Request& request, Service& service);
 
 /// What such an answer is, as the documents have it; and that the client has it already.
 Answer picture_answer();

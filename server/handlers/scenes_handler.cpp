@@ -1,8 +1,4 @@
 // /scenes: the gallery and the scenes that are kept. /schema/scene.json: what a scene may be.
-#include <sys/random.h>
-
-#include <array>
-
 #include "core/input/object_schema.h"
 #include "core/motion/simulate.h"
 #include "core/scene/at_time.h"
@@ -16,25 +12,13 @@
 #include "server/handlers/handlers.h"
 #include "server/operation/memory_costs.h"
 #include "server/stores/digest.h"
+#include "server/stores/random_key.h"
 #include "server/stores/scene_bytes.h"
 
 namespace tia::server {
 namespace {
 
 constexpr const char* delete_key = "Tia-Delete-Key";
-
-// 128 bits of the system's randomness, in hexadecimal digits.
-std::string random_key() {
-  std::array<unsigned char, 16> bytes{};
-  if (getrandom(bytes.data(), bytes.size(), 0) != static_cast<ssize_t>(bytes.size()))
-    throw StorageError("the system has no random bytes");
-  std::string key;
-  for (const unsigned char byte : bytes) {
-    key += "0123456789abcdef"[byte >> 4U];
-    key += "0123456789abcdef"[byte & 15U];
-  }
-  return key;
-}
 
 Response scene_text(std::string text) {
   return {.content_type = "application/json", .body = std::move(text)};

@@ -8,8 +8,10 @@
 #include "server/operation/admission.h"
 #include "server/operation/config.h"
 #include "server/operation/cost_memory.h"
+#include "server/operation/live_streams.h"
 #include "server/operation/memory_account.h"
 #include "server/operation/metrics.h"
+#include "server/requests/live_scenes.h"
 #include "server/requests/render_context.h"
 #include "server/stores/known_targets.h"
 #include "server/stores/model_store.h"
@@ -31,6 +33,8 @@ struct Service {
   ModelStore& models;
   Access& access;
   Jobs& jobs;
+  LiveStreams& live;
+  LiveScenes live_scenes{};
   KnownTargets targets{};
   std::function<int()> connections = [] { return 0; };  ///< that are open
   std::atomic<bool> draining = false;                   ///< the server goes down

@@ -59,12 +59,10 @@ Response shown(const AskedStill<Query>& asked, const SharedModel& model, const S
       bytes_of(*model), requester, [&] { return still_of(asked.query, model, requester.stop); });
   if (asked.query.as == StillAs::scene) return scene_response(scene, watch);
   if (asked.query.stream) {
-    RenderRequest drawn;
-    static_cast<PictureRequest&>(drawn) = asked.query;
+    PictureRequest drawn = asked.query;
     drawn.scene = std::move(scene);
     drawn.along = {asked.query.id, model};
-    drawn.stream = asked.query.stream;
-    return shown_while_drawn(std::move(drawn), request, service);
+    return shown_while_drawn(std::move(drawn), *asked.query.stream, request, service);
   }
   AskedPicture picture{asked.query, asked.accepted};
   picture.picture.scene = std::move(scene);

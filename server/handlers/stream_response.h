@@ -26,7 +26,7 @@ Response streamed(Stream stream, const std::string& etag, ShownDrawing drawing,
 
 /// Errors: InputError (conflict) at /stream for HEAD, which no picture is drawn for, and for other
 /// formats than PNG.
-void check_stream(Stream stream, const Request& request, Format format = Format::png);
+void check_stream(std::string_view stream, const Request& request, Format format = Format::png);
 
 /// What the documents say of such answers.
 std::vector<Content> stream_contents();

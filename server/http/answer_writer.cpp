@@ -112,7 +112,10 @@ class Writer : httplib::Server {
                             if (part.empty()) return;  // which would end it
                             if (!(*take_)(chunk_of(part), Part::next)) throw Stopped();
                           },
-                          [&](std::string_view part) { (*take_)(chunk_of(part), Part::latest); }});
+                          [&](std::string_view part) { (*take_)(chunk_of(part), Part::latest); },
+                          [&] {
+                            if (!(*take_)({}, Part::taken)) throw Stopped();
+                          }});
             sink.done();
             return true;
           } catch (...) {

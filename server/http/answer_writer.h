@@ -11,8 +11,9 @@
 namespace tia::server {
 
 /// Takes bytes of an answer, in order: a part that is not the latest one any more need not be sent.
+/// `taken` comes without bytes, and waits until those before it are on their way.
 /// Returns: whether it wants more.
-enum class Part { next, latest };
+enum class Part { next, latest, taken };
 using TakeBytes = std::function<bool(std::string_view, Part)>;
 
 /// Writes the answer to a request as HTTP/1.1: status line, fields, Content-Length and body; a body

@@ -77,6 +77,9 @@ struct SendPart {
   /// One that takes the place of the last such one, unless that is on its way; never waits. Any
   /// thread may call, while no other sends. Nobody hears it where the client has left.
   std::function<void(std::string_view)> latest = [](std::string_view) {};
+  /// Waits until all of them are on their way: a client that reads slowly so has one at most to
+  /// come. Errors: as next.
+  std::function<void()> await_taken = [] {};
 
   void operator()(std::string_view part) const { next(part); }
 };

@@ -72,11 +72,13 @@ bool RequestTask::put(std::string_view bytes, Part part, const std::function<voi
   {
     std::unique_lock lock(mutex_);
     const auto may_go_on = [&] {
-      return part == Part::latest || parts_.size() - to_be_replaced_ < timeouts::most_parts ||
+      const std::size_t waiting = parts_.size() - (part == Part::taken ? 0 : to_be_replaced_);
+      return part == Part::latest || waiting < (part == Part::taken ? 1 : timeouts::most_parts) ||
              request.stop.stop_requested();
     };
     taken_.wait(lock, may_go_on);
     if (request.stop.stop_requested()) return false;
+    if (part == Part::taken) return true;
     if (part == Part::latest) parts_.resize(parts_.size() - to_be_replaced_);
     in_parts_ = true;
     parts_.append(head_).append(bytes);

@@ -48,6 +48,7 @@ struct Config {
   std::int64_t max_events = Limits{}.max_events;
   int max_frames = Limits{}.max_frames;
   int film_deadline_ms = 600'000;
+  int streams = 32;
   std::int64_t max_job_rays = 1'000'000'000'000;
   int max_jobs = 1000;
   std::int64_t max_jobs_bytes = 1 << 30;
@@ -190,6 +191,11 @@ struct Config {
                .unit = "ms",
                .min = 1,
                .max = 24 * hour_ms});
+    visit("streams", &Config::streams,
+          Spec{.about = "live streams that may be open at once, of one client a quarter; each may "
+                        "last as long as a film",
+               .min = 0,
+               .max = 1024});
     visit("max_job_rays", &Config::max_job_rays,
           Spec{.about = "most rays of all kinds that a job may take",
                .unit = "rays",

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "core/film/jpeg.h"
 #include "core/input/json.h"
 #include "core/video/apng.h"
 #include "core/video/stored_zip.h"
@@ -12,6 +13,13 @@
 
 namespace tia::server {
 namespace {
+
+// Of a picture that is codes.
+Image8 image_of(const Picture& picture, int width, int height) {
+  Image8 image(width, height);
+  image.rgb.assign(picture.bytes.begin(), picture.bytes.end());
+  return image;
+}
 
 /// ApngEncoder: a shot is a frame of the file, or several where it is shown for longer than one
 /// can be.
@@ -85,8 +93,7 @@ class WebmEncoder : public FilmEncoder {
         writer_(film.width, film.height, film.ms_until(film.frames)) {}
   std::string begin() override { return writer_.head(); }
   std::string add(const Picture& picture, const Shot& shot) override {
-    Image8 image(film_.width, film_.height);
-    image.rgb.assign(picture.bytes.begin(), picture.bytes.end());
+    const Image8 image = image_of(picture, film_.width, film_.height);
     std::string piece;
     for (int k = shot.first; k < shot.first + shot.frames; ++k)
       piece += writer_.frame(codec_.encode(image), film_.ms_until(k));
@@ -116,6 +123,22 @@ class WebpEncoder : public FilmEncoder {
   WebpAnimation animation_;
 };
 
+/// MjpegEncoder: JPEG files one after the other, one a frame.
+class MjpegEncoder : public FilmEncoder {
+ public:
+  explicit MjpegEncoder(const FilmPlan& film) : film_(film) {}
+  std::string add(const Picture& picture, const Shot& shot) override {
+    const std::string file = encode_jpeg(image_of(picture, film_.width, film_.height));
+    std::string piece;
+    for (int k = 0; k < shot.frames; ++k) piece += file;
+    return piece;
+  }
+  std::string end() override { return {}; }
+
+ private:
+  const FilmPlan& film_;
+};
+
 template <class Encoder>
 std::unique_ptr<FilmEncoder> make(const FilmPlan& film) {
   return std::make_unique<Encoder>(film);
@@ -129,6 +152,7 @@ std::unique_ptr<FilmEncoder> encoder_of(FilmFormat format, const FilmPlan& film)
     case FilmFormat::webp: return make<WebpEncoder>(film);
     case FilmFormat::webm: return make<WebmEncoder>(film);
     case FilmFormat::zip: return make<ZipEncoder>(film);
+    case FilmFormat::mjpeg: return make<MjpegEncoder>(film);
   }
   return nullptr;
 }

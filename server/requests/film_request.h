@@ -5,11 +5,12 @@
 #include <optional>
 #include <string_view>
 
+#include "core/film/jpeg.h"
 #include "server/requests/picture_request.h"
 
 namespace tia::server {
 
-enum class FilmFormat { apng, webp, webm, zip };
+enum class FilmFormat { apng, webp, webm, zip, mjpeg };
 
 /// FilmFormatRow: what a format of films is called, in requests and as a file's ending, and over
 /// HTTP. How one is made stands in film_encoders.cpp.
@@ -19,6 +20,7 @@ struct FilmFormatRow {
   bool has_alpha = true;
   bool takes_codes = false;  ///< of pixels, where others take PNG files
   int longest_side = static_cast<int>(PictureRequest::most_px);
+  bool is_live = false;  ///< over HTTP its frames come at their times
 };
 
 /// THE LIST of formats of films. Of those that a client likes equally well the first is given.
@@ -27,6 +29,7 @@ inline constexpr std::array film_formats = std::to_array<FilmFormatRow>({
     {FilmFormat::webp, "webp", "image/webp", true, true, 16'383},
     {FilmFormat::webm, "webm", "video/webm", false, true, 16'384},
     {FilmFormat::zip, "zip", "application/zip"},
+    {FilmFormat::mjpeg, "mjpeg", "multipart/x-mixed-replace", false, true, longest_jpeg_side, true},
 });
 constexpr const FilmFormatRow& row_of(FilmFormat format) {
   return film_formats[static_cast<std::size_t>(format)];
@@ -93,10 +96,11 @@ void FilmRequest::fields(Visitor&& visit) {
         Spec{.about = "frames a second: frame k is at time k / fps; else as the animation says",
              .min = slowest_fps,
              .max = 1000});
-  visit("format", &F::film_format,
-        Spec{.about = "apng or webp, whose pixels are /render's; webm, a video in VP9; zip, of "
-                      "/render's PNGs with a film.json that tells their times and tags; else what "
-                      "Accept prefers"});
+  visit(
+      "format", &F::film_format,
+      Spec{.about = "apng or webp, whose pixels are /render's; webm, a video in VP9; zip, of "
+                    "/render's PNGs with a film.json that tells their times and tags; mjpeg, live: "
+                    "JPEGs at their times, late ones left out; else what Accept prefers"});
 }
 
 }  // namespace tia::server

@@ -11,6 +11,8 @@ namespace tia::server {
 
 /// Stream: how a picture comes that is shown while it is drawn.
 enum class Stream { multipart, events };
+/// RenderStream: the same of /render, whose scene may also be changed while it is looked at.
+enum class RenderStream { multipart, events, mjpeg };
 
 }  // namespace tia::server
 
@@ -18,12 +20,16 @@ template <>
 struct tia::Names<tia::server::Stream> {
   static constexpr std::array<std::string_view, 2> names{"multipart", "events"};
 };
+template <>
+struct tia::Names<tia::server::RenderStream> {
+  static constexpr std::array<std::string_view, 3> names{"multipart", "events", "mjpeg"};
+};
 
 namespace tia::server {
 
 /// RenderRequest: the parameters of /render.
 struct RenderRequest : PictureRequest {
-  std::optional<Stream> stream;
+  std::optional<RenderStream> stream;
 
   template <class Visitor>
   static void fields(Visitor&& visit) {
@@ -32,7 +38,8 @@ struct RenderRequest : PictureRequest {
         "stream", &RenderRequest::stream,
         Spec{.about = "the picture while it is drawn, a PNG: multipart, one whole picture after "
                       "the other, as browsers show them; or events, server-sent, which tell where "
-                      "each is. The last is the picture"});
+                      "each is. The last is the picture. Or mjpeg, JPEGs of the scene as POST "
+                      "/streams/{id} changes it"});
   }
 };
 

@@ -119,6 +119,8 @@ test('what a stream shows is asked where the stream is, by GET and by POST', wit
         await get(balancer, `/pictures/${seed}-${i}`);
         assert.equal(askedOf(`/pictures/${seed}-${i}`), stream);
       }
+      await post(balancer, `/streams/${seed}`, '{}');
+      assert.equal(askedOf(`/streams/${seed}`), stream);
     }
     assert.equal(streams.size, 2);
   }));

@@ -40,6 +40,8 @@ const FilmFault film_faults[] = {
      R"({"backdrop":"transparent","objects":[]})"},
     {"AWebpThatIsTooWide", R"("format":"webp","width":16384,"height":1,)", "conflict", "/format",
      "at most 16383 pixels"},
+    {"AMjpegOfWhatIsTransparent", R"("format":"mjpeg",)", "conflict", "/format", "apng, webp, zip",
+     R"({"backdrop":"transparent","objects":[]})"},
     {"ATime", R"("time":1,)", "unknown-name", "/time", "from, to, fps"},
     {"FromBeyondTheEnd", R"("from":1.5,)", "out-of-range", "/from", "from 0 to 1 (s)"},
     {"ToBeyondTheEnd", R"("to":1.5,)", "out-of-range", "/to", "from 0 to 1 (s)"},

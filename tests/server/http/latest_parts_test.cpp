@@ -1,4 +1,5 @@
 // Parts that replace one another while a client is slow, and parts that end with a problem.
+#include <atomic>
 #include <thread>
 
 #include "tests/server/http/parts_support.h"
@@ -45,6 +46,33 @@ TEST(LatestParts, LeaveOthersInTheirPlace) {
   Wire wire(serving.port());
   wire.send(plain_get_1_0);  // which has them all at once
   EXPECT_EQ(body_of(wire.rest()), "head three middle five");
+}
+
+// The client's system, ours and the connection have some of them; what is not taken is not made.
+TEST(LatestParts, AreMadeNoFasterThanTheyAreTaken) {
+  constexpr int count = 20;
+  std::atomic<int> made = 0;
+  Serving serving(in_parts([&](const SendPart& send) {
+    for (int i = 0; i < count; ++i) {
+      send.latest(std::to_string(++made) + ' ' + std::string(2 << 20, 'x') + '\n');
+      send.await_taken();
+    }
+  }));
+  Wire wire(serving.port(), 4096);
+  wire.send(plain_get);
+  wire.until("\r\n\r\n");
+  std::this_thread::sleep_for(milliseconds(50));  // in which all could be made
+  EXPECT_LE(made, 3);
+  const std::string data = [&] {
+    std::string chunks;
+    while (!chunks.ends_with("\r\n0\r\n\r\n")) chunks += wire.read(1 << 20);
+    return data_of(chunks).value_or("");
+  }();
+  std::size_t at = 0;
+  for (int i = 1; i <= count; ++i) {
+    EXPECT_EQ(data.compare(at, std::to_string(i).size() + 1, std::to_string(i) + ' '), 0) << i;
+    at = data.find('\n', at) + 1;
+  }
 }
 
 TEST(LatestParts, MayComeFromAnotherThread) {

@@ -77,6 +77,8 @@ const Numeric numerics[] = {
      [](const Config& c) -> std::int64_t { return c.max_frames; }},
     {"film_deadline_ms", "--film-deadline-ms", "TIA_FILM_DEADLINE_MS", 600'000, 1, 86'400'000,
      [](const Config& c) -> std::int64_t { return c.film_deadline_ms; }},
+    {"streams", "--streams", "TIA_STREAMS", 32, 0, 1024,
+     [](const Config& c) -> std::int64_t { return c.streams; }},
     {"max_job_rays", "--max-job-rays", "TIA_MAX_JOB_RAYS", 1'000'000'000'000, 1,
      1'000'000'000'000'000, [](const Config& c) { return c.max_job_rays; }},
     {"max_jobs", "--max-jobs", "TIA_MAX_JOBS", 1000, 0, 100'000,
