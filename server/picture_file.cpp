@@ -69,8 +69,8 @@ Workshop::Workshop(const Config& config, std::int64_t geometry_bytes)
       models_(ModelReader({.memory_bytes = static_cast<std::uint64_t>(config.model_memory_bytes)}),
               {config.max_models_bytes, config.model_limits()}, {account_, long_work_, metrics_},
               nullptr),
-      context_{gallery_, none_kept_, geometries_,     none_pressed_,
-               pool_,    long_work_, config.limits(), &models_} {}
+      context_{gallery_,   none_kept_,      geometries_, none_pressed_,  pool_,
+               long_work_, config.limits(), &models_,    {config.ffmpeg}} {}
 
 // The picture; until it is there a bar is drawn on, and the file written anew, as is wanted.
 Picture Workshop::watched(const std::string& file, Plan& plan, const Watching& watching) const {

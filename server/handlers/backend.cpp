@@ -35,13 +35,25 @@ Backend::Backend(const Config& given, const Gallery& gallery, DataFiles files,
            {gallery, kept, geometries, pressed, pool, long_work, config.limits(), &models}, costs,
            pictures, metrics, memory),
       live(config.streams),
-      service{
-          config,   {gallery, kept, geometries, pressed, pool, long_work, config.limits(), &models},
-          memory,   admission,
-          costs,    metrics,
-          pictures, models,
-          access,   jobs,
-          live} {
+      service{config,
+              {gallery,
+               kept,
+               geometries,
+               pressed,
+               pool,
+               long_work,
+               config.limits(),
+               &models,
+               {config.ffmpeg, static_cast<unsigned>(config.film_deadline_ms / 1000 + 1)}},
+              memory,
+              admission,
+              costs,
+              metrics,
+              pictures,
+              models,
+              access,
+              jobs,
+              live} {
   kept.book_with(memory);
   kept.read_as(long_work, config.json_limits().values);
   kept.forget_after(config.scene_keep_s);

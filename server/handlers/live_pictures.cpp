@@ -6,9 +6,9 @@
 #include "core/film/jpeg.h"
 #include "server/handlers/bodies.h"
 #include "server/handlers/mixed_parts.h"
-#include "server/requests/with_memory.h"
 #include "server/http/error.h"
 #include "server/requests/draw.h"
+#include "server/requests/with_memory.h"
 
 namespace tia::server {
 namespace {

@@ -49,6 +49,7 @@ struct Config {
   int max_frames = Limits{}.max_frames;
   int film_deadline_ms = 600'000;
   int streams = 32;
+  std::string ffmpeg;
   std::int64_t max_job_rays = 1'000'000'000'000;
   int max_jobs = 1000;
   std::int64_t max_jobs_bytes = 1 << 30;
@@ -196,6 +197,10 @@ struct Config {
                         "last as long as a film",
                .min = 0,
                .max = 1024});
+    visit("ffmpeg", &Config::ffmpeg,
+          Spec{.about = "the program ffmpeg, such as /usr/bin/ffmpeg, by which films become mp4: a "
+                        "process of its own, with 2 GiB of memory beside that of the server; none: "
+                        "there is no mp4"});
     visit("max_job_rays", &Config::max_job_rays,
           Spec{.about = "most rays of all kinds that a job may take",
                .unit = "rays",

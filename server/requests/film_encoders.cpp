@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <iterator>
+#include <sstream>
 
 #include "core/film/jpeg.h"
 #include "core/input/json.h"
@@ -10,6 +12,8 @@
 #include "core/video/vp9.h"
 #include "core/video/webm.h"
 #include "core/video/webp_animation.h"
+#include "core/video/ycbcr.h"
+#include "server/operation/child_filter.h"
 
 namespace tia::server {
 namespace {
@@ -123,6 +127,42 @@ class WebpEncoder : public FilmEncoder {
   WebpAnimation animation_;
 };
 
+/// Mp4Encoder: H.264 by ffmpeg, which gets the planes that webm gets, in fragments of half a second
+/// that can be sent as they come.
+class Mp4Encoder : public FilmEncoder {
+ public:
+  Mp4Encoder(const FilmPlan& film, const FilmTools& tools)
+      : film_(film),
+        stop_(tools.stop),
+        child_(tools.ffmpeg.program, words_for(film), {.cpu_s = tools.ffmpeg.cpu_s}) {}
+  std::string add(const Picture& picture, const Shot& shot) override {
+    const YCbCr420 codes = ycbcr_of(image_of(picture, film_.width, film_.height));
+    std::string piece;
+    for (int k = 0; k < shot.frames; ++k)
+      for (const auto* plane : {&codes.y, &codes.cb, &codes.cr})
+        piece += child_.pass({reinterpret_cast<const char*>(plane->data()), plane->size()}, stop_);
+    return piece;
+  }
+  std::string end() override { return child_.finish(stop_); }
+  bool waits() const override { return true; }
+
+ private:
+  static std::vector<std::string> words_for(const FilmPlan& film) {
+    const std::string size = std::to_string(film.width) + 'x' + std::to_string(film.height);
+    std::istringstream words(
+        "-v quiet -nostdin -f rawvideo -pix_fmt yuv420p -s " + size + " -framerate " +
+        to_json(Value(film.fps)) +
+        " -i pipe:0 -c:v libx264 -preset veryfast -crf 18 -bf 0 -threads 1 -colorspace bt709"
+        " -color_primaries bt709 -color_trc iec61966-2-1 -color_range tv"
+        " -movflags frag_keyframe+empty_moov+default_base_moof -frag_duration 500000"
+        " -f mp4 pipe:1");
+    return {std::istream_iterator<std::string>(words), {}};
+  }
+  const FilmPlan& film_;
+  const std::stop_token stop_;
+  ChildFilter child_;
+};
+
 /// MjpegEncoder: JPEG files one after the other, one a frame.
 class MjpegEncoder : public FilmEncoder {
  public:
@@ -146,13 +186,15 @@ std::unique_ptr<FilmEncoder> make(const FilmPlan& film) {
 
 }  // namespace
 
-std::unique_ptr<FilmEncoder> encoder_of(FilmFormat format, const FilmPlan& film) {
+std::unique_ptr<FilmEncoder> encoder_of(FilmFormat format, const FilmPlan& film,
+                                        const FilmTools& tools) {
   switch (format) {
     case FilmFormat::apng: return make<ApngEncoder>(film);
     case FilmFormat::webp: return make<WebpEncoder>(film);
     case FilmFormat::webm: return make<WebmEncoder>(film);
     case FilmFormat::zip: return make<ZipEncoder>(film);
     case FilmFormat::mjpeg: return make<MjpegEncoder>(film);
+    case FilmFormat::mp4: return std::make_unique<Mp4Encoder>(film, tools);
   }
   return nullptr;
 }

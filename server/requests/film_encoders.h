@@ -2,12 +2,19 @@
 #pragma once
 
 #include <memory>
+#include <stop_token>
 #include <string>
 
 #include "server/requests/film_plan.h"
 #include "server/stores/picture.h"
 
 namespace tia::server {
+
+/// FilmTools: what encoders need of their host, and until when.
+struct FilmTools {
+  const OutsideEncoder& ffmpeg;
+  std::stop_token stop;
+};
 
 /// FilmEncoder: makes one film's file piece by piece; a piece may be empty.
 class FilmEncoder {
@@ -23,9 +30,13 @@ class FilmEncoder {
   virtual std::string add(const Picture& picture, const Shot& shot) = 0;
   /// The last piece.
   virtual std::string end() = 0;
+  /// Whether it waits for another process, and keeps no thread at work meanwhile.
+  virtual bool waits() const { return false; }
 };
 
-/// The encoder of that format. The plan outlives it.
-std::unique_ptr<FilmEncoder> encoder_of(FilmFormat format, const FilmPlan& film);
+/// The encoder of that format. The plan outlives it. Errors: std::system_error where ffmpeg cannot
+/// be started.
+std::unique_ptr<FilmEncoder> encoder_of(FilmFormat format, const FilmPlan& film,
+                                        const FilmTools& tools);
 
 }  // namespace tia::server

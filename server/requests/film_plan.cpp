@@ -71,8 +71,20 @@ void check_same(const Plan& plan, FilmPlan& film, int frame) {
                     "frames of one size, with alpha or without"});
 }
 
+// H.264 halves the sides for its colours.
+void check_mp4(const FilmPlan& film, const RenderContext& context) {
+  const auto refuse = [](const char* allowed) {
+    throw InputError({FaultKind::conflict, "/format", Value("mp4"), allowed});
+  };
+  if (context.ffmpeg.program.empty())
+    refuse(
+        "another format: mp4 takes the program ffmpeg, which this server has none of (option "
+        "TIA_FFMPEG)");
+  if (film.width % 2 != 0 || film.height % 2 != 0) refuse("another format, or even sides");
+}
+
 // Errors: InputError where the format cannot have such frames.
-void check_format(const FilmRequest& asked, const FilmPlan& film) {
+void check_format(const FilmRequest& asked, const FilmPlan& film, const RenderContext& context) {
   const FilmFormatRow& row = row_of(asked.film_format);
   const auto names = [](const auto& fits) {
     std::vector<std::string_view> all;
@@ -84,6 +96,7 @@ void check_format(const FilmRequest& asked, const FilmPlan& film) {
     throw InputError({FaultKind::conflict, "/format", write_value(asked.film_format),
                       names([](auto& each) { return each.has_alpha; }) +
                           ", which have alpha, or a backdrop that is a colour"});
+  if (asked.film_format == FilmFormat::mp4) check_mp4(film, context);
   const int side = std::max(film.width, film.height);
   if (side > row.longest_side)
     throw InputError({FaultKind::conflict, "/format", write_value(asked.film_format),
@@ -101,16 +114,18 @@ void check_film_rays(double rays, const FilmPlan& film, const Limits& limits) {
 }
 
 // What its bytes depend on besides its frames.
-std::string version_of(FilmFormat format) {
+std::string version_of(FilmFormat format, const RenderContext& context) {
   std::string version(row_of(format).name);
   if (format == FilmFormat::webm) version += vp9_encoder();
   if (format == FilmFormat::webp) version += webp_encoder();
+  if (format == FilmFormat::mp4) version += context.ffmpeg.program;
   return version;
 }
 
-std::string film_etag(const FilmRequest& asked, const FilmPlan& film) {
-  std::string text = "film " + version_of(asked.film_format) + ' ' + to_json(Value(film.fps)) +
-                     ' ' + std::to_string(film.first);
+std::string film_etag(const FilmRequest& asked, const FilmPlan& film,
+                      const RenderContext& context) {
+  std::string text = "film " + version_of(asked.film_format, context) + ' ' +
+                     to_json(Value(film.fps)) + ' ' + std::to_string(film.first);
   for (const Shot& shot : film.shots) text += ' ' + std::to_string(shot.frames) + shot.etag;
   return etag_of(text);
 }
@@ -144,7 +159,7 @@ FilmPlan film_plan_of(FilmRequest& asked, const RenderContext& context,
     end_if_asked(requester.stop);
     const Plan plan = frame_plan_of(asked, film, frame, context, requester);
     check_same(plan, film, frame);
-    if (frame == 0) check_format(asked, film);
+    if (frame == 0) check_format(asked, film, context);
     std::string etag = etag_of(plan.recipe);
     if (film.shots.empty() || film.shots.back().etag != etag) {
       film.shots.push_back({frame, 0, std::move(etag)});
@@ -152,7 +167,7 @@ FilmPlan film_plan_of(FilmRequest& asked, const RenderContext& context,
     }
     ++film.shots.back().frames;
   }
-  film.etag = film_etag(asked, film);
+  film.etag = film_etag(asked, film, context);
   return film;
 }
 

@@ -10,7 +10,7 @@
 
 namespace tia::server {
 
-enum class FilmFormat { apng, webp, webm, zip, mjpeg };
+enum class FilmFormat { apng, webp, webm, zip, mjpeg, mp4 };
 
 /// FilmFormatRow: what a format of films is called, in requests and as a file's ending, and over
 /// HTTP. How one is made stands in film_encoders.cpp.
@@ -30,6 +30,7 @@ inline constexpr std::array film_formats = std::to_array<FilmFormatRow>({
     {FilmFormat::webm, "webm", "video/webm", false, true, 16'384},
     {FilmFormat::zip, "zip", "application/zip"},
     {FilmFormat::mjpeg, "mjpeg", "multipart/x-mixed-replace", false, true, longest_jpeg_side, true},
+    {FilmFormat::mp4, "mp4", "video/mp4", false, true, 16'384},
 });
 constexpr const FilmFormatRow& row_of(FilmFormat format) {
   return film_formats[static_cast<std::size_t>(format)];
@@ -100,7 +101,8 @@ void FilmRequest::fields(Visitor&& visit) {
       "format", &F::film_format,
       Spec{.about = "apng or webp, whose pixels are /render's; webm, a video in VP9; zip, of "
                     "/render's PNGs with a film.json that tells their times and tags; mjpeg, live: "
-                    "JPEGs at their times, late ones left out; else what Accept prefers"});
+                    "JPEGs at their times, late ones left out; mp4, a video in H.264, where the "
+                    "server has ffmpeg (TIA_FFMPEG); else what Accept prefers"});
 }
 
 }  // namespace tia::server

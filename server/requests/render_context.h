@@ -17,6 +17,12 @@
 
 namespace tia::server {
 
+/// OutsideEncoder: the program ffmpeg, where there is one.
+struct OutsideEncoder {
+  std::string program;  ///< "" = none
+  unsigned cpu_s = 600;
+};
+
 /// What every picture needs of its host.
 struct RenderContext {
   const Gallery& gallery;
@@ -27,6 +33,7 @@ struct RenderContext {
   LongWork& long_work;
   Limits limits;
   ModelStore* models = nullptr;  ///< null: none are kept
+  OutsideEncoder ffmpeg{};       ///< of films
 
   /// Does what copies or writes so many bytes of a scene: as long work, unless they are few.
   /// Returns: what it does. Errors: as LongWork, and whatever it throws.

@@ -6,10 +6,12 @@ namespace tia::server {
 
 void shoot(FilmRequest& asked, const FilmPlan& film, const RenderContext& context,
            const Requester& requester, const Crew& crew) {
-  const auto encoder = encoder_of(asked.film_format, film);
+  const auto encoder = encoder_of(asked.film_format, film, {context.ffmpeg, requester.stop});
   const auto hand_on = [&](const auto& encode) {
     std::string piece;
-    crew.alone([&] { piece = encode(); });
+    const auto work = [&] { piece = encode(); };
+    if (encoder->waits()) work();
+    else crew.alone(work);
     if (!piece.empty()) crew.take(piece);
   };
   hand_on([&] { return encoder->begin(); });

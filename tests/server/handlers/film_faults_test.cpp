@@ -40,6 +40,7 @@ const FilmFault film_faults[] = {
      R"({"backdrop":"transparent","objects":[]})"},
     {"AWebpThatIsTooWide", R"("format":"webp","width":16384,"height":1,)", "conflict", "/format",
      "at most 16383 pixels"},
+    {"AnMp4WithoutFfmpeg", R"("format":"mp4",)", "conflict", "/format", "TIA_FFMPEG"},
     {"AMjpegOfWhatIsTransparent", R"("format":"mjpeg",)", "conflict", "/format", "apng, webp, zip",
      R"({"backdrop":"transparent","objects":[]})"},
     {"ATime", R"("time":1,)", "unknown-name", "/time", "from, to, fps"},
