@@ -157,7 +157,7 @@ class Tracers {
   std::deque<OfInstant> all_;  // which do not move
 };
 
-// ---- one ray a pixel from one eye, as for most pictures -----------------------------------------
+// ---- one ray a pixel of a perspective view, as for most pictures --------------------------------
 
 template <class Real, class AnyWorldView>
 [[gnu::flatten]] void trace_centers_in(const Shot& shot, int x0, int y0, FilmTile& tile) {
@@ -167,7 +167,6 @@ template <class Real, class AnyWorldView>
   sampler_state.key = shot.sampler.key();
   const View& view = shot.first().view;
   Tracer<Real, AnyWorldView> tracer(shot, shot.first(), x0, y0, tile.width, tile.height);
-  const bool is_flat = view.is_flat();
   const Vec3<Real> origin = lift<Real>(view.origin);
   const Real column_of = PacketPixels::column(), row_of = PacketPixels::row();
   const auto number = [](int i) { return Real(static_cast<float>(i)); };
@@ -181,17 +180,10 @@ template <class Real, class AnyWorldView>
     const Mask<Real> rows = row_of < number(tile.height - y);
     for (int x = 0; x < tile.width; x += PacketPixels::width) {
       const Vec3<Real>& column = columns[static_cast<std::size_t>(x / PacketPixels::width)];
-      Mask<Real> active = rows && column_of < number(tile.width - x);
+      const Mask<Real> active = rows && column_of < number(tile.width - x);
       if constexpr (draws_much) PacketPixels::number(x0 + x, y0 + y, sampler_state);
-      Ray<Real> ray{origin, normalize(column + row)};
-      if (!is_flat) {
-        const SeenRay<Real> curved =
-            curved_ray(view, number(x0 + x) + column_of, number(y0 + y) + row_of, Real(0), Real(0));
-        ray = curved.ray;
-        active = active && curved.seen;
-      }
-      Vec3<Real> light = tracer.light(ray, active, sampler_state);
-      if (!is_flat) light = tracer.seen(light, active);
+      const Vec3<Real> light =
+          tracer.light({origin, normalize(column + row)}, active, sampler_state);
       const std::size_t i = FilmTile::index(x, y);
       PacketPixels::store(light.x, &tile.r[i]);
       PacketPixels::store(light.y, &tile.g[i]);
@@ -223,14 +215,28 @@ Vec3<Real> clamped(const Vec3<Real>& v) {
   return {clamp(v.x), clamp(v.y), clamp(v.z)};
 }
 
-template <class Real, class AnyWorldView>
-[[gnu::flatten]] void trace_round(const Shot& shot, int round, Tracers<Real, AnyWorldView>& tracers,
-                                  const Pixels<Real>& pixels) {
+// The rays of the pixels' aims. Of a flat view `center` is where they go through.
+template <bool flat, class AnyTracer, class Real>
+[[gnu::always_inline]] inline SeenRay<Real> ray_of(const AnyTracer& tracer,
+                                                   const Vec3<Real>& center,
+                                                   const Pixels<Real>& pixels,
+                                                   const Mask<Real>& active, const Aim<Real>& aim) {
+  if constexpr (flat) {
+    return {tracer.eye.ray(center, aim), active};
+  } else {
+    const auto curved = curved_ray(tracer.view(), pixels.column(), pixels.row(), aim.dx, aim.dy);
+    return {curved.ray, active && curved.seen};
+  }
+}
+
+template <bool flat, class Real, class AnyWorldView>
+[[gnu::always_inline]] inline void trace_round_of(const Shot& shot, int round,
+                                                  Tracers<Real, AnyWorldView>& tracers,
+                                                  const Pixels<Real>& pixels) {
   Tracer<Real, AnyWorldView>* at = &tracers.first();
   Aims<Real> aims(shot.sampler, round, pixels.x, pixels.y, shot.has_lens());
   Vec3<Real> center = pixels.center(at->view());
   const Mask<Real> all = pixels.active();
-  const bool is_flat = at->view().is_flat();
   const int count = shot.sampler.count(round), before = shot.sampler.before(round);
   const int half = doubles(shot.sampler, round) ? 0 : (count + 1) / 2;  // is added to one of guides
   const bool watches = shot.watches(), clamps = shot.convergence.clamps();
@@ -247,16 +253,9 @@ template <class Real, class AnyWorldView>
     Tracer<Real, AnyWorldView>& tracer = *at;
     const int point = shot.sampler.point(round, i);
     sampler_state.sample = static_cast<std::uint32_t>(before + point);
-    const Aim<Real> aim = aims(point);
-    Ray<Real> ray = tracer.eye.ray(center, aim);
-    Mask<Real> active = all;
-    if (!is_flat) {
-      const auto curved = curved_ray(tracer.view(), pixels.column(), pixels.row(), aim.dx, aim.dy);
-      ray = curved.ray;
-      active = all && curved.seen;
-    }
+    const auto [ray, active] = ray_of<flat>(tracer, center, pixels, all, aims(point));
     Vec3<Real> light = tracer.light(ray, active, sampler_state);
-    if (!is_flat) light = tracer.seen(light, active);
+    if constexpr (!flat) light = tracer.seen(light, active);
     sums.add(light);
     if (pixels.parts[0] != nullptr) pixels.add(tracer.parts());
     if constexpr (Tracer<Real, AnyWorldView>::may_have_backdrop)
@@ -279,6 +278,20 @@ template <class Real, class AnyWorldView>
 }
 
 template <class Real, class AnyWorldView>
+[[gnu::flatten]] void trace_flat_round(const Shot& shot, int round,
+                                       Tracers<Real, AnyWorldView>& tracers,
+                                       const Pixels<Real>& pixels) {
+  trace_round_of<true>(shot, round, tracers, pixels);
+}
+// Not flattened, which takes the compiler long: such rays cost more than the calls.
+template <class Real, class AnyWorldView>
+[[gnu::noinline]] void trace_curved_round(const Shot& shot, int round,
+                                          Tracers<Real, AnyWorldView>& tracers,
+                                          const Pixels<Real>& pixels) {
+  trace_round_of<false>(shot, round, tracers, pixels);
+}
+
+template <class Real, class AnyWorldView>
 void trace_round(const Shot& shot, int round, Tracers<Real, AnyWorldView>& tracers,
                  TilePixels& tile) {
   std::vector<int>& unsettled = tile.unsettled;
@@ -294,7 +307,8 @@ void trace_round(const Shot& shot, int round, Tracers<Real, AnyWorldView>& trace
       pixels.x[i] = static_cast<std::uint32_t>(tile.x0 + pixel % tile.width);
       pixels.y[i] = static_cast<std::uint32_t>(tile.y0 + pixel / tile.width);
     }
-    trace_round(shot, round, tracers, pixels);
+    if (tracers.first().view().is_flat()) trace_flat_round(shot, round, tracers, pixels);
+    else trace_curved_round(shot, round, tracers, pixels);
   }
   if (!shot.convergence.watches()) return;
   std::erase_if(unsettled, [&](int pixel) {
