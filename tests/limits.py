@@ -96,6 +96,7 @@ CONSTANTS = [
     ("server/stores/scene_file.h", "most_owners = «64»", SERVER, "LimitNumbers.OfWhatIsAnswered*"),
     ("server/operation/log.h", "most_bytes = «1 << 20»", SERVER, "LimitNumbers.OfAConnection"),
     ("server/operation/log.cpp", "most_target = «200»", SERVER, "Log.*"),
+    ("server/operation/metrics.cpp", "most_keys = «100»", SERVER, "Keys.HaveMetricsOfTheirOwn*"),
     # What waits for what.
     ("server/operation/cost.h", "most_light_rays = «1 << 21»", SERVER,
      "LimitNumbers.LightWorkTurnsOutHeavy*"),

@@ -99,8 +99,8 @@ void Access::check_rights(const Request& request, const std::vector<Right>& need
     refuse_unauthorized(request.caller->why, request.caller->detail);
   const auto entry = entry_for(request);
   for (const Right right : needs) {
-    const std::string name = '"' + std::string(name_of(right)) + '"';
     if (entry ? entry->has(right) : ring()->is_open() && right != Right::admin) continue;
+    const std::string name = '"' + std::string(name_of(right)) + '"';
     if (request.key.empty())
       refuse_unauthorized("none", "a key with the right " + name +
                                       " is needed: Authorization: Bearer ID.SECRET (option "

@@ -61,6 +61,9 @@ class Access {
   /// Says in the answer who may keep it, and what is left of quotas.
   void tell(Response& response, const Request& request);
 
+  /// What holds for the key of that id, "" for whoever has none; null where nothing limits it.
+  std::shared_ptr<const KeyEntry> entry_called(const std::string& key) const;
+
   /// Errors: AccessRefusal (quota) where so many rays are more than the key has left today; "" is
   /// whoever has none.
   void check_rays(const std::string& key, double rays);
@@ -70,7 +73,6 @@ class Access {
  private:
   std::shared_ptr<const KeyRing> ring() const;
   std::shared_ptr<const KeyEntry> entry_for(const Request& request) const;
-  std::shared_ptr<const KeyEntry> entry_called(const std::string& key) const;
   void check_rights(const Request& request, const std::vector<Right>& needs) const;
   std::optional<RequestsLeft> requests_left(const KeyEntry& entry, bool take);
   std::int64_t rays_left(const KeyEntry& entry);

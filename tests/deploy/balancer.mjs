@@ -40,10 +40,11 @@ export async function startBalancer([REPLICA_1, REPLICA_2], variables = {}) {
   const ADMIN_SOCKET = join(folder, 'admin');
   const env = { PATH, LISTEN, ADMIN_SOCKET, REPLICA_1, REPLICA_2, ...variables };
   if (process.getuid() !== 0) env.AS_STARTED = '1';
-  const child = spawn('haproxy', ['-q', '-f', CONFIG], { env, stdio: ['ignore', 'pipe', 'inherit'] });
+  const child = spawn('haproxy', ['-f', CONFIG], { env, stdio: ['ignore', 'pipe', 'pipe'] });
   const ended = once(child, 'exit');
   let log = '';
-  child.stdout.setEncoding('utf8').on('data', (lines) => (log += lines));
+  for (const output of [child.stdout, child.stderr]) output.setEncoding('utf8').on('data', (lines) => (log += lines));
+  ended.then(([code]) => code && console.error(log));
   const balancer = {
     base: `http://${LISTEN}`,
     log: () => log,
