@@ -8,6 +8,7 @@
 #include "core/render/estimate.h"
 #include "core/render/ground_shadow.h"
 #include "core/render/sampler.h"
+#include "core/render/target.h"
 
 namespace tia {
 
@@ -17,8 +18,9 @@ struct Pixels {
   static constexpr auto size = static_cast<std::size_t>(lanes<Real>);
   std::size_t count = 0;
   std::array<Estimate*, size> estimates{};
-  std::array<PartSums*, size> parts{};     ///< where they are asked for
-  std::array<GuidedSums*, size> guided{};  ///< the same
+  std::array<PartSums*, size> parts{};        ///< where they are asked for
+  std::array<GuidedSums*, size> guided{};     ///< the same
+  std::array<const Target*, size> targets{};  ///< where they are none of the view's
   typename Aims<Real>::Pixels x{}, y{};
 
   Mask<Real> active() const { return iota<Real>() < Real(static_cast<float>(count)); }
@@ -48,6 +50,13 @@ struct Pixels {
     return lanes_of([&](std::size_t i) { return static_cast<float>(y[i]); });
   }
   Vec3<Real> center(const View& view) const { return view.column(column()) + view.row(row()); }
+  Vec3<Real> each(Vec3d Target::*of) const {
+    const auto lanes_of_axis = [&](double Vec3d::*axis) {
+      return lanes_of(
+          [&](std::size_t i) { return static_cast<LaneOf<Real>>(targets[i]->*of.*axis); });
+    };
+    return {lanes_of_axis(&Vec3d::x), lanes_of_axis(&Vec3d::y), lanes_of_axis(&Vec3d::z)};
+  }
   // Not inlined into what traces without.
   [[gnu::noinline]] void add(const Guides& guides, bool first_half) const {
     for (std::size_t i = 0; i < count; ++i)
@@ -103,6 +112,21 @@ struct Pixels {
     std::array<LaneOf<Real>, size> each;
     for (std::size_t i = 0; i < size; ++i) each[i] = value(i);
     return load<Real>(each.data());
+  }
+};
+
+/// TargetLanes: where rays go that are of no pixel.
+template <class Real>
+struct TargetLanes {
+  Vec3<Real> origin, center, right, down;
+
+  TargetLanes(const Pixels<Real>& pixels, const View& view)
+      : origin(lift<Real>(view.origin)),
+        center(pixels.each(&Target::direction)),
+        right(pixels.each(&Target::right)),
+        down(pixels.each(&Target::down)) {}
+  Ray<Real> ray(const Aim<Real>& aim) const {
+    return {origin, normalize(center + (right * aim.dx + down * aim.dy))};
   }
 };
 

@@ -6,6 +6,7 @@
 #include "core/parallel/stopped.h"
 #include "core/render/coarse_preview.h"
 #include "core/render/denoised_window.h"
+#include "core/render/gaze_picture.h"
 #include "core/render/kept_rounds.h"
 #include "core/render/out_of_budget.h"
 
@@ -64,6 +65,7 @@ class Render {
   }
 
   Rendered picture(const Develop& develop) {
+    if (options_.gaze) return for_gaze(develop);
     if (denoised_ == nullptr) {
       if (from_ == nullptr) show_preview();
       return traced(develop);
@@ -103,6 +105,11 @@ class Render {
     } catch (const OutOfBudget& end) {
       refuse(end, limits_of(options_));
     }
+    return told(meter_.counts(), tally_, options_.samples);
+  }
+
+  Rendered for_gaze(const Develop& develop) {
+    GazePicture(tiles_, shot_, options_.scalar, *options_.gaze).draw(develop, tally_);
     return told(meter_.counts(), tally_, options_.samples);
   }
 

@@ -12,6 +12,7 @@
 #include "core/film/image.h"
 #include "core/parallel/pool.h"
 #include "core/render/budget.h"
+#include "core/render/gaze.h"
 #include "core/render/instant.h"
 #include "core/render/reached.h"
 #include "core/render/trace_tile.h"
@@ -66,6 +67,10 @@ struct RenderOptions {
   /// more than one sample
   bool denoise = false;
   LayerSet layers = {};  ///< what else tiles are to tell, by FilmTile::more (planes_of)
+  /// For an eye that looks there: the fovea alone is traced pixel by pixel (GazePicture). Nobody
+  /// watches then. Domain: a perspective view of one time, a pinhole; without denoiser, budget and
+  /// layers.
+  std::optional<Gaze> gaze = {};
   std::optional<Budget> budget = {};  ///< ends it after a whole round. Domain: of chance
   Spent spent = {};
   Watch watch = {};  ///< changes no pixel of the picture, only the order of work; none: nobody

@@ -17,11 +17,17 @@ namespace {
 template <class Real, class AnyWorldView>
 class Tracer {
  public:
-  Tracer(const Shot& shot, const Instant& at, int x0, int y0, int width, int height)
-      : eye(at.view), shot_(shot), at_(at), world_view_{world_view_of(x0, y0, width, height)} {
+  // `spread`: how wide rays see that are of no pixel; 0: they are.
+  Tracer(const Shot& shot, const Instant& at, int x0, int y0, int width, int height,
+         double spread = 0)
+      : eye(at.view),
+        shot_(shot),
+        at_(at),
+        cone_(spread > 0 ? PixelCone{0, spread} : cone_of(at.view)),
+        world_view_{world_view_of(x0, y0, width, height)} {
     if constexpr (may_have_backdrop) {
       if (hides_beyond_ && at.world.ground)
-        ground_.emplace(at.world, shot.integrator, shot.rules, cone_of(at.view),
+        ground_.emplace(at.world, shot.integrator, shot.rules, cone_,
                         [this](std::int64_t work) { spent(work); });
       if (shot.parts_light()) world_view_.parts = &parts_;
       if (shot.guided) world_view_.guides = &guides_;
@@ -105,7 +111,7 @@ class Tracer {
     } else {
       return {at_.world,   WorkCounter([this](std::int64_t work) { spent(work); }),
               shot_.rules, {},
-              0,           cone_of(at_.view),
+              0,           cone_,
               &at_.view};
     }
   }
@@ -118,6 +124,7 @@ class Tracer {
 
   const Shot& shot_;
   const Instant& at_;
+  const PixelCone cone_;
   const Color beyond_ = beyond();
   RayCounts all_rays_;
   Guides guides_;
@@ -137,7 +144,7 @@ class Tracers {
 
   Tracers(const Shot& shot, const TilePixels& tile) {
     for (const Instant& at : shot.instants)
-      all_.emplace_back(shot, at, tile.x0, tile.y0, tile.width, tile.height);
+      all_.emplace_back(shot, at, tile.x0, tile.y0, tile.width, tile.height, tile.spread);
   }
   bool blur() const { return all_.size() > 1; }
   OfInstant& first() { return all_.front(); }
@@ -236,6 +243,8 @@ template <bool flat, class Real, class AnyWorldView>
   Tracer<Real, AnyWorldView>* at = &tracers.first();
   Aims<Real> aims(shot.sampler, round, pixels.x, pixels.y, shot.has_lens());
   Vec3<Real> center = pixels.center(at->view());
+  std::optional<TargetLanes<Real>> targets;
+  if (pixels.targets[0] != nullptr) targets.emplace(pixels, at->view());
   const Mask<Real> all = pixels.active();
   const int count = shot.sampler.count(round), before = shot.sampler.before(round);
   const int half = doubles(shot.sampler, round) ? 0 : (count + 1) / 2;  // is added to one of guides
@@ -253,7 +262,9 @@ template <bool flat, class Real, class AnyWorldView>
     Tracer<Real, AnyWorldView>& tracer = *at;
     const int point = shot.sampler.point(round, i);
     sampler_state.sample = static_cast<std::uint32_t>(before + point);
-    const auto [ray, active] = ray_of<flat>(tracer, center, pixels, all, aims(point));
+    const Aim<Real> aim = aims(point);
+    const auto [ray, active] = targets ? SeenRay<Real>{targets->ray(aim), all}
+                                       : ray_of<flat>(tracer, center, pixels, all, aim);
     Vec3<Real> light = tracer.light(ray, active, sampler_state);
     if constexpr (!flat) light = tracer.seen(light, active);
     sums.add(light);
@@ -306,6 +317,9 @@ void trace_round(const Shot& shot, int round, Tracers<Real, AnyWorldView>& trace
       if (shot.guided) pixels.guided[i] = &tile.guided[static_cast<std::size_t>(pixel)];
       pixels.x[i] = static_cast<std::uint32_t>(tile.x0 + pixel % tile.width);
       pixels.y[i] = static_cast<std::uint32_t>(tile.y0 + pixel / tile.width);
+      if (tile.targets.empty()) continue;
+      const Target& target = tile.targets[static_cast<std::size_t>(pixel)];
+      pixels.targets[i] = &target, pixels.x[i] = target.x, pixels.y[i] = target.y;
     }
     if (tracers.first().view().is_flat()) trace_flat_round(shot, round, tracers, pixels);
     else trace_curved_round(shot, round, tracers, pixels);
@@ -330,12 +344,12 @@ void trace_rounds_in(const Shot& shot, int begin, int end, TilePixels& tile) {
 // Calls trace with the scalar's type and that of the world's view. In worlds of few plain balls, as
 // the thesis has, each ray is tried on all of them, without a tree.
 template <class Trace>
-void with_types(const Shot& shot, Scalar scalar, const Trace& trace) {
+void with_types(const Shot& shot, Scalar scalar, bool of_pixels, const Trace& trace) {
   const auto by_view = [&]<class Real>(std::type_identity<Real>) {
     const auto is_few = [](const Instant& at) {
       return at.world.few_balls && !at.view.is_clipped();
     };
-    if (row_of(shot.integrator).is_whitted && !shot.guided &&
+    if (of_pixels && row_of(shot.integrator).is_whitted && !shot.guided &&
         std::ranges::all_of(shot.instants, is_few))
       return trace.template operator()<Real, FewBallsView>();
     return trace.template operator()<Real, WorldView>();
@@ -372,13 +386,13 @@ void TilePixels::begin() {
 
 void trace_rounds(const Shot& shot, Scalar scalar, int first, int last, TilePixels& tile) {
   tile.begin();
-  with_types(shot, scalar, [&]<class Real, class AnyWorldView>() {
+  with_types(shot, scalar, tile.targets.empty(), [&]<class Real, class AnyWorldView>() {
     trace_rounds_in<Real, AnyWorldView>(shot, first, last, tile);
   });
 }
 
 void trace_centers(const Shot& shot, Scalar scalar, int x0, int y0, FilmTile& tile) {
-  with_types(shot, scalar, [&]<class Real, class AnyWorldView>() {
+  with_types(shot, scalar, true, [&]<class Real, class AnyWorldView>() {
     trace_centers_in<Real, AnyWorldView>(shot, x0, y0, tile);
   });
 }

@@ -9,6 +9,7 @@
 #include "core/render/layers.h"
 #include "core/render/meter.h"
 #include "core/render/sampler.h"
+#include "core/render/target.h"
 
 namespace tia {
 
@@ -50,6 +51,8 @@ struct TilePixels {
   std::vector<int> unsettled = {};      ///< the numbers of those that need more samples
   RayCounts rays = {};                  ///< that its whole rounds have taken
   float error = 1;                      ///< the largest of its pixels, where errors are shown
+  std::vector<Target> targets = {};     ///< where its pixels are none of the view's
+  double spread = 0;                    ///< of those: how wide a ray sees (PixelCone)
 
   /// Makes what a first round needs, where there is nothing yet.
   void begin();

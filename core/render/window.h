@@ -18,4 +18,9 @@ struct Window {
   bool operator==(const Window&) const = default;
 };
 
+/// Whether they have a pixel in common.
+inline bool overlap(const Window& a, const Window& b) {
+  return std::max(a.x0, b.x0) < std::min(a.x1, b.x1) && std::max(a.y0, b.y0) < std::min(a.y1, b.y1);
+}
+
 }  // namespace tia
