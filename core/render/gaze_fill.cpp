@@ -1,25 +1,24 @@
 #include "core/render/gaze_fill.h"
 
 #include "core/math/lanes.h"
+#include "core/math/quad.h"
 
 namespace tia {
 namespace {
 
-// Of two equal samples it is the same bits.
-GazeSample mix(const GazeSample& from, const GazeSample& to, float share) {
-  GazeSample mixed;
-  for (std::size_t i = 0; i < mixed.numbers.size(); ++i)
-    mixed.numbers[i] = from.numbers[i] + share * (to.numbers[i] - from.numbers[i]);
-  return mixed;
+// Of two equal ones it is the same bits.
+Quad mix(const Quad& from, const Quad& to, float share) {
+  return from + Quad(static_cast<double>(share)) * (to - from);
 }
 
-GazeSample between_rays(const std::vector<GazeSample>& samples, const GazeCell& cell) {
-  const auto at = [&](std::int64_t slot) -> const GazeSample& {
-    return samples[static_cast<std::size_t>(slot)];
+Quad at_slot(const std::vector<GazeSample>& samples, std::int64_t slot) {
+  return Quad::load_unaligned(samples[static_cast<std::size_t>(slot)].numbers.data());
+}
+Quad between_rays(const std::vector<GazeSample>& samples, const GazeCell& cell) {
+  const auto on_ring = [&](const GazeCell::Between& rays) {
+    return mix(at_slot(samples, rays.from), at_slot(samples, rays.to), rays.share);
   };
-  const GazeSample inner = mix(at(cell.inner.from), at(cell.inner.to), cell.inner.share);
-  const GazeSample outer = mix(at(cell.outer.from), at(cell.outer.to), cell.outer.share);
-  return mix(inner, outer, cell.share);
+  return mix(on_ring(cell.inner), on_ring(cell.outer), cell.share);
 }
 
 // Rings are as far apart as their rays.
@@ -72,11 +71,13 @@ void fill_from_rings(const GazeFilling& from, int x0, int y0, FilmTile& tile) {
       if (near && from.fovea.has(x0 + tile.x + x, picture_y, from.slope)) continue;
       const auto i = static_cast<std::size_t>(x);
       const GazeCell& cell = search({row.eccentricity[i], row.turn[i]});
-      const auto [filled] = from.nearest ? from.samples[static_cast<std::size_t>(nearest_ray(cell))]
-                                         : between_rays(from.samples, cell);
+      const auto filled = doubles_of(from.nearest ? at_slot(from.samples, nearest_ray(cell))
+                                                  : between_rays(from.samples, cell));
       const std::size_t at = FilmTile::index(x, y);
-      tile.r[at] = filled[0], tile.g[at] = filled[1], tile.b[at] = filled[2];
-      tile.alpha[at] = filled[3];
+      tile.r[at] = static_cast<float>(filled[0]);
+      tile.g[at] = static_cast<float>(filled[1]);
+      tile.b[at] = static_cast<float>(filled[2]);
+      tile.alpha[at] = static_cast<float>(filled[3]);
     }
   }
 }

@@ -200,9 +200,8 @@ std::size_t GazeRings::ring_below(float eccentricity) const {
   return k;
 }
 
-void GazeRings::find_slots(std::size_t ring, const Step& at, GazeCell::Between& between) const {
-  between.from = slot_of(rings_[ring], at.from);
-  between.to = slot_of(rings_[ring], at.to);
+std::pair<std::int64_t, std::int64_t> GazeRings::slots(std::size_t ring, const Step& at) const {
+  return {slot_of(rings_[ring], at.from), slot_of(rings_[ring], at.to)};
 }
 
 GazeCount count_of(const GazeFovea& fovea, const GazeRings& rings, double slope) {

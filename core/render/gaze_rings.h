@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 #include "core/render/gaze.h"
@@ -86,7 +88,7 @@ class GazeRings {
   void number_slots();
   std::size_t ring_below(float eccentricity) const;
   Step step(std::size_t ring, float turn) const;
-  void find_slots(std::size_t ring, const Step& at, GazeCell::Between& between) const;
+  std::pair<std::int64_t, std::int64_t> slots(std::size_t ring, const Step& at) const;
 
   std::vector<GazeRing> rings_;
   std::vector<Numbers> numbers_;
@@ -111,8 +113,9 @@ inline const GazeCell& GazeRings::Search::operator()(const Polar<float>& place) 
     inner_ = outer_ = -1;
   }
   const Step inner = rings_.step(ring_, turn), outer = rings_.step(ring_ + 1, turn);
-  if (inner.from != inner_) rings_.find_slots(ring_, inner, cell_.inner);
-  if (outer.from != outer_) rings_.find_slots(ring_ + 1, outer, cell_.outer);
+  if (inner.from != inner_) std::tie(cell_.inner.from, cell_.inner.to) = rings_.slots(ring_, inner);
+  if (outer.from != outer_)
+    std::tie(cell_.outer.from, cell_.outer.to) = rings_.slots(ring_ + 1, outer);
   inner_ = inner.from, outer_ = outer.from;
   cell_.inner.share = inner.share;
   cell_.outer.share = outer.share;
