@@ -18,7 +18,8 @@ const std::vector<HeaderRow>& header_rows() {
       {"Content-Encoding", "how the body is compressed, where Accept-Encoding takes that", "^gzip$",
        false},
       {"Content-Location",
-       "of a picture with a budget: the address that gives the same bytes without one; of a still "
+       "of a picture with a budget or frame_ms: the address that gives the same bytes without; of "
+       "a still "
        "whose model was sent: that of the same still by the model's id",
        "^/(render|still)\\?", false},
       {"ETag", "the tag of the body's bytes, for If-None-Match; of a picture its recipe's SHA-256",
@@ -41,6 +42,10 @@ const std::vector<HeaderRow>& header_rows() {
        "how many pictures a film needs, and how many of its frames show the one before; still: the "
        "scene does not move",
        "^drawn=[0-9]+, shared=[0-9]+(, still)?$", false},
+      {"Tia-Gaze",
+       "of a picture for a gaze: the slope of its acuity, the pixels of the fovea, the rays of the "
+       "rings around it, and the pixels of the picture",
+       "^slope=[0-9.e-]+, fovea=[0-9]+, periphery=[0-9]+, full=[0-9]+$", false},
       {"Tia-Ignored",
        "what the integrator leaves out of the scene: JSON Pointers, of which /explain tells why",
        "^/[a-z_/]+(, /[a-z_/]+)*$", false},

@@ -13,6 +13,7 @@
 #include "server/handlers/handlers.h"
 #include "server/requests/explain_request.h"
 #include "server/requests/exposure.h"
+#include "server/requests/gaze_request.h"
 #include "server/requests/whole_picture.h"
 
 namespace tia::server {
@@ -171,6 +172,19 @@ int view_asked_for(const ExplainRequest& asked, const WholePicture& whole, const
   return number;
 }
 
+// What is told of is what a picture for the gaze traces, too.
+void check_gaze(const Explaining& by, const Requester& requester) {
+  const ExplainRequest& asked = by.asked;
+  const View view = by.view(*by.scene);
+  const auto found = gaze_of(asked, view, {0, 0, asked.width, asked.height},
+                             most_samples(by.options), by.context, requester);
+  if (!found) return;
+  if (asked.ray)
+    throw InputError({FaultKind::conflict, "/gaze", write_value(asked.gaze),
+                      "x and y; a ray of its own belongs to no picture"});
+  check_fovea(found->gaze, view, *asked.x, *asked.y);
+}
+
 std::string explanation_of(const ExplainRequest& asked, const Service& service,
                            const Requester& requester, Flow& flow) {
   const RenderContext& context = service.rendering;
@@ -184,6 +198,7 @@ std::string explanation_of(const ExplainRequest& asked, const Service& service,
   Explaining by{asked,   found.plain, std::move(exposure), options_of(in_effect, context.limits),
                 context, workers,     std::move(whole),    number};
   check_options(asked, by.options);
+  check_gaze(by, requester);
   by.options.blur_steps = by.exposure.blur_steps();
   const Value::Object told = asked.ray       ? explained_ray(by)
                              : by.by_paths() ? explained_paths(by)

@@ -21,6 +21,7 @@ std::vector<Route> live_routes();
 std::vector<Route> picture_routes();
 std::vector<Route> verify_routes();
 std::vector<Route> explain_routes();
+std::vector<Route> compare_routes();
 std::vector<Route> scene_routes();
 std::vector<Route> simulate_routes();
 std::vector<Route> gallery_model_routes();

@@ -9,6 +9,7 @@
 #include "server/http/headers.h"
 #include "server/requests/draw.h"
 #include "server/requests/etag.h"
+#include "server/requests/gaze_request.h"
 #include "server/requests/reached.h"
 #include "server/requests/recipe.h"
 #include "server/requests/view_texts.h"
@@ -35,6 +36,7 @@ Headers told_of(const Plan& plan) {
   for (const LeftOut& each : left_out_by(plan.in_effect.integrator, *plan.scene))
     ignored.append(ignored.empty() ? "" : ", ").append(each.pointer);
   if (!ignored.empty()) headers.emplace_back("Tia-Ignored", ignored);
+  if (plan.gaze) headers.emplace_back("Tia-Gaze", gaze_told(plan));
   return headers;
 }
 
@@ -76,11 +78,21 @@ Response rendered_within(const AskedPicture& asked, Plan& plan, double parse_ms,
   return with(with(picture_response(found, parse_ms, watch.lap_ms()), headers), beside);
 }
 
-}  // namespace
+// The same with as many rays as there is time for, which is another number the next time: so
+// nobody may keep it by this name.
+AskedPicture in_time(const AskedPicture& asked, const Request& request, Service& service) {
+  AskedPicture timed = asked;
+  timed.picture.frame_ms = std::nullopt;
+  timed.picture.v = std::nullopt;
+  check_frame_ms(asked.picture);
+  const Plan plan = plan_of(timed.picture, service.rendering, requester_of(request));
+  const std::int64_t rays = rays_in_time(*asked.picture.frame_ms, plan, service.costs);
+  timed.picture.gaze_rays = std::min(rays, asked.picture.gaze_rays.value_or(rays));
+  return timed;
+}
 
-// HEAD and If-None-Match need no ray: what the picture is called is known.
-Response rendered(const AskedPicture& asked, Stopwatch watch, const Request& request,
-                  Service& service) {
+Response rendered_as(const AskedPicture& asked, bool may_be_known, Stopwatch watch,
+                     const Request& request, Service& service) {
   const Requester requester = requester_of(request);
   Plan plan = plan_of(asked.picture, service.rendering, requester);
   const std::string etag = etag_of(plan.recipe);
@@ -91,7 +103,7 @@ Response rendered(const AskedPicture& asked, Stopwatch watch, const Request& req
   const std::string type(media_type_of(plan.format));
   if (request.method != "POST") {
     const auto* name = std::get_if<std::string>(&asked.picture.scene);
-    if (name != nullptr)
+    if (name != nullptr && may_be_known)
       service.targets.keep(KnownTargets::name_of(request), {etag, *name, type, headers, beside});
     if (has_already(request, etag)) return with(not_modified(), headers);
   }
@@ -99,6 +111,19 @@ Response rendered(const AskedPicture& asked, Stopwatch watch, const Request& req
     return with({.content_type = type, .body = "", .headers = beside, .unsized = true}, headers);
   const auto found = picture_of(plan, etag, requester, service);
   return with(with(picture_response(found, parse_ms, watch.lap_ms()), headers), beside);
+}
+
+}  // namespace
+
+// HEAD and If-None-Match need no ray: what the picture is called is known.
+Response rendered(const AskedPicture& asked, Stopwatch watch, const Request& request,
+                  Service& service) {
+  if (!asked.picture.frame_ms) return rendered_as(asked, true, watch, request, service);
+  const AskedPicture timed = in_time(asked, request, service);
+  Response response = rendered_as(timed, false, watch, request, service);
+  const std::string to = address_of_timed(request, *timed.picture.gaze_rays);
+  if (!to.empty()) response.headers.emplace_back("Content-Location", to);
+  return response;
 }
 
 std::optional<Response> known_picture(const Request& request, Service& service) {
@@ -121,6 +146,9 @@ std::optional<Response> known_picture(const Request& request, Service& service) 
 Response shown_while_drawn(PictureRequest asked, Stream stream, const Request& request,
                            Service& service) {
   check_stream(name_of(stream), request, asked.format);
+  if (asked.gaze)
+    throw InputError({FaultKind::conflict, "/stream", write_value(stream),
+                      "no gaze: its picture is there at once, or not at all"});
   /// Kept: what the drawing needs of its request, which has been read.
   struct Kept {
     PictureRequest asked;
@@ -140,9 +168,9 @@ Response shown_while_drawn(PictureRequest asked, Stream stream, const Request& r
 Answer picture_answer() {
   Answer answer{.about = "the picture"};
   for (const FormatRow& row : formats) answer.contents.push_back({row.media_type});
-  answer.headers = {"Server-Timing", "Tia-Rays",         "Cache-Control",      "ETag",
-                    "Cache-Status",  "Content-Location", "Tia-Samples",        "Tia-Noise",
-                    "Tia-Biased",    "Tia-Ignored",      "Content-Disposition"};
+  answer.headers = {"Server-Timing", "Tia-Rays",         "Cache-Control",       "ETag",
+                    "Cache-Status",  "Content-Location", "Tia-Samples",         "Tia-Noise",
+                    "Tia-Biased",    "Tia-Ignored",      "Content-Disposition", "Tia-Gaze"};
   return answer;
 }
 

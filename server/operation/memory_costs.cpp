@@ -7,8 +7,8 @@ namespace tia::server {
 
 std::span<const MemoryCost> memory_costs() {
   using namespace memory_cost;
-  static constexpr std::array table{text,   value,  patch,   build,          png,   alpha,  linear,
-                                    layers, rounds, denoise, denoise_thread, model, request};
+  static constexpr std::array table{text,   value,  patch,   build,          png,  alpha, linear,
+                                    layers, rounds, denoise, denoise_thread, gaze, model, request};
   return table;
 }
 

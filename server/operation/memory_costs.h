@@ -39,6 +39,8 @@ inline constexpr MemoryCost denoise{"denoise", "pixel that is denoised, and of t
                                     "its half buffers, what is fitted to them, and what that says"};
 inline constexpr MemoryCost denoise_thread{"denoise_thread", "thread that denoises", 1 << 20,
                                            "the weights and the fits of a tile"};
+inline constexpr MemoryCost gaze{"gaze", "ray of a picture for a gaze", 96,
+                                 "where it goes, what it finds, and the pixels near the fovea"};
 inline constexpr MemoryCost model{"model", "byte of a model's files", 4,
                                   "what its reader answers, and what that comes to"};
 inline constexpr MemoryCost request{"request", "request", 1 << 20, "all else"};

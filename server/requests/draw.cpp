@@ -7,6 +7,7 @@
 #include "core/input/json.h"
 #include "server/requests/denoise_check.h"
 #include "server/requests/exr_picture.h"
+#include "server/requests/gaze_request.h"
 #include "server/requests/linear_file.h"
 #include "server/requests/parts.h"
 #include "server/requests/recipe.h"
@@ -24,7 +25,7 @@ std::string cost_key_of(const Plan& plan) {
   const auto add = [&](const auto&... parts) { ((key += ' ' + std::to_string(parts)), ...); };
   add(plan.options.denoise, static_cast<int>(plan.options.integrator), plan.options.max_depth,
       plan.options.ao_radius, plan.options.threshold, plan.options.noise,
-      plan.scene->options.transparent_shadows, plan.layers.bits());
+      plan.scene->options.transparent_shadows, plan.layers.bits(), plan.gaze.has_value());
   if (plan.scene->fog) add(plan.scene->fog->density);
   for (const Light& light : plan.scene->lights) {
     const Value written = write_value(light);
@@ -69,6 +70,7 @@ void check_several(const PictureRequest& asked, const Plan& plan) {
   };
   check(is_sheet, "crop", asked.crop);
   check(is_sheet || plan.is_mixed(), "aov", asked.aov);
+  check(plan.has_several(), "gaze", asked.gaze);
   check(plan.has_several(), "budget_ms", asked.budget_ms);
   check(plan.has_several(), "max_rays", asked.max_rays);
   check(asked.format == Format::zip, "crop", asked.crop);
@@ -135,7 +137,8 @@ Plan plan_of(const PictureRequest& asked, const RenderContext& context,
     check_layers(plan, context.limits);
   }
   check_denoise(plan);
-  check_rays(plan.traced_pixels(), plan.fewest_samples, context.limits);
+  plan_gaze(context, requester, plan);
+  check_rays(plan.points(), plan.fewest_samples, context.limits);
   const KnownScene& told = told_scene_of(plan);
   const std::size_t objects = told.objects.bytes <= most_told_bytes ? told.objects.bytes : 0;
   std::tie(plan.recipe, plan.rounds_name, plan.cost_key) =

@@ -15,7 +15,8 @@ std::int64_t memory_beside(const Plan& plan, std::size_t pixels) {
 std::int64_t memory_of_pixels(const Plan& plan, std::size_t pixels) {
   if (plan.format == Format::exr)
     return memory_for(memory_cost::layers, pixels * static_cast<std::size_t>(plan.layers.planes()));
-  if (!holds_codes(plan.format)) return memory_for(memory_cost::linear, pixels);
+  if (!holds_codes(plan.format) || plan.takes_light)
+    return memory_for(memory_cost::linear, pixels);
   const bool alpha = is_transparent(*plan.scene, plan.options.integrator);
   return memory_for(alpha ? memory_cost::alpha : memory_cost::png, pixels);
 }
@@ -43,6 +44,10 @@ std::int64_t memory_of_denoiser(const Plan& plan) {
          memory_for(memory_cost::denoise_thread, static_cast<std::size_t>(plan.options.threads));
 }
 
+std::int64_t memory_of_gaze(const Plan& plan) {
+  return plan.gaze ? memory_for(memory_cost::gaze, static_cast<std::size_t>(plan.gaze->all())) : 0;
+}
+
 }  // namespace
 
 // For who watches files are made while the film stays.
@@ -51,7 +56,7 @@ std::int64_t memory_of(const Plan& plan, bool is_watched) {
                       static_cast<std::size_t>(plan.window.height());
   return memory_for(memory_cost::request, 1) +
          memory_of_pixels(plan, pixels) * (is_watched ? 2 : 1) + memory_beside(plan, pixels) +
-         memory_of_rounds(plan, is_watched) + memory_of_denoiser(plan);
+         memory_of_rounds(plan, is_watched) + memory_of_denoiser(plan) + memory_of_gaze(plan);
 }
 
 }  // namespace tia::server

@@ -76,8 +76,8 @@ struct FrameFields {
   Visitor& visit;
   template <class Base, class Member>
   void operator()(std::string_view name, Member Base::*member, const Spec& spec) const {
-    for (const std::string_view other :
-         {"time", "frame", "format", "budget_ms", "max_rays", "depth_range", "aov", "depth"})
+    for (const std::string_view other : {"time", "frame", "format", "budget_ms", "max_rays",
+                                         "frame_ms", "depth_range", "aov", "depth"})
       if (name == other) return;
     visit(name, member, spec);
   }

@@ -30,7 +30,7 @@ std::string with_recipe(std::string png, const PictureEncoding& by) {
 }  // namespace
 
 std::string PictureEncoding::operator()(Image light) const {
-  if (plan.takes_codes)
+  if (plan.takes_codes || plan.takes_light)
     return {reinterpret_cast<const char*>(light.rgb.data()), light.rgb.size() * sizeof(float)};
   return alone(workers, [&] { return linear_file(plan, std::move(light), stop); });
 }

@@ -64,6 +64,7 @@ struct PictureRequest : TraceRequest {
   bool denoise = false;
   std::optional<int> budget_ms;
   std::optional<std::int64_t> max_rays;
+  std::optional<int> frame_ms;
   Format format = Format::png;
   std::optional<std::array<double, 2>> depth_range;
   std::optional<std::vector<Layer>> aov;
@@ -115,6 +116,12 @@ struct PictureRequest : TraceRequest {
              .max = 3'600'000});
     visit("max_rays", &P::max_rays,
           Spec{.about = "the same in rays of all kinds", .min = 1, .max = 9007199254740991});
+    visit("frame_ms", &P::frame_ms,
+          Spec{.about = "of a gaze: how long the picture may be traced; gaze_rays is what this "
+                        "scene's rays have taken lately allows, and Content-Location names it",
+               .unit = "ms",
+               .min = 1,
+               .max = 3'600'000});
     visit(
         "format", &P::format,
         Spec{.about =

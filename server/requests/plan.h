@@ -1,6 +1,7 @@
 // A picture whose request has been checked: all that is needed to draw it.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "core/film/denoise.h"
@@ -31,7 +32,9 @@ struct Plan {
   Format format = Format::png;
   bool takes_codes = false;  ///< the bytes are the pixels' codes (PNG) or light in floats, row by
                              ///< row, and no file
-  LayerSet layers = {};      ///< of an exr, which alone has any
+  bool takes_light = false;            ///< the bytes are the pixels' light in floats, and no file
+  LayerSet layers = {};                ///< of an exr, which alone has any
+  std::optional<GazeCount> gaze = {};  ///< the points that rays go through, of one for a gaze
   const PictureRequest* asked = nullptr;  ///< the request
   int fewest_samples = 1;                 ///< that a pixel has in any case
   std::string recipe = {};       ///< what POST /render would draw the same picture from (recipe.h)
@@ -47,18 +50,19 @@ struct Plan {
     if (!options.denoise || has_several()) return window;
     return window.grown(denoise_margin, view.width, view.height);
   }
-  /// How many those are: each of what is mixed is one.
-  std::int64_t traced_pixels() const {
+  /// How many points rays go through: of what is mixed, each pixel of each view.
+  std::int64_t points() const {
+    if (gaze) return gaze->all();
     const auto mixed = static_cast<std::int64_t>(is_mixed() ? views.views.size() : 1);
     return std::int64_t{traced().width()} * traced().height() * mixed;
   }
   /// The rays that the eye sends out: the fewest with a threshold, the most with noise.
   double rays() const {
-    return static_cast<double>(traced_pixels()) * least_samples(options.samples, options.threshold);
+    return static_cast<double>(points()) * least_samples(options.samples, options.threshold);
   }
   /// Those that it sends out in any case.
   double sure_rays() const {
-    return static_cast<double>(traced_pixels()) * fewest_samples;
+    return static_cast<double>(points()) * fewest_samples;
   }
 };
 

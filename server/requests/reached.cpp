@@ -18,6 +18,19 @@ void tell_reached(const Reached& reached, Headers& headers) {
   headers.emplace_back("Tia-Noise", noise);
 }
 
+namespace {
+
+// The request's with `says` in the place of those parameters.
+std::string address_with(const Request& request, std::initializer_list<std::string_view> without,
+                         const std::string& says) {
+  if (request.method == "POST") return "";
+  std::string address =
+      std::string(request.path()) + "?" + query_without(request.query(), without) + says;
+  return address.size() < longest_target ? address : "";
+}
+
+}  // namespace
+
 std::string query_without(std::string_view left, std::initializer_list<std::string_view> names) {
   std::string query;
   while (!left.empty()) {
@@ -32,11 +45,12 @@ std::string query_without(std::string_view left, std::initializer_list<std::stri
 }
 
 std::string address_of_reached(const Request& request, int samples) {
-  if (request.method == "POST") return "";
-  std::string address = std::string(request.path()) + "?" +
-                        query_without(request.query(), {"budget_ms", "max_rays", "samples"}) +
-                        "samples=" + std::to_string(samples);
-  return address.size() < longest_target ? address : "";
+  return address_with(request, {"budget_ms", "max_rays", "samples"},
+                      "samples=" + std::to_string(samples));
+}
+std::string address_of_timed(const Request& request, std::int64_t gaze_rays) {
+  return address_with(request, {"frame_ms", "gaze_rays", "v"},
+                      "gaze_rays=" + std::to_string(gaze_rays));
 }
 
 }  // namespace tia::server

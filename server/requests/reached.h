@@ -1,6 +1,7 @@
 // What is said of a picture that its budget may have ended.
 #pragma once
 
+#include <cstdint>
 #include <initializer_list>
 #include <string>
 #include <string_view>
@@ -19,5 +20,8 @@ std::string query_without(std::string_view query, std::initializer_list<std::str
 /// The same picture's address without what has ended it: the query with as many samples as it came
 /// to. Returns: empty where that would be too long, and for a body.
 std::string address_of_reached(const Request& request, int samples);
+/// The same of a picture for a gaze, without the time that it had: with as many rays as that came
+/// to.
+std::string address_of_timed(const Request& request, std::int64_t gaze_rays);
 
 }  // namespace tia::server

@@ -111,6 +111,11 @@ std::string recipe_of(const PictureRequest& asked, const Plan& plan) {
   if (asked.height != usual.height) request.emplace_back("height", asked.height);
   if (!(plan.window == plan.whole)) request.emplace_back("crop", write_value(asked.crop));
   if (asked.denoise) request.emplace_back("denoise", true);
+  if (plan.options.gaze) {
+    request.emplace_back("gaze", write_value(asked.gaze));
+    const Acuity& acuity = plan.options.gaze->acuity;  // which keeps to gaze_rays
+    if (!(acuity == Acuity{})) request.emplace_back("acuity", write_value(acuity));
+  }
   if (asked.format != usual.format) request.emplace_back("format", name_of(asked.format));
   if (asked.depth_range) request.emplace_back("depth_range", write_value(*asked.depth_range));
   if (plan.format == Format::exr) {
@@ -122,7 +127,7 @@ std::string recipe_of(const PictureRequest& asked, const Plan& plan) {
 
 std::string rounds_name_of(const PictureRequest& asked, const Plan& plan) {
   if (!row_of(plan.options.integrator).is_chance() || plan.options.threshold > 0 ||
-      plan.options.denoise || plan.has_several())
+      plan.options.denoise || plan.options.gaze || plan.has_several())
     return "";
   Plan any = plan;
   any.in_effect.samples = std::nullopt;

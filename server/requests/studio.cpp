@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstring>
 #include <utility>
 
 #include "core/film/film.h"
@@ -189,7 +190,8 @@ void Studio::show(const Glimpse& glimpse, Film& film) {
 void Studio::draw_on_a_film(const Worlds& worlds, Picture& picture) {
   const int width = plan_.window.width(), height = plan_.window.height();
   if (plan_.format == Format::exr) return draw_on(ExrPicture(plan_), worlds, picture);
-  if (!holds_codes(plan_.format)) return draw_on(LinearFilm(width, height), worlds, picture);
+  if (!holds_codes(plan_.format) || plan_.takes_light)
+    return draw_on(LinearFilm(width, height), worlds, picture);
   if (is_transparent(*plan_.scene, plan_.options.integrator))
     return draw_on(AlphaFilm(width, height, plan_.display), worlds, picture);
   const bool is_one_file = plan_.format == Format::png;

@@ -1,12 +1,14 @@
 // What a request says of the scene and of the eye: the parameters that /render and /explain share.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
 
 #include "core/models/kept_model.h"
+#include "core/render/gaze.h"
 #include "core/scene/scene.h"
 #include "server/requests/camera_patch.h"
 #include "server/requests/moment.h"
@@ -55,6 +57,9 @@ struct TraceRequest : ViewRequest {
   std::optional<int> max_depth;
   std::optional<double> ao_radius;
   std::optional<std::int64_t> seed;
+  std::optional<std::array<double, 2>> gaze;
+  std::optional<std::int64_t> gaze_rays;
+  std::optional<Acuity> acuity;
 
   template <class Visitor>
   static void fields(Visitor&& visit) {
@@ -95,6 +100,20 @@ struct TraceRequest : ViewRequest {
           Spec{.about = "the random stream; else the scene's",
                .min = 0,
                .max = SceneOptions::last_seed});
+    visit("gaze", &T::gaze,
+          Spec{.about = "x,y: the picture is for an eye that looks there, which may be outside of "
+                        "it; what it sees as sharply is traced pixel by pixel, the rest is filled "
+                        "from rays as far apart as it can tell",
+               .unit = "pixels",
+               .min = -most_px,
+               .max = most_px});
+    visit(
+        "gaze_rays", &T::gaze_rays,
+        Spec{.about = "the most rays that the eye sends out for a gaze, of the whole picture: the "
+                      "smallest slope of the acuity is taken that keeps to it",
+             .min = 1,
+             .max = 9007199254740991});
+    visit("acuity", &T::acuity, Spec{.about = "of a gaze: how fine a detail is seen beside it"});
   }
 };
 

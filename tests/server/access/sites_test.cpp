@@ -99,7 +99,7 @@ TEST(Writes, AreThoseOfEveryMethodButTheSafeOnes) {
   const Headers afar{{"Sec-Fetch-Site", "cross-site"}, {"Origin", "https://evil.example"}};
   for (const char* method : {"GET", "HEAD", "OPTIONS"})
     EXPECT_NE(on_all().ask(method, "/scenes", "", afar).status, 403) << method;
-  for (const char* target : {"/render", "/explain", "/verify", "/simulate", "/scenes"})
+  for (const char* target : {"/render", "/explain", "/compare", "/verify", "/simulate", "/scenes"})
     EXPECT_EQ(on_all().ask("POST", target, "{}", afar).status, 403) << target;
   EXPECT_EQ(on_all().ask("DELETE", "/scenes/" + std::string(64, '0'), "", afar).status, 403);
 }

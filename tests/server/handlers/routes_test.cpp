@@ -60,6 +60,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Path{"ModelScene", "/models/part/scene", "GET, HEAD, OPTIONS"},
                     Path{"Still", "/still", "GET, HEAD, POST, OPTIONS", 422, 415},
                     Path{"Explain", "/explain", "GET, HEAD, POST, OPTIONS", 422, 422},
+                    Path{"Compare", "/compare", "POST, OPTIONS", 405, 422},
                     Path{"Simulate", "/simulate", "POST, OPTIONS", 405, 422},
                     Path{"Jobs", "/jobs", "POST, OPTIONS", 405, 422},
                     Path{"JobLoad", "/jobs/load", "GET, HEAD, DELETE, OPTIONS"},

@@ -89,14 +89,15 @@ TEST(Recipe, ChangesWithEveryParameterThatChangesThePicture) {
       {"exposure", "1"},       {"noise", "0.1"},  {"white_balance_kelvin", "3000"},
       {"depth_range", "1,2"},  {"aov", "normal"}, {"depth", "32"},
       {"denoise", "true"},     {"time", "1"},     {"frame", "3"},
-      {"blur_steps", "2"}};
+      {"blur_steps", "2"},     {"gaze", "3,4"},   {"acuity", "%7B%22slope%22:0.1%7D"},
+      {"gaze_rays", "90"}};
   const std::string moves =
       "%7B%22animation%22:%7B%22duration%22:2,%22shutter%22:1,%22tracks%22:[%7B%22target%22:%22/"
       "background%22,"
       "%22formula%22:%22t/2%22%7D]%7D%7D";
   const std::set<std::string> of_no_byte{"threads", "v"};
   // What ends a picture early is not told, but what it came to (Rounds).
-  const std::set<std::string> of_time{"budget_ms", "max_rays"};
+  const std::set<std::string> of_time{"budget_ms", "max_rays", "frame_ms"};
   // What has an effect only beside another one.
   const std::map<std::string, std::map<std::string, std::string>> beside{
       {"ao_radius", {{"integrator", "ambient_occlusion"}}},
@@ -106,6 +107,8 @@ TEST(Recipe, ChangesWithEveryParameterThatChangesThePicture) {
       {"depth", {{"format", "exr"}}},
       {"denoise", {{"integrator", "ambient_occlusion"}}},
       {"blur_steps", {{"scene", moves}, {"samples", "4"}, {"time", "1"}}},
+      {"gaze_rays", {{"gaze", "3,4"}}},
+      {"acuity", {{"gaze", "3,4"}}},
       {"time", {{"scene", moves}}},
       {"frame", {{"scene", moves}}}};
   FieldNames fields;
