@@ -55,7 +55,11 @@ Gaze asked_gaze(const TraceRequest& asked) {
 }
 Window whole(const View& view) { return {0, 0, view.width, view.height}; }
 
+constexpr const char* known_rays =
+    "threshold=0&noise=0, for nobody knows beforehand how many samples they take";
+
 double slope_within(const GazeLimit& limit, std::int64_t rays, int samples) {
+  if (samples == 0) refuse_beside_gaze("gaze_rays", rays, known_rays);
   if (const auto slope = limit.slope_within(rays / samples)) return *slope;
   const std::int64_t least = limit.count(Acuity::most_slope).all() * samples;
   throw InputError({FaultKind::limit, "/gaze_rays", write_value(rays),
@@ -67,8 +71,7 @@ double slope_within(const GazeLimit& limit, std::int64_t rays, int samples) {
 }  // namespace
 
 int most_samples(const RenderOptions& options) {
-  const int least = least_samples(options.samples, options.threshold);
-  return options.threshold > 0 ? 16 * least : least;
+  return options.threshold > 0 || options.noise > 0 ? 0 : options.samples;
 }
 
 std::optional<GazeInEffect> gaze_of(const TraceRequest& asked, const View& view,
@@ -110,6 +113,7 @@ std::int64_t rays_in_time(int ms, const Plan& plan, CostMemory& costs) {
   const double rays = ms * 1e-3 * plan.options.threads / seconds_each;
   const GazeLimit limit(plan.view, *plan.options.gaze, whole(plan.view));
   const int samples = most_samples(plan.options);
+  if (samples == 0) refuse_beside_gaze("frame_ms", ms, known_rays);
   const std::int64_t least = limit.count(Acuity::most_slope).all() * samples;
   const std::int64_t most = limit.count(plan.options.gaze->acuity.slope).all() * samples;
   return std::clamp(static_cast<std::int64_t>(std::min(rays, 1e15)), least, std::max(least, most));

@@ -15,13 +15,13 @@ struct GazeInEffect {
 
 /// The gaze that is asked for. `samples`: the most rays that a point has.
 /// Errors: InputError: conflict at /gaze for a view that is no plain perspective one, at the others
-/// where there is no gaze; limit at /gaze_rays below what the greatest slope takes. As
-/// RenderContext::go_through.
+/// where there is no gaze, at /gaze_rays for samples of an unknown number; limit there below what
+/// the greatest slope takes. As RenderContext::go_through.
 std::optional<GazeInEffect> gaze_of(const TraceRequest& asked, const View& view,
                                     const Window& window, int samples, const RenderContext& context,
                                     const Requester& requester);
 
-/// The most rays that a point has.
+/// The most rays that a point has; 0: nobody knows beforehand.
 int most_samples(const RenderOptions& options);
 
 /// Puts it into a plan. Errors: the same; conflict at what is asked for beside it and is of whole

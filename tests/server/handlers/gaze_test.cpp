@@ -118,6 +118,8 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"RaysAlone", "gaze_rays=100", "/gaze_rays"},
         Refused{"TimeAlone", "frame_ms=100", "/frame_ms"},
         Refused{"AcuityAlone", "acuity.slope=0.03", "/acuity"},
+        Refused{"RaysOfAThreshold", "gaze=1,2&threshold=0.1&gaze_rays=99", "/gaze_rays"},
+        Refused{"TimeOfAThreshold", "gaze=1,2&threshold=0.1&frame_ms=99", "/frame_ms"},
         Refused{"NoSlope", "gaze=1,2&acuity.slope=0", "/acuity/slope"},
         Refused{"Lens", "gaze=1,2&camera=%7B%22aperture%22:1,%22focus_distance%22:5%7D", "/gaze"},
         Refused{"Parallel",
