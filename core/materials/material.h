@@ -11,6 +11,7 @@
 #include "core/input/kinds.h"
 #include "core/materials/finish.h"
 #include "core/materials/principled.h"
+#include "core/materials/radio_material.h"
 
 namespace tia {
 
@@ -39,10 +40,14 @@ using MaterialList = std::variant<ListedMaterial<Kinds>...>;
 struct Material {
   static constexpr std::string_view schema_name = "material";
   MaterialList<Finish, Principled> kind;
+  std::optional<Boxed<RadioMaterial>> radio{};  ///< none: what radio.h assumes
 
   template <class Visitor>
   static void fields(Visitor&& visit) {
     visit.one_of(&Material::kind, Spec{.about = "the kind of material"});
+    visit("radio", &Material::radio,
+          Spec{.about = "what it is to radio waves, which /radio/paths follows; pictures do not "
+                        "show it. Else closed bodies are concrete, open ones sheets of it"});
   }
   bool operator==(const Material&) const = default;
 };

@@ -21,8 +21,9 @@ namespace fs = std::filesystem;
 // Core's folders from top to bottom: each may include itself and what stands above it. Core's
 // own file, version.h, stands below them all.
 const std::vector<std::string> core_layers = {
-    "math",      "parallel", "input",  "film",  "video",  "formulas", "boxes",       "shapes",
-    "materials", "lights",   "models", "scene", "motion", "accel",    "integrators", "render"};
+    "math",   "parallel", "input",     "film",        "video",  "formulas",
+    "boxes",  "shapes",   "materials", "lights",      "models", "scene",
+    "motion", "accel",    "radio",     "integrators", "render"};
 // The server's rooms likewise; its own few files (main, the commands) stand below them all.
 const std::vector<std::string> server_layers = {"http",   "contract", "operation", "stores",
                                                 "access", "requests", "jobs",      "handlers"};
