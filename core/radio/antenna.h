@@ -29,7 +29,7 @@ struct Names<Polarization> {
 /// x' = x, y' = -z, z' = y, then turned; theta from z', phi from x' towards y'.
 struct Antenna {
   static constexpr std::string_view schema_name = "antenna";
-  std::string name;
+  std::string name{};
   Vec3d position{}, orientation_degrees{};
   AntennaPattern pattern = AntennaPattern::isotropic;
   Polarization polarization = Polarization::vertical;
