@@ -1,5 +1,5 @@
-// The command line: subcommands `serve` (default), `render`, `film`, `simulate`, `still`, `model`,
-// `job`, `key` and `sign`. Bad use exits with 2.
+// The command line: subcommands `serve` (default), `render`, `film`, `simulate`, `radio`, `still`,
+// `model`, `job`, `key` and `sign`. Bad use exits with 2.
 #include <CLI/CLI.hpp>
 #include <csignal>
 #include <iostream>
@@ -13,6 +13,7 @@
 #include "server/operation/config.h"
 #include "server/picture_file.h"
 #include "server/progress.h"
+#include "server/radio_command.h"
 #include "server/render_command.h"
 #include "server/requests/film_request.h"
 #include "server/requests/picture_request.h"
@@ -31,7 +32,7 @@ constexpr int bad_use = 2;
 /// Asked: what the command line and the environment ask for.
 struct Asked {
   std::vector<Setting> settings = environment_settings(), parameters = {};
-  std::string scene, file;
+  std::string scene, question, file;
   std::vector<std::string> model_files = {};
   Confinement confinement = {};
   bool healthcheck = false, print_config = false, plain = false;
@@ -178,6 +179,23 @@ CLI::App* add_simulate(CLI::App& app, Asked& asked) {
   return simulate;
 }
 
+CLI::App* add_radio(CLI::App& app, Asked& asked) {
+  CLI::App* radio = app.add_subcommand("radio", "follow radio waves in a scene")->fallthrough();
+  CLI::App* paths =
+      radio->add_subcommand("paths", "the ways between antennas, as JSON")->fallthrough();
+  add_scene(*paths, asked);
+  paths
+      ->add_option("question", asked.question,
+                   "a file with the parameters of /radio/paths but the scene, as JSON")
+      ->required()
+      ->type_name("");
+  paths->add_option("-o,--output", asked.file, "NAME.json, or - for standard output")
+      ->required()
+      ->type_name("");
+  radio->require_subcommand(1);
+  return radio;
+}
+
 CLI::App* add_model(CLI::App& app, Asked& asked) {
   CLI::App* model = app.add_subcommand("model", "tell what is in a model's file, as JSON");
   add_model_files(*model, asked);
@@ -271,6 +289,7 @@ int run(int argc, char** argv) {
   const CLI::App* render = add_render(app, asked);
   const CLI::App* film = add_film(app, asked);
   const CLI::App* simulate = add_simulate(app, asked);
+  const CLI::App* radio = add_radio(app, asked);
   const CLI::App* still = add_still(app, asked);
   const CLI::App* model = add_model(app, asked);
   const JobCommands jobs = add_job(app, asked);
@@ -305,6 +324,7 @@ int run(int argc, char** argv) {
   else if (film->parsed())
     film_to_file(asked.scene, asked.file, asked.parameters, asked.watching.shows_progress, config);
   else if (simulate->parsed()) simulate_to_file(asked.scene, asked.file, config);
+  else if (radio->parsed()) radio_paths_to_file(asked.scene, asked.question, asked.file, config);
   else if (still->parsed())
     still_to_file(asked.model_files, asked.file, asked.parameters, asked.plain, config);
   else if (sign->parsed()) print_signed_url(asked.url, asked.sign_for_s, config);

@@ -5,20 +5,9 @@
 #include "core/motion/simulate.h"
 #include "core/scene/read_scene.h"
 #include "server/files.h"
-#include "server/stores/gallery.h"
+#include "server/scene_argument.h"
 
 namespace tia::server {
-namespace {
-
-Scene scene_called(const std::string& scene) {
-  if (scene.find_first_of("./") != scene.npos) return read_scene(read_file(scene));
-  const Gallery gallery;
-  if (const KnownScene known = gallery.find(scene)) return *known;
-  throw std::runtime_error("no scene is called " + scene + "; there are: " +
-                           listed(gallery.names()) + ", and files, NAME.json or a path");
-}
-
-}  // namespace
 
 void simulate_to_file(const std::string& scene, const std::string& file, const Config& config) {
   const Scene read = scene_called(scene);

@@ -64,6 +64,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Path{"Simulate", "/simulate", "POST, OPTIONS", 405, 422},
                     Path{"Jobs", "/jobs", "POST, OPTIONS", 405, 422},
                     Path{"JobLoad", "/jobs/load", "GET, HEAD, DELETE, OPTIONS"},
+                    Path{"RadioPaths", "/radio/paths", "POST, OPTIONS", 405, 422},
                     Path{"Scene", "/scenes/thesis", "GET, HEAD, DELETE, OPTIONS"},
                     Path{"Schema", "/schema/scene.json", "GET, HEAD, OPTIONS"},
                     Path{"Health", "/healthz", "GET, HEAD, OPTIONS"},
