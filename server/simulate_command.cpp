@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "core/input/nearest_listed.h"
 #include "core/motion/simulate.h"
 #include "core/scene/read_scene.h"
 #include "server/files.h"

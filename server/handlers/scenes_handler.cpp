@@ -1,4 +1,5 @@
 // /scenes: the gallery and the scenes that are kept. /schema/scene.json: what a scene may be.
+#include "core/input/nearest_listed.h"
 #include "core/input/object_schema.h"
 #include "core/motion/simulate.h"
 #include "core/scene/at_time.h"
@@ -53,8 +54,9 @@ Response get_scene(const Request& request, const std::string& name, Service& ser
     return service.rendering.long_work({bytes, memory, "the scene's text"}, requester,
                                        [&] { return scene_text(canonical_text(*kept)); });
   }
-  throw HttpError("not-found", "no scene is called that; there are: " + listed(gallery.names()) +
-                                   ", and those lately sent to POST /scenes, by their ids");
+  throw HttpError("not-found",
+                  "no scene is called that; there are: " + nearest_listed(name, gallery.names()) +
+                      " in GET /scenes, and those lately sent to POST /scenes, by their ids");
 }
 
 Response post_scene(const Request& request, const std::string&, Service& service) {

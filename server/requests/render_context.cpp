@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "core/input/nearest_listed.h"
 #include "core/input/object_schema.h"
 #include "core/scene/at_time.h"
 #include "core/scene/resolve_models.h"
@@ -94,10 +95,11 @@ KnownScene find_scene(const std::string& name, const RenderContext& context,
   if (KnownScene scene = context.gallery.find(name)) return scene;
   if (KnownScene scene = context.kept.find(name, requester)) return scene;
   const std::vector<std::string_view> known = context.gallery.names();
-  throw InputError({FaultKind::unknown_name, "/scene", Value(name),
-                    "a scene's name (" + listed(known) +
-                        "), the id of a scene that is still kept, or a whole scene",
-                    nearest_name(name, known)});
+  throw InputError(
+      {FaultKind::unknown_name, "/scene", Value(name),
+       "a scene's name (" + nearest_listed(name, known) +
+           "; GET /scenes has all), the id of a scene that is still kept, or a whole scene",
+       nearest_name(name, known)});
 }
 
 KnownScene changed_scene_of(const ViewRequest& asked, const RenderContext& context,

@@ -48,7 +48,7 @@ TEST(SimulateCommand, SaysWhatIsWrong) {
   EXPECT_EQ(wrong.status, 2);
   EXPECT_THAT(wrong.err, HasSubstr("/physics/bodies/0/object"));
   EXPECT_THAT(run({"simulate", "thesis", "-o", "-"}).err, HasSubstr("without physics"));
-  EXPECT_THAT(run({"simulate", "thesi", "-o", "-"}).err, HasSubstr("there are: "));
+  EXPECT_THAT(run({"simulate", "thesi", "-o", "-"}).err, HasSubstr("there are: thesis, "));
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/input/nearest_listed.h"
 #include "tests/core/support.h"
 
 namespace tia {
@@ -136,17 +137,38 @@ std::size_t edits_between(const std::string& a, const std::string& b) {
   return d[a.size()][b.size()];
 }
 
+std::string random_word(test::Random& random) {
+  std::string text(static_cast<std::size_t>(random.whole(1, 12)), 'a');
+  for (char& c : text) c = static_cast<char>('a' + random.whole(0, 2));
+  return text;
+}
+
 TEST(NearestName, IsFoundAsByTheWholeTable) {
   test::Random random(11);
-  const auto word = [&] {
-    std::string text(static_cast<std::size_t>(random.whole(1, 12)), 'a');
-    for (char& c : text) c = static_cast<char>('a' + random.whole(0, 2));
-    return text;
-  };
+  const auto word = [&] { return random_word(random); };
   for (int i = 0; i < 20'000; ++i) {
     const std::string a = word(), b = word();
     const std::size_t most = std::min({1 + a.size() / 3, a.size() - 1, std::size_t{5}});
     EXPECT_EQ(nearest_name(a, {b}), edits_between(a, b) <= most ? b : "") << a << ' ' << b;
+  }
+}
+
+// Sorted by the whole table of distances.
+TEST(NearestListed, AreTheEightNearestAndTheNumberOfTheOthersHoweverMany) {
+  test::Random random(12);
+  for (int i = 0; i < 40; ++i) {
+    const std::string wrong = random_word(random);
+    std::vector<std::string> known(static_cast<std::size_t>(random.whole(0, 100)));
+    for (std::string& each : known) each = random_word(random);
+    const std::string told = nearest_listed(wrong, {known.begin(), known.end()});
+    std::stable_sort(known.begin(), known.end(), [&](const std::string& a, const std::string& b) {
+      return edits_between(wrong, a) < edits_between(wrong, b);
+    });
+    std::string expected;
+    for (std::size_t k = 0; k < std::min<std::size_t>(8, known.size()); ++k)
+      expected += (k > 0 ? ", " : "") + known[k];
+    if (known.size() > 8) expected += " and " + std::to_string(known.size() - 8) + " more";
+    EXPECT_EQ(told, expected) << wrong;
   }
 }
 
