@@ -258,12 +258,17 @@ step_same_bytes() {
 }
 
 # stated_hashes PROGRAM...: draws the whole gallery, at the hashes that the tests hold release to.
-# What NAME.4.pfm states is drawn with 4 samples: where rays are chance, few say as much as many.
+# What NAME.4.pfm states is drawn with 4 samples: where rays are chance, few say as much as many; what
+# NAME.t1.pfm states, at one second.
 stated_hashes() {
-  local file name samples options
+  local file name how options
   for file in $(sed -nE 's/^[0-9a-f]+  (.*)\.pfm$/\1/p' tests/golden/gallery.sha256); do
-    IFS=. read -r name samples <<<"$file"
-    options=(--width 160 --height 120 ${samples:+--samples "$samples"})
+    IFS=. read -r name how <<<"$file"
+    options=(--width 160 --height 120)
+    case $how in
+      t*) options+=(--time "${how#t}") ;;
+      ?*) options+=(--samples "$how") ;;
+    esac
     "$@" render "$name" "${options[@]}" -o "$scratch/$file.pfm" || true
     if grep " $file.pfm" tests/golden/gallery.sha256 | (cd "$scratch" && sha256sum -c); then pass
     else fail "same bytes: the gallery's $name"; fi

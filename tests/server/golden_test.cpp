@@ -73,17 +73,21 @@ INSTANTIATE_TEST_SUITE_P(Pages, GoldenPicture,
 // ---- the gallery --------------------------------------------------------------------------------
 
 // gallery.sha256, in sha256sum's format: the PFM of each scene at 160x120, as the scene asks, and
-// NAME.4.pfm with 4 samples: where rays are chance, few say as much as many.
+// NAME.4.pfm with 4 samples: where rays are chance, few say as much as many; NAME.t1.pfm, and the
+// page's picture, at one second.
 struct Stated {
   std::string name, options, hash;
+  std::string moment = {};
 };
 std::vector<Stated> stated_hashes(const std::string& list = "gallery.sha256") {
   std::vector<Stated> all;
   std::istringstream lines(golden(list));
   for (std::string hash, file; lines >> hash >> file;) {
     const std::size_t dot = file.find('.'), last = file.rfind('.');
-    const std::string samples = dot < last ? file.substr(dot + 1, last - dot - 1) : "";
-    all.push_back({file.substr(0, dot), samples.empty() ? "" : "&samples=" + samples, hash});
+    const std::string how = dot < last ? file.substr(dot + 1, last - dot - 1) : "";
+    const std::string moment = how.starts_with('t') ? "&time=" + how.substr(1) : "";
+    const std::string samples = how.empty() || !moment.empty() ? "" : "&samples=" + how;
+    all.push_back({file.substr(0, dot), samples + moment, hash, moment});
   }
   return all;
 }
@@ -106,7 +110,7 @@ std::string page_size_of(const std::string& scene) {
 // Of the page's picture a window of the middle is compared: all of it would take long. So would the
 // other where sanitizers watch: the scenes of it are drawn at their hashes by all other builds.
 TEST_P(GoldenScene, IsDrawnAtItsStatedHashAndAsThePageShowsIt) {
-  const auto& [name, options, hash] = GetParam();
+  const auto& [name, options, hash, moment] = GetParam();
   const std::string scene = "scene=" + name;
   if (!sanitized()) {
     const std::string query = "width=160&height=120&format=pfm&" + scene + options;
@@ -114,7 +118,8 @@ TEST_P(GoldenScene, IsDrawnAtItsStatedHashAndAsThePageShowsIt) {
   }
   if (name == "thesis" || name == "shapes") return;  // compared above
   const Part part = Part::now();
-  const Response now = host().get("/render?" + part.query() + page_size_of(name) + scene);
+  const Response now =
+      host().get("/render?" + part.query() + page_size_of(name) + scene + moment);
   const auto published = decode_png(golden("gallery/" + name + ".png"));
   ASSERT_EQ(published.width, 640);
   EXPECT_TRUE(decode_png(now.body) == part.of(published));
@@ -134,7 +139,7 @@ TEST(GoldenStills, EveryModelIsDrawnAtItsStatedHash) {
   const std::vector<Stated> stated = stated_hashes("stills.sha256");
   EXPECT_EQ(stated.size(), server::gallery_models().size());
   const std::string size = sanitized() ? "&width=1&height=1" : "&width=96&height=72";
-  for (const auto& [name, options, hash] : stated) {
+  for (const auto& [name, options, hash, moment] : stated) {
     SCOPED_TRACE(name);
     const Response still =
         host().get("/still?format=pfm&background=1,1,1&samples=2" + size + "&model=" + name);
