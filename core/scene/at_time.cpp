@@ -63,7 +63,8 @@ class Resolution {
         touched_.insert(own.front());
       else refuse_field(i, own, fields);
     }
-    written_ = written_fields(scene_, touched_);
+    if (faults_.empty()) only_ = moved_objects(scene_.objects, tracks_, steps);
+    written_ = written_fields(scene_, touched_, only_);
     for (std::size_t i = 0; i < steps.size() && !faults_.full(); ++i)
       if (!steps[i].empty() && (touched_.contains(steps[i].front()) || is_key_light(i)))
         find_target(i, steps[i]);
@@ -159,7 +160,7 @@ class Resolution {
     Scene plain = scene_;
     plain.animation.reset();
     Faults found(faults_.stop());
-    read_fields(*written_.as<Value::Object>(), touched_, found, plain);
+    read_fields(*written_.as<Value::Object>(), touched_, only_, found, plain);
     plain.check_links({}, found);
     for (const Fault& fault : found.list()) tell(fault);
     return plain;
@@ -197,6 +198,7 @@ class Resolution {
   std::string animation_;  // a pointer
   Faults faults_;
   SceneFields touched_;
+  MovedObjects only_;
   Value written_;
   std::vector<Moved> moved_;
   Absence absent_;

@@ -104,7 +104,12 @@ int fewest_samples(const PictureRequest& asked, const RenderOptions& options) {
 Plan plan_of(const PictureRequest& asked, const RenderContext& context,
              const Requester& requester) {
   check_size(asked.width, asked.height, context.limits);
-  const FoundScene found = found_scene(asked, context, requester);
+  return plan_of(asked, found_scene(asked, context, requester), context, requester);
+}
+
+Plan plan_of(const PictureRequest& asked, const FoundScene& found, const RenderContext& context,
+             const Requester& requester) {
+  check_size(asked.width, asked.height, context.limits);
   const KnownScene& scene = found.plain;
   SceneOptions in_effect = options_in_effect(scene->options, asked);
   check_rounds(asked, in_effect);

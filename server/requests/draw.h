@@ -14,6 +14,9 @@ namespace tia::server {
 
 /// Errors: InputError; as scene_of. The plan may refer to the request.
 Plan plan_of(const PictureRequest& asked, const RenderContext& context, const Requester& requester);
+/// The same of a scene that has been found: found_scene(asked, context, requester).
+Plan plan_of(const PictureRequest& asked, const FoundScene& found, const RenderContext& context,
+             const Requester& requester);
 
 /// Makes the picture, which carries its recipe if it is a PNG. Before each step it reserves the
 /// memory that it may take. Errors: InputError; Stopped; as MemoryClaim::reserve;

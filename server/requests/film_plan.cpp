@@ -138,8 +138,13 @@ std::int64_t FilmPlan::ms_until(int frame) const {
 
 Plan frame_plan_of(FilmRequest& asked, const FilmPlan& film, int frame,
                    const RenderContext& context, const Requester& requester) {
-  if (film.moves) asked.time = film.seconds_of(frame);
-  Plan plan = plan_of(asked, context, requester);
+  FoundScene found{film.scene, {}, 0};
+  if (film.moves) {
+    const double seconds = film.seconds_of(frame);
+    asked.time = seconds;
+    found = {scene_at(film.scene, seconds, asked.along, context, requester), film.scene, seconds};
+  }
+  Plan plan = plan_of(asked, found, context, requester);
   plan.takes_codes = row_of(asked.film_format).takes_codes;
   return plan;
 }
@@ -147,7 +152,8 @@ Plan frame_plan_of(FilmRequest& asked, const FilmPlan& film, int frame,
 FilmPlan film_plan_of(FilmRequest& asked, const RenderContext& context,
                       const Requester& requester) {
   FilmPlan film;
-  const KnownScene scene = moving_scene_of(asked, context, requester);
+  film.scene = moving_scene_of(asked, context, requester);
+  const KnownScene& scene = film.scene;
   film.moves = scene->animation.has_value();
   if (film.moves) {
     choose_frames(asked, *scene->animation, context.limits, film);

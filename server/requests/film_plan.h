@@ -18,6 +18,7 @@ struct Shot {
 
 /// FilmPlan. Frame k of it is at (first + k) / fps.
 struct FilmPlan {
+  KnownScene scene;  ///< in motion; it may be the request's own, and lives no longer
   double fps = 24;
   int first = 0, frames = 1;
   bool moves = true;  ///< the scene has an animation; else it is one frame

@@ -60,7 +60,8 @@ SharedGeometry GeometryStore::geometry_of(const KnownScene& scene, const Workers
   SharedGeometry geometry = find(scene.objects.digest);
   if (geometry) return geometry;
   claim_for(scene.objects.bytes + scene.models, workers);
-  workers.alone([&] { geometry = build(*scene, digest_of_objects(*scene), workers); });
+  // It is known by its name already; its meshes are asked for theirs one by one.
+  workers.alone([&] { geometry = build(*scene, {scene.objects, {}}, workers); });
   return geometry;
 }
 

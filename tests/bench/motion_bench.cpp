@@ -1,7 +1,12 @@
-// The exact solver of balls: events a second, in a room that they fill to a sixth.
+// The exact solver of balls: events a second, in a room that they fill to a sixth. A frame of n
+// balls of which some move: the plain scene of its time, and what its objects compile to.
 #include <benchmark/benchmark.h>
 
+#include "core/accel/world/geometry.h"
+#include "core/input/described.h"
+#include "core/input/json.h"
 #include "core/motion/exact.h"
+#include "core/scene/at_time.h"
 
 namespace tia::bench {
 namespace {
@@ -41,6 +46,47 @@ void exact_events(benchmark::State& state) {
 BENCHMARK(exact_events)
     ->ArgNames({"balls", "fall"})
     ->ArgsProduct({{8, 100, 1000, 10'000}, {0, 1}})
+    ->Unit(benchmark::kMillisecond);
+
+// n balls, of which every n/movers-th goes up and down.
+Scene moving_balls(std::int64_t n, std::int64_t movers) {
+  std::string objects, tracks;
+  const auto number = [](std::int64_t i) { return std::to_string(i); };
+  for (std::int64_t i = 0; i < n; ++i)
+    objects += std::string(i > 0 ? "," : "") + R"({"type":"sphere","radius":0.4,"center":[)" +
+               number(i % 100) + ',' + number(i / 100 % 100) + ',' + number(i / 10'000) + "]}";
+  for (std::int64_t i = 0; i < movers; ++i)
+    tracks += std::string(i > 0 ? "," : "") + R"({"target":"/objects/)" + number(i * (n / movers)) +
+              R"(/center/1","formula":"sin(t)"
+})";
+  JsonLimits limits;
+limits.values = 1 << 30;
+return read_described<Scene>(
+    parse_json(
+        R"({"objects":[)" + objects + R"(],"animation":{"duration":9,"tracks":[)" + tracks + "]}}",
+        limits),
+    {});
+}
+
+void moving_moment(benchmark::State& state) {
+  const Scene moving = moving_balls(state.range(0), state.range(1));
+  double seconds = 0;
+  for ([[maybe_unused]] auto _ : state)
+    benchmark::DoNotOptimize(at_time(moving, seconds += 1e-3, {}, {}));
+}
+BENCHMARK(moving_moment)
+    ->ArgNames({"balls", "movers"})
+    ->ArgsProduct({{100'000}, {1, 100, 1000, 10'000, 100'000}})
+    ->Unit(benchmark::kMillisecond);
+
+void moving_index(benchmark::State& state) {
+  const Scene plain = at_time(moving_balls(state.range(0), state.range(0)), 1, {}, {});
+  for ([[maybe_unused]] auto _ : state) benchmark::DoNotOptimize(geometry_of(plain));
+}
+BENCHMARK(moving_index)
+    ->ArgName("balls")
+    ->RangeMultiplier(10)
+    ->Range(100, 100'000)
     ->Unit(benchmark::kMillisecond);
 
 }  // namespace

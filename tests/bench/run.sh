@@ -48,7 +48,7 @@ repeat() {
 # The medians of all repetitions as trace:640:480:1 and the like, counters after a point. The
 # library writes JSON with one member a line.
 benchmarks() {
-  build/release/tests/tia_bench --benchmark_filter="-^(index|exact)_" \
+  build/release/tests/tia_bench --benchmark_filter="-^(index|exact|moving)_" \
     --benchmark_repetitions="$rounds" --benchmark_min_time=0.1 \
     --benchmark_enable_random_interleaving=true --benchmark_report_aggregates_only=true \
     --benchmark_format=json 2> "$scratch/log" |
