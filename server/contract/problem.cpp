@@ -110,6 +110,13 @@ Response storage_problem(const StorageError& error, const Request& request) {
                       request));
 }
 
+Response away_problem(const StorageAway& error, const Request& request) {
+  return for_the_log(
+      error.what(),
+      passing_problem("unavailable", "what keeps jobs cannot be reached now; all else works",
+                      request));
+}
+
 Response internal_problem(const char* what, const Request& request) {
   return for_the_log(
       what, document(problem_row("internal"), "it is in the server's log under this id", request));
@@ -131,6 +138,8 @@ Response problem_response(const std::exception_ptr& failure, const Request& requ
     return passing_problem("draining", "the render was stopped", request);
   } catch (const std::bad_alloc&) {
     return memory_problem(request);
+  } catch (const StorageAway& error) {
+    return away_problem(error, request);
   } catch (const StorageError& error) {
     return storage_problem(error, request);
   } catch (const std::exception& error) {

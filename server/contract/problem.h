@@ -19,6 +19,12 @@ class StorageError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// StorageAway: what is kept is on another machine, which cannot be reached now.
+class StorageAway : public StorageError {
+ public:
+  using StorageError::StorageError;
+};
+
 /// The longest problem document: faults that have no room in it are counted and left out. In bytes.
 constexpr std::size_t longest_problem = 16 << 10;
 /// The same where a form was sent: Drake's client shows no longer ones.

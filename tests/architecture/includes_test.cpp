@@ -53,7 +53,8 @@ const std::vector<Wrapped> libraries = {
     {"immintrin", {"core/math/lanes.h", "core/math/wide.h", "core/math/octet.h"}},
     {"httplib", {"server/http/"}},
     {"CLI/", {"server/main.cpp", "server/operation/config."}},
-    {"asio", {"server/http/"}},
+    {"asio", {"server/http/", "server/stores/redis_socket.cpp"}},
+    {"hiredis", {"server/stores/redis_reply.cpp"}},
     {"prometheus/", {"server/operation/metrics.cpp"}},
     {"sqlite", {"server/stores/database.cpp"}},
     {"png.h", {}},  // the tests' own readers of what the product writes
