@@ -7,38 +7,21 @@
 
 #include "server/contract/problem.h"
 #include "server/jobs/sqlite_jobs.h"
-#include "tests/server/process_support.h"
+#include "tests/server/jobs/store_kinds.h"
 
 namespace tia::test {
 namespace {
 
-constexpr TimeMs keep_ms = 1000;
-
-/// Store: one of each kind; only what is on a disk can be opened again.
-class JobStoreOf : public testing::TestWithParam<bool> {
- protected:
-  JobStoreOf() { open(); }
-  void open() {
-    store.reset();
-    const std::string path = GetParam() ? folder.file(SqliteJobs::name) : "";
-    store = std::make_unique<SqliteJobs>(path, limits, now);
-  }
-  NewJob job(const std::string& id, int parts, const std::string& owner = "a") const {
-    return {.id = id, .owner = owner, .kind = "batch", .request = "{}", .parts = parts};
-  }
-  std::string finish_next() {
-    const auto claim = store->claim("w", now);
-    if (!claim) return "";
-    store->finish(*claim, {.bytes = "x"}, now);
-    return claim->job;
-  }
-  Folder folder;
-  JobLimits limits{.tries = 3, .unfinished = 1000, .bytes = 1 << 24, .keep_ms = keep_ms};
-  TimeMs now = 1'000'000;
-  std::unique_ptr<JobStore> store;
-};
-INSTANTIATE_TEST_SUITE_P(Stores, JobStoreOf, testing::Values(false, true),
-                         [](const auto& info) { return info.param ? "OnDisk" : "InMemory"; });
+StoreKind kept_by_sqlite(const std::string& name, bool is_on_disk) {
+  return {name, is_on_disk, [=](const Folder& folder, const JobLimits& limits, TimeMs now) {
+            const std::string path = is_on_disk ? folder.file(SqliteJobs::name) : "";
+            return std::make_unique<SqliteJobs>(path, limits, now);
+          }};
+}
+INSTANTIATE_TEST_SUITE_P(Stores, JobStoreOf,
+                         testing::Values(kept_by_sqlite("InMemory", false),
+                                         kept_by_sqlite("OnDisk", true)),
+                         [](const auto& info) { return info.param.name; });
 
 /// Model: a job in the few words that its laws need.
 struct Model {
@@ -107,6 +90,8 @@ void expect_same(JobStore& store, const std::string& id, Model& model,
 }
 
 TEST_P(JobStoreOf, WalksAsItsModelDoes) {
+  limits.tries = 2;
+  open();
   std::mt19937 random(5);
   const auto below = [&](int n) { return static_cast<int>(random() % unsigned(n)); };
   std::map<std::string, Model> models;
@@ -162,7 +147,7 @@ TEST_P(JobStoreOf, WalksAsItsModelDoes) {
         each = removed ? models.erase(each) : std::next(each);
       }
       std::erase_if(claims, [&](auto& each) { return !models.contains(each.job); });
-    } else if (what < 98 && GetParam()) {
+    } else if (what < 98 && GetParam().takes_up) {
       open();
       ++restarts;
       claims.clear();
@@ -180,7 +165,7 @@ TEST_P(JobStoreOf, WalksAsItsModelDoes) {
   }
   EXPECT_GT(done, 0);
   EXPECT_GT(dead, 0);
-  EXPECT_EQ(restarts > 0, GetParam());
+  EXPECT_EQ(restarts > 0, GetParam().takes_up);
 }
 
 TEST_P(JobStoreOf, ASmallJobIsNotHeldUpByALargeOne) {
@@ -242,7 +227,7 @@ TEST_P(JobStoreOf, TakesNoMoreThanItMay) {
 
 // Three are under way when the process ends, and again whenever the third one is drawn.
 TEST_P(JobStoreOf, OnlyThePartThatEndsProcessesLosesItsTries) {
-  if (!GetParam()) GTEST_SKIP() << "there is nothing to take up";
+  if (!GetParam().takes_up) GTEST_SKIP() << "there is nothing to take up";
   store->submit(job("killer", 3), now);
   for (int i = 0; i < 3; ++i) ASSERT_TRUE(store->claim("w", now));
   while (store->find("killer")->state != JobState::failed) {
