@@ -84,12 +84,18 @@ struct JobEvent {
   std::string name, data;
 };
 
+/// FarmCounts: what a farm has seen since it was begun, and the workers that it has now.
+struct FarmCounts {
+  std::int64_t reclaims = 0, mismatches = 0, audits = 0, workers = 0;
+};
+
 /// JobLoad: how much there is to do.
 struct JobLoad {
   std::int64_t parts_waiting = 0, parts_leased = 0, jobs_unfinished = 0;
   double oldest_wait_s = 0;
   std::array<std::int64_t, 5> jobs{};  ///< by state
   std::int64_t bytes = 0;              ///< of requests and results
+  std::optional<FarmCounts> farm{};    ///< none where one process does it all
 };
 
 }  // namespace tia::server

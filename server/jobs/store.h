@@ -74,6 +74,11 @@ class JobStore {
   virtual JobLoad load(TimeMs now) = 0;
   virtual bool is_durable() const = 0;
 
+  /// Begins to tell of what others change, too, once `changed` is what it stays; and ends it: what
+  /// is being told has been when hush() returns.
+  virtual void listen() {}
+  virtual void hush() {}
+
   /// Told of each job that has changed, once it has; it may call, but not wait.
   std::function<void(const std::string& id)> changed = [](const std::string&) {};
 };

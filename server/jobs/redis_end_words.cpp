@@ -1,0 +1,110 @@
+// What the scripts share: how jobs end, and what they leave.
+#include "server/jobs/redis_scripts.h"
+
+namespace tia::server {
+
+const char* const redis_end_words = R"lua(
+local function drop_results(id, spares)
+  local results = key(id) .. ':results'
+  local dropped = 0
+  for _, n in ipairs(call('HKEYS', results)) do
+    if n ~= spares then
+      dropped = dropped + call('HSTRLEN', results, n)
+      if spares then call('HDEL', results, n) end
+    end
+  end
+  if not spares then call('UNLINK', results) end
+  hold(id, 0 - dropped)
+end
+-- What others are still at is not waited for. Of the results those stay that are asked for.
+local function close(id, state)
+  for _, each in ipairs(call('SMEMBERS', key(id) .. ':leased')) do
+    local n = tonumber(each)
+    local row = part(id, n)
+    release(id, n, row)
+    row.state, row.tries = 'waiting', row.tries - 1
+    keep(id, n, row)
+    move(id, n, 'leased', 'waiting')
+  end
+  delist(id)
+  call('LREM', P .. 'joins:' .. word(id, 'version'), 1, id)
+  call('DEL', key(id) .. ':back')
+  total('waiting', 0 - number(id, 'waiting'))
+  call('ZREM', P .. 'open', id)
+  call('ZREM', P .. 'deadlines', id)
+  call('ZADD', P .. 'closed', now + keep_ms, id)
+  set_state(id, state)
+  call('HSET', key(id), 'finished', now, 'expires', now + keep_ms)
+  local joins, parts = word(id, 'joins') == '1', word(id, 'parts')
+  if state ~= 'done' then
+    drop_results(id)
+  else
+    if joins then drop_results(id, parts) end
+    local row = part(id, joins and parts or 0)
+    call('HSET', key(id), 'etag', row.etag, 'type', row.type, 'bytes', row.bytes)
+  end
+  tell_state(id)
+  changed(id)
+  wake(id)
+end
+local function fail_with(id, problem)
+  call('HSET', key(id), 'problem', problem)
+  close(id, 'failed')
+end
+-- A try has ended without a result: the part waits again, or is dead and ends its job.
+local function lose_try(id, n, row)
+  release(id, n, row)
+  if row.tries < tries then
+    move(id, n, 'leased', 'waiting')
+    put_back(id, n, row)
+    changed(id)
+    return
+  end
+  row.state = 'dead'
+  keep(id, n, row)
+  move(id, n, 'leased', 'dead')
+  tell(id, 'part', '{"n":' .. n .. ',"state":"dead"}')
+  local what = n < number(id, 'parts') and 'part ' .. n or 'putting the parts together'
+  fail_with(id, (string.gsub(dead_problem, '@PART@', what)))
+end
+
+-- What it was asked for stays known for a while, so that who asks for it learns that it is gone.
+local function forget_key(id)
+  local known = word(id, 'key_digest')
+  if known ~= '' then call('HDEL', P .. 'keys', known) end
+end
+local function let_go(id)
+  forget_key(id)
+  call('UNLINK', key(id) .. ':results', key(id) .. ':parts')
+  hold(id, own_bytes - number(id, 'held'))
+  call('HSET', key(id), 'gone', 1, 'request', '', 'plan', '', 'key', '', 'key_digest', '')
+  call('ZREM', P .. 'closed', id)
+  call('ZADD', P .. 'gone', number(id, 'expires') + keep_ms, id)
+  changed(id)
+end
+local function remove(id)
+  forget_key(id)
+  total('held', 0 - number(id, 'held'))
+  call('HINCRBY', P .. 'states', word(id, 'state'), -1)
+  call('ZREM', P .. 'closed', id)
+  call('ZREM', P .. 'gone', id)
+  call('UNLINK', key(id), key(id) .. ':results', key(id) .. ':parts', key(id) .. ':events')
+  changed(id)
+end
+-- What has been finished for longest goes first; nothing where that would not do.
+local function make_room(more)
+  local over, going = total_of('held') + more - most_bytes, {}
+  if over <= 0 then return true end
+  for _, id in ipairs(call('ZRANGE', P .. 'closed', 0, -1)) do
+    over = over - number(id, 'held') + own_bytes
+    table.insert(going, id)
+    if over <= 0 then
+      for _, each in ipairs(going) do let_go(each) end
+      return true
+    end
+  end
+  return false
+end
+)lua";
+
+}  // namespace tia::server

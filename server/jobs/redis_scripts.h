@@ -1,0 +1,39 @@
+// The changes of state of a farm's jobs as scripts in Lua: each is done whole or not at all, and is
+// on Redis' disk before it is answered.
+//
+// Keys, all in one slot, after {tia}:1: (the layout's number; programs of several versions share a
+// farm, but no queue):
+//   totals states     hashes: bytes held, parts waiting and leased, claims, reclaims; jobs by state
+//   open closed gone  sorted sets of jobs: unfinished by creation, finished and let go by when they
+//   deadlines         go on; those that have a deadline
+//   keys              hash: Idempotency-Key's digest -> job
+//   turns:V:PRIORITY  list of owners whose turn it is, and :OWNER of each its jobs, of version V
+//   q:V:QUEUE         stream of what is leased, group `workers`; queues: priorities, and joins
+//   joins:V           list of jobs whose parts are all there to be put together
+//   job:ID            hash; :parts hash of rows, :results hash of bytes, :back sorted set of parts
+//                     that came back, :leased set, :events stream
+//   changed work      channels: jobs that have changed, and those that give workers more or less to
+//   do workers:V banned  sorted sets: when a worker was last heard of; those that drew other bytes
+#pragma once
+
+#include "server/stores/redis.h"
+
+namespace tia::server {
+
+/// RedisScripts. Their arguments: `common` of each, then its own (see the texts).
+struct RedisScripts {
+  RedisScripts();
+  RedisScript submit, claim, heartbeat, finish, lose, fail, cancel, sweep, plan_anew, load, others;
+};
+
+/// What each script begins with: the words that they share.
+extern const char* const redis_job_words;
+extern const char* const redis_turn_words;
+extern const char* const redis_end_words;
+/// What some of them go on with.
+extern const char* const redis_claim_text;
+extern const char* const redis_heartbeat_text;
+extern const char* const redis_finish_text;
+extern const char* const redis_lose_text;
+
+}  // namespace tia::server
