@@ -1,5 +1,5 @@
-// The command line: subcommands `serve` (default), `render`, `film`, `simulate`, `radio`, `still`,
-// `model`, `job`, `key` and `sign`. Bad use exits with 2.
+// The command line: subcommands `serve` (default), `worker`, `render`, `film`, `simulate`, `radio`,
+// `still`, `model`, `job`, `key` and `sign`. Bad use exits with 2.
 #include <CLI/CLI.hpp>
 #include <csignal>
 #include <iostream>
@@ -8,6 +8,7 @@
 #include "server/contract/text_form.h"
 #include "server/film_command.h"
 #include "server/job_command.h"
+#include "server/jobs/farm.h"
 #include "server/key_command.h"
 #include "server/model_command.h"
 #include "server/operation/config.h"
@@ -38,7 +39,7 @@ struct Asked {
   bool healthcheck = false, print_config = false, plain = false;
   Watching watching = {};
   JobWishes job = {};
-  std::string job_file, join_folder;
+  std::string job_file, join_folder, worker = own_worker_name();
   std::optional<int> part = {};
   std::string key_id = {}, url = {};
   double sign_for_s = 3600;
@@ -87,6 +88,16 @@ void add_serve(CLI::App& app, Asked& asked) {
                    "and exit");
     add_options(*each, asked.settings);
   }
+}
+
+CLI::App* add_worker(CLI::App& app, Asked& asked) {
+  CLI::App* worker = app.add_subcommand("worker", "draw parts of the jobs of a farm (TIA_FARM)");
+  worker
+      ->add_option("--name", asked.worker,
+                   "what the others are told it is called [machine and process]")
+      ->type_name("");
+  add_options(*worker, asked.settings);
+  return worker;
 }
 
 // Where the picture goes, and how it is traced.
@@ -286,6 +297,7 @@ int run(int argc, char** argv) {
   app.add_flag("--healthcheck", asked.healthcheck,
                "ask the server on this machine whether it lives");
   add_serve(app, asked);
+  const CLI::App* worker = add_worker(app, asked);
   const CLI::App* render = add_render(app, asked);
   const CLI::App* film = add_film(app, asked);
   const CLI::App* simulate = add_simulate(app, asked);
@@ -328,6 +340,7 @@ int run(int argc, char** argv) {
   else if (still->parsed())
     still_to_file(asked.model_files, asked.file, asked.parameters, asked.plain, config);
   else if (sign->parsed()) print_signed_url(asked.url, asked.sign_for_s, config);
+  else if (worker->parsed()) work(config, asked.worker);
   else serve(config);
   return 0;
 }

@@ -3,6 +3,7 @@
 #include <pthread.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <csignal>
 #include <cstdio>
@@ -18,9 +19,11 @@
 
 #include "core/version.h"
 #include "server/access/sites.h"
+#include "server/contract/problem.h"
 #include "server/handlers/backend.h"
 #include "server/handlers/dispatch.h"
 #include "server/http/http_server.h"
+#include "server/jobs/farm.h"
 #include "server/operation/log.h"
 
 namespace tia::server {
@@ -95,10 +98,13 @@ std::string reachable(const std::string& host) {
   return host == "0.0.0.0" ? "127.0.0.1" : host == "::" ? "::1" : host;
 }
 
-int wait_for(const sigset_t& signals) {
-  int signal = 0;
-  sigwait(&signals, &signal);
-  return signal;
+// Waits for one of them, or for what it asks for every now and then. Returns: the signal, or 0.
+int wait_for(const sigset_t& signals, const std::function<bool()>& is_over) {
+  constexpr timespec now_and_then{.tv_sec = 0, .tv_nsec = 200'000'000};
+  while (!is_over())
+    if (const int signal = sigtimedwait(&signals, nullptr, &now_and_then); signal > 0)
+      return signal;
+  return 0;
 }
 
 HttpOptions http_options(const Config& config) {
@@ -151,7 +157,38 @@ std::unique_ptr<ModelFolder> model_folder(const Config& config) {
   return std::make_unique<ModelFolder>(config.data_dir, config.max_data_bytes);
 }
 
-void serve_until_told(const Config& config) {
+// All that a worker answers.
+Response answer_as_worker(const Request& request, const RedisJobs& farm, Service& service) {
+  constexpr std::array<std::string_view, 4> answered{"/healthz", "/readyz", "/metrics", "/version"};
+  if (std::count(answered.begin(), answered.end(), request.path()) == 0)
+    return refusal(failure("not-found", "a worker answers /healthz, /readyz, /metrics, /version"),
+                   request, service);
+  if (request.path() == "/readyz" && !farm.is_up())
+    return refusal(std::make_exception_ptr(StorageAway("the farm's Redis does not answer")),
+                   request, service);
+  return answer(request, service);
+}
+
+Application worker_application(const RedisJobs& farm, Service& service) {
+  Application as_worker = application(service);
+  as_worker.answer = [&](const Request& request) {
+    return answer_as_worker(request, farm, service);
+  };
+  as_worker.from_memory = [](const Request&) { return std::nullopt; };
+  as_worker.long_body = [](const Request&) { return nullptr; };
+  return as_worker;
+}
+
+// What it is at may end; what has not by then is given back.
+void end_work(RedisJobs& farm, milliseconds limit) {
+  const auto until = std::chrono::steady_clock::now() + limit;
+  farm.rest();
+  while (farm.held() > 0 && std::chrono::steady_clock::now() < until)
+    std::this_thread::sleep_for(milliseconds(10));
+}
+
+// `farm`: of a worker, the store that the files have; of who serves null.
+void serve_until_told(const Config& config, DataFiles files, RedisJobs* farm) {
   bound_idle_memory(config.memory_bytes);
   bound_stacks();
   // Blocked in every thread, so that one can wait for them.
@@ -164,9 +201,10 @@ void serve_until_told(const Config& config) {
 
   warn_of_keys(config);
   const Gallery gallery;
-  Backend backend(config, gallery, {scene_file(config), model_folder(config), job_store(config)});
+  Backend backend(config, gallery, std::move(files));
   Service& service = backend.service;
-  HttpServer server(http_options(config), application(service));
+  HttpServer server(http_options(config),
+                    farm == nullptr ? application(service) : worker_application(*farm, service));
   service.connections = [&] { return server.connections(); };
   backend.memory.add(MemoryAccount::program,
                      addresses_beyond(config.memory_bytes, backend.pool.most_more_threads() *
@@ -177,12 +215,14 @@ void serve_until_told(const Config& config) {
   std::printf("Tia %s listening on http://%s:%d\n", version().c_str(), in_url(config.host).c_str(),
               server.port());
   std::fflush(stdout);
-  while (wait_for(signals) == SIGHUP) reload(backend.access);
+  const auto is_over = [&] { return farm != nullptr && farm->is_banned(); };
+  while (wait_for(signals, is_over) == SIGHUP) reload(backend.access);
   std::signal(SIGHUP, config.keys_file.empty() ? SIG_DFL : SIG_IGN);
   for (const int impatience : {SIGTERM, SIGINT})
     std::signal(impatience, [](int number) { std::_Exit(128 + number); });
   pthread_sigmask(SIG_UNBLOCK, &signals, nullptr);
   service.draining = true;
+  if (farm != nullptr) end_work(*farm, milliseconds(config.drain_ms));
   server.stop(milliseconds(config.drain_delay_ms), milliseconds(config.drain_ms));
   listening.join();
 }
@@ -190,12 +230,21 @@ void serve_until_told(const Config& config) {
 }  // namespace
 
 void serve(const Config& config) try {
-  serve_until_told(config);
+  serve_until_told(config, {scene_file(config), model_folder(config), job_store(config)}, nullptr);
 } catch (const std::system_error& error) {
   if (error.code() != std::errc::resource_unavailable_try_again) throw;
   throw std::runtime_error(
       std::string("no room for all threads (options TIA_THREADS, TIA_RENDERS, TIA_QUEUE): ") +
       error.what());
+}
+
+void work(Config config, const std::string& name) {
+  if (config.farm.empty()) throw std::invalid_argument("option TIA_FARM: a worker needs a farm");
+  // One part at a time, by all threads; and who asks whether it lives.
+  config.renders = 1, config.queue = 0, config.connections = 16;
+  auto jobs = farm_jobs(config, job_limits(config, true), FarmRole::draws, name);
+  RedisJobs& farm = *jobs;
+  serve_until_told(config, {nullptr, nullptr, std::move(jobs)}, &farm);
 }
 
 bool is_healthy(const Config& config) {

@@ -75,23 +75,25 @@ Response get_load(const Request&, const std::string&, Service& service) {
   const JobLoad load = service.jobs.store().load(Runner::now());
   const auto number = [](std::int64_t n) { return static_cast<double>(n); };
   return {.content_type = std::string(media::json),
-          .body = to_json(Value::Object{{"parts_waiting", number(load.parts_waiting)},
-                                        {"parts_leased", number(load.parts_leased)},
-                                        {"jobs_unfinished", number(load.jobs_unfinished)},
-                                        {"workers", service.jobs.workers()},
-                                        {"oldest_wait_s", load.oldest_wait_s}}),
+          .body = to_json(Value::Object{
+              {"parts_waiting", number(load.parts_waiting)},
+              {"parts_leased", number(load.parts_leased)},
+              {"jobs_unfinished", number(load.jobs_unfinished)},
+              {"workers", load.farm ? number(load.farm->workers) : service.jobs.workers()},
+              {"oldest_wait_s", load.oldest_wait_s}}),
           .headers = {{"Cache-Control", "no-store"}}};
 }
 
 Value load_schema(Definitions& named) {
   return schema_called("job_load", named, [] {
     const Value count = count_schema();
-    return object_schema({{"parts_waiting", count},
-                          {"parts_leased", count, "that are being drawn"},
-                          {"jobs_unfinished", count},
-                          {"workers", count, "parts that may be drawn at once"},
-                          {"oldest_wait_s", plain_schema<double>(Spec{.min = 0}),
-                           "of the oldest job that has parts left to begin"}});
+    return object_schema(
+        {{"parts_waiting", count},
+         {"parts_leased", count, "that are being drawn"},
+         {"jobs_unfinished", count},
+         {"workers", count, "parts that may be drawn at once; of a farm its workers"},
+         {"oldest_wait_s", plain_schema<double>(Spec{.min = 0}),
+          "of the oldest job that has parts left to begin"}});
   });
 }
 

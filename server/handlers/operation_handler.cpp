@@ -3,6 +3,7 @@
 #include "core/math/wide.h"
 #include "core/version.h"
 #include "server/contract/answers.h"
+#include "server/contract/problem.h"
 #include "server/handlers/handlers.h"
 #include "server/jobs/jobs.h"
 
@@ -42,17 +43,33 @@ Response get_ready(const Request&, const std::string&, Service& service) {
   return status_of("ready", 200);
 }
 
-std::vector<std::pair<std::string_view, std::int64_t>> jobs_by_state(Service& service) {
-  const JobLoad load = service.jobs.store().load(Runner::now());
+// A farm that is away has no jobs to tell of.
+std::optional<JobLoad> load_of(JobStore& jobs) {
+  try {
+    return jobs.load(Runner::now());
+  } catch (const StorageAway&) {
+    return std::nullopt;
+  }
+}
+
+std::vector<std::pair<std::string_view, std::int64_t>> jobs_by_state(const JobLoad& load) {
   std::vector<std::pair<std::string_view, std::int64_t>> counts;
   for (std::size_t i = 0; i < load.jobs.size(); ++i)
     counts.emplace_back(name_of(static_cast<JobState>(i)), load.jobs[i]);
   return counts;
 }
 
+std::optional<FarmGauges> farm_gauges(const std::optional<JobLoad>& load, const Config& config) {
+  if (config.farm.empty()) return std::nullopt;
+  if (!load || !load->farm) return FarmGauges{};
+  const FarmCounts& farm = *load->farm;
+  return FarmGauges{true, farm.workers, farm.reclaims, farm.mismatches, farm.audits};
+}
+
 Response get_metrics(const Request&, const std::string&, Service& service) {
   const Admission& admission = service.admission;
   const SceneStore& kept = service.rendering.kept;
+  const std::optional<JobLoad> load = load_of(service.jobs.store());
   const Gauges gauges{.connections = service.connections(),
                       .at_work = admission.at_work(),
                       .waiting = admission.waiting(),
@@ -62,7 +79,8 @@ Response get_metrics(const Request&, const std::string&, Service& service) {
                       .geometry = service.rendering.geometries.counts(),
                       .pictures = service.pictures.counts(),
                       .models = service.models.counts(),
-                      .jobs = jobs_by_state(service),
+                      .jobs = jobs_by_state(load.value_or(JobLoad{})),
+                      .farm = farm_gauges(load, service.config),
                       .memory = &service.memory};
   return {.content_type = std::string(Metrics::media_type),
           .body = service.metrics.text(gauges),

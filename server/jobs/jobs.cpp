@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "server/jobs/farm.h"
 #include "server/jobs/sqlite_jobs.h"
 #include "server/operation/log.h"
 
@@ -30,12 +31,18 @@ Jobs::Jobs(std::unique_ptr<JobStore> store, const Config& config, const RenderCo
       board_(std::max(1, config.connections / 2)),
       workplace_{host_, *store_, pictures, metrics, memory} {
   store_->changed = [this](const std::string& id) { has_changed(id); };
+  store_->listen();
+  if (!config.farm.empty()) {  // whose jobs may come from anybody
+    start();
+    return;
+  }
   const JobLoad load = store_->load(Runner::now());
   for (const std::int64_t jobs : load.jobs)
     if (jobs > 0) start();  // to go on with them, and to forget them in time
 }
 
 Jobs::~Jobs() {
+  store_->hush();
   if (runner_) runner_->stop();  // which has changes told
 }
 
@@ -69,6 +76,8 @@ std::unique_ptr<JobStore> job_store_in_memory(const Config& config) {
 }
 
 std::unique_ptr<JobStore> job_store(const Config& config) {
+  if (!config.farm.empty())
+    return farm_jobs(config, job_limits(config, true), FarmRole::joins, own_worker_name());
   if (config.data_dir.empty()) return job_store_in_memory(config);
   try {
     return std::make_unique<SqliteJobs>(config.data_dir + "/" + SqliteJobs::name,

@@ -59,6 +59,11 @@ struct Config {
   std::vector<Network> trusted_proxies;
   std::vector<HostName> hosts;
   std::string keys_file, sign_file;
+  std::string farm;
+  std::string farm_password_file;
+  std::string farm_ca_file;
+  int farm_lease_ms = 15'000;
+  double farm_audit = 0.01;
 
   template <class Visitor>
   static void fields(Visitor&& visit) {
@@ -224,6 +229,22 @@ struct Config {
           Spec{.about = "how often a part of a job may end without a result before the job fails",
                .min = 1,
                .max = 1000});
+    visit("farm", &Config::farm,
+          Spec{.about = "Redis that keeps jobs, for all who serve and all workers, such as "
+                        "rediss://tia@host:6379/0; none = jobs are this process' own"});
+    visit("farm_password_file", &Config::farm_password_file,
+          Spec{.about = "file with the password of TIA_FARM's user; none = it has none"});
+    visit("farm_ca_file", &Config::farm_ca_file,
+          Spec{.about = "file (PEM) of certificates that TIA_FARM's has to lead to; none = the "
+                        "system's"});
+    visit("farm_lease_ms", &Config::farm_lease_ms,
+          Spec{.about = "how long a worker may not be heard of before its part is another's",
+               .unit = "ms",
+               .min = 100,
+               .max = hour_ms});
+    visit(
+        "farm_audit", &Config::farm_audit,
+        Spec{.about = "share of the parts that two workers draw, to compare", .min = 0, .max = 1});
     visit("cors_origins", &Config::cors_origins,
           Spec{.about = "origins whose pages may read answers (CORS)"});
     visit("trusted_proxies", &Config::trusted_proxies,

@@ -139,6 +139,21 @@ struct Metrics::Families {
     return counters.Add({{"key", label_of(key)}});
   }
 
+  prometheus::Family<Gauge>& farm_up =
+      family(prometheus::BuildGauge(), "tia_farm_up",
+             "Whether the farm's Redis answers; without a farm there is no line.", registry);
+  prometheus::Family<Gauge>& farm_workers =
+      family(prometheus::BuildGauge(), "tia_farm_workers",
+             "Workers that were heard of within a lease's time.", registry);
+  prometheus::Family<Counter>& reclaims =
+      family(prometheus::BuildCounter(), "tia_farm_reclaims_total",
+             "Parts whose worker was no longer heard of, in all the farm.", registry);
+  prometheus::Family<Counter>& mismatches =
+      family(prometheus::BuildCounter(), "tia_farm_mismatches_total",
+             "Parts of which two workers drew different bytes, in all the farm.", registry);
+  prometheus::Family<Counter>& audits =
+      family(prometheus::BuildCounter(), "tia_farm_audits_total",
+             "Parts that two workers drew to compare (TIA_FARM_AUDIT), in all the farm.", registry);
   prometheus::Family<Gauge>& build =
       family(prometheus::BuildGauge(), "tia_build_info", "Always 1; what this build is.", registry);
 
@@ -149,6 +164,14 @@ struct Metrics::Families {
   /// Raises a counter to what was counted elsewhere, unless who asked later has raised it further.
   static void raise(Counter& counter, std::int64_t count) {
     counter.Increment(std::max(0.0, static_cast<double>(count) - counter.Value()));
+  }
+  void tell(const FarmGauges& farm) {
+    farm_up.Add({}).Set(farm.is_up ? 1 : 0);
+    farm_workers.Add({}).Set(static_cast<double>(farm.workers));
+    const std::lock_guard lock(raising);
+    raise(reclaims.Add({}), farm.reclaims);
+    raise(mismatches.Add({}), farm.mismatches);
+    raise(audits.Add({}), farm.audits);
   }
   void raise(const Gauges& now) {
     const std::lock_guard lock(raising);
@@ -269,6 +292,7 @@ std::string Metrics::text(const Gauges& gauges) {
   families_->models.Add({{"state", "read"}}).Set(static_cast<double>(gauges.models.read));
   for (const auto& [state, count] : gauges.jobs)
     families_->jobs.Add({{"state", std::string(state)}}).Set(static_cast<double>(count));
+  if (gauges.farm) families_->tell(*gauges.farm);
   if (gauges.memory != nullptr) families_->tell(*gauges.memory);
   families_->raise(gauges);
   return prometheus::TextSerializer().Serialize(families_->registry.Collect());

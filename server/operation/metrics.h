@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -16,6 +17,12 @@ namespace tia::server {
 
 struct Exchange;
 
+/// FarmGauges: of a farm; its counts are since it was begun, by whomever.
+struct FarmGauges {
+  bool is_up = false;
+  std::int64_t workers = 0, reclaims = 0, mismatches = 0, audits = 0;
+};
+
 /// Gauges: what there is now, asked when the metrics are.
 struct Gauges {
   int connections = 0, at_work = 0, waiting = 0;  ///< the latter two of requests
@@ -25,7 +32,8 @@ struct Gauges {
   PictureCounts pictures{};     ///< the same
   ModelCounts models{};
   std::vector<std::pair<std::string_view, std::int64_t>> jobs{};  ///< by state
-  const MemoryAccount* memory = nullptr;                          ///< the account
+  std::optional<FarmGauges> farm{};
+  const MemoryAccount* memory = nullptr;  ///< the account
 };
 
 /// ModelReading: what became of a model that was read.

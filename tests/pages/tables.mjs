@@ -30,7 +30,7 @@ const OF_THE_MACHINE = { TIA_THREADS: 'the processors', TIA_MEMORY_BYTES: 'three
 function options() {
   const text = execFileSync(BINARY, ['--print-config'], { env: {}, encoding: 'utf8' });
   return table(['option', 'default', 'meaning'],
-    [...text.matchAll(/^# (.*): (?:text|an integer (.*)|a list .*)\n(TIA_\w+)=(.*)$/gm)].map(([, about, range, name, value]) => {
+    [...text.matchAll(/^# (.*): (?:text|an integer (.*)|a number .*|a list .*)\n(TIA_\w+)=(.*)$/gm)].map(([, about, range, name, value]) => {
       const [, unit] = /\((\w+)\)$/.exec(range) ?? [];
       const told = value === '' ? 'none' : range ? quantity(Number(value), unit) : value;
       return [code(name), OF_THE_MACHINE[name] ?? told, about];

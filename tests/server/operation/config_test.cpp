@@ -89,6 +89,8 @@ const Numeric numerics[] = {
      [](const Config& c) { return c.job_keep_s; }},
     {"job_tries", "--job-tries", "TIA_JOB_TRIES", 5, 1, 1000,
      [](const Config& c) -> std::int64_t { return c.job_tries; }},
+    {"farm_lease_ms", "--farm-lease-ms", "TIA_FARM_LEASE_MS", 15'000, 100, 3'600'000,
+     [](const Config& c) -> std::int64_t { return c.farm_lease_ms; }},
     {"max_pixels", "--max-pixels", "TIA_MAX_PIXELS", 16'777'216, 1, 268'435'456,
      [](const Config& c) { return c.max_pixels; }},
 };
@@ -183,7 +185,9 @@ INSTANTIATE_TEST_SUITE_P(Of, Option, testing::ValuesIn(numerics), option_name);
 TEST(Options, AreTheseAndNoOthers) {
   std::vector<std::string> names;
   for (const OptionRow& row : option_rows()) names.push_back(row.name);
-  std::vector<std::string> tested{"host", "data_dir", "cors_origins", "trusted_proxies", "hosts"};
+  std::vector<std::string> tested{"host",      "data_dir", "cors_origins",       "trusted_proxies",
+                                  "hosts",     "farm",     "farm_password_file", "farm_ca_file",
+                                  "farm_audit"};
   for (const Numeric& option : numerics) tested.emplace_back(option.name);
   EXPECT_THAT(names, testing::UnorderedElementsAreArray(tested));
 }

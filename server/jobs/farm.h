@@ -1,0 +1,23 @@
+// A farm as the options name it.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "server/jobs/redis_jobs.h"
+#include "server/operation/config.h"
+
+namespace tia::server {
+
+/// The longest name of a worker: letters, digits, '.', '-', '_'.
+constexpr std::size_t longest_worker_name = 64;
+
+/// The jobs of TIA_FARM, for a process of that name. `limits`: of jobs, by the options.
+/// Errors: std::invalid_argument naming the option, or the name.
+std::unique_ptr<RedisJobs> farm_jobs(const Config& config, const JobLimits& limits, FarmRole role,
+                                     const std::string& name);
+
+/// This machine's name and the process' number.
+std::string own_worker_name();
+
+}  // namespace tia::server

@@ -1,0 +1,182 @@
+// A farm of processes: none of its parts is lost, none is done twice, and all have the bytes that
+// /render draws, whoever is killed or stopped meanwhile.
+#include <httplib.h>
+#include <signal.h>
+
+#include <cstdlib>
+#include <memory>
+
+#include "core/input/json.h"
+#include "tests/server/redis_support.h"
+#include "tests/server/support.h"
+
+namespace tia::test {
+namespace {
+
+// TIA_LONG_TESTS: as long as it takes to believe it.
+int parts_of_a_job() { return std::getenv("TIA_LONG_TESTS") != nullptr ? 200 : 24; }
+
+/// FarmProcesses: a Redis that syncs, one who serves, and workers.
+class FarmProcesses : public testing::Test {
+ protected:
+  static constexpr int lease_ms = 1000;
+
+  void SetUp() override {
+    if (RedisServer::program().empty()) GTEST_SKIP() << "redis-server is not installed";
+    redis = std::make_unique<RedisServer>(true);
+    serve = std::make_unique<Tia>(Process::Words{"--port", "0"}, variables());
+  }
+  Process::Words variables() const {
+    return {"TIA_FARM=" + redis->url(), "TIA_FARM_LEASE_MS=" + std::to_string(lease_ms),
+            "TIA_FARM_AUDIT=0", "TIA_HOSTS=*", "TIA_THREADS=1"};
+  }
+  std::unique_ptr<Tia> worker(const std::string& name, Process::Words more = {}) const {
+    Process::Words environment = variables();
+    environment.insert(environment.end(), more.begin(), more.end());
+    return std::make_unique<Tia>(Process::Words{"worker", "--port", "0", "--name", name},
+                                 environment);
+  }
+  // Of pictures whose seeds count up.
+  std::string submit(int parts) const {
+    std::string seeds;
+    for (int i = 0; i < parts; ++i) seeds += (i > 0 ? "," : "") + std::to_string(i);
+    const auto answer = serve->client().Post(
+        "/jobs",
+        R"({"kind":"batch","request":{"scene":"cornell","width":64,"height":64,"samples":4},)"
+        R"("grid":{"/seed":[)" +
+            seeds + "]}}",
+        "application/json");
+    if (!answer || answer->status != 202)
+      throw std::runtime_error(answer ? answer->body : "no answer");
+    return answer->get_header_value("Location");
+  }
+  /// While Redis is away: nothing.
+  std::optional<Value> status(const std::string& job) const {
+    const Response response = serve->get(job);
+    return response.status == 200 ? std::optional(parse_json(response.body)) : std::nullopt;
+  }
+  std::string state(const std::string& job) const {
+    const auto now = status(job);
+    return now ? text_at(*now, "state") : "";
+  }
+  int done(const std::string& job) const {
+    const auto now = status(job);
+    return now ? static_cast<int>(number_at(at(*now, "progress"), "done")) : 0;
+  }
+  bool ends(const std::string& job, Clock::duration within = seconds(60)) const {
+    return eventually([&] { return state(job) == "done"; }, within);
+  }
+  void expect_all_right(const std::string& job, int parts) const {
+    EXPECT_EQ(done(job), parts);
+    for (int n = 0; n < parts; n += 1 + parts / 4) {
+      const Response drawn = serve->get(job + "/results/" + std::to_string(n));
+      const Response same = serve->get("/render?scene=cornell&width=64&height=64&samples=4&seed=" +
+                                       std::to_string(n));
+      ASSERT_EQ(drawn.status, 200) << drawn.body;
+      EXPECT_TRUE(drawn.body == same.body) << n;
+      EXPECT_EQ(header(drawn, "ETag"), header(same, "ETag"));
+    }
+  }
+  std::unique_ptr<RedisServer> redis;
+  std::unique_ptr<Tia> serve;
+};
+
+TEST_F(FarmProcesses, AWorkerThatIsKilledLosesNothing) {
+  auto first = worker("first");
+  const auto second = worker("second");
+  const int parts = parts_of_a_job();
+  const std::string job = submit(parts);
+  ASSERT_TRUE(eventually([&] { return done(job) > parts / 4; }));
+  first->signal(SIGKILL);
+  EXPECT_TRUE(ends(job));
+  expect_all_right(job, parts);
+}
+
+TEST_F(FarmProcesses, ARedisThatIsKilledLosesNothing) {
+  const auto first = worker("first"), second = worker("second");
+  const int parts = parts_of_a_job();
+  const std::string job = submit(parts);
+  for (int i = 1; i <= 3; ++i) {
+    ASSERT_TRUE(eventually([&] { return done(job) > i * parts / 5; }));
+    redis->kill();
+    EXPECT_EQ(serve->get(job).status, 503);
+    EXPECT_EQ(serve->get("/render?width=8&height=8&samples=1&seed=" + std::to_string(i)).status,
+              200);
+    EXPECT_EQ(serve->get("/metrics").status, 200);
+    EXPECT_TRUE(eventually([&] { return first->get("/readyz").status == 503; }));
+    EXPECT_EQ(first->get("/healthz").status, 200);
+    redis->start();
+  }
+  EXPECT_TRUE(ends(job));
+  EXPECT_EQ(first->get("/readyz").status, 200);
+  expect_all_right(job, parts);
+}
+
+TEST_F(FarmProcesses, AWorkerThatStopsBeyondItsLeaseDoesNothingTwice) {
+  const auto first = worker("first"), second = worker("second");
+  const int parts = parts_of_a_job();
+  const std::string job = submit(parts);
+  ASSERT_TRUE(eventually([&] { return done(job) > 2; }));
+  first->signal(SIGSTOP);
+  EXPECT_TRUE(ends(job)) << "the other one draws its part, too";
+  first->signal(SIGCONT);
+  const std::string next = submit(4);
+  EXPECT_TRUE(ends(next));
+  expect_all_right(job, parts);
+  EXPECT_THAT(serve->get("/metrics").body, testing::HasSubstr("tia_farm_mismatches_total 0"));
+}
+
+TEST_F(FarmProcesses, AWorkerThatIsToldToEndGivesBackWhatItIsAt) {
+  const auto first = worker("first", {"TIA_DRAIN_MS=0"});
+  const auto answer = serve->client().Post(
+      "/jobs",
+      R"({"kind":"batch","requests":[{"scene":"cornell","width":640,"height":480,"samples":4096}]})",
+      "application/json");
+  ASSERT_TRUE(answer);
+  const std::string job = answer->get_header_value("Location");
+  ASSERT_TRUE(eventually([&] { return state(job) == "running"; }));
+  first->signal(SIGTERM);
+  EXPECT_EQ(first->wait().status, 0);
+  const Value parts = parse_json(serve->get(job + "/parts").body);
+  const Value& part = at(parts, "parts").as<Value::Array>()->front();
+  EXPECT_EQ(text_at(part, "state"), "waiting");
+  EXPECT_EQ(number_at(part, "tries"), 0);
+  EXPECT_EQ(serve->client().Delete(job.c_str())->status, 204);
+}
+
+TEST_F(FarmProcesses, AWorkerAnswersWhetherItLivesAndTakesLittleWhenIdle) {
+  const auto first = worker("first");
+  for (const char* path : {"/healthz", "/readyz", "/metrics", "/version"})
+    EXPECT_EQ(first->get(path).status, 200) << path;
+  EXPECT_EQ(first->get("/render").status, 404);
+  EXPECT_EQ(first->get("/jobs/load").status, 404);
+  EXPECT_THAT(first->get("/metrics").body, testing::HasSubstr("tia_farm_up 1"));
+  if (!sanitized()) EXPECT_LT(kilobytes(*first), 20 * 1024);
+}
+
+TEST_F(FarmProcesses, WithoutItsRedisAServerDrawsAndTellsThatJobsAreAway) {
+  const Tia alone({"--port", "0"}, {"TIA_FARM=redis://127.0.0.1:" + std::to_string(free_port())});
+  EXPECT_EQ(alone.get("/render?width=8&height=8&samples=1").status, 200);
+  const auto answer = alone.client().Post(
+      "/jobs", R"({"kind":"render","request":{"width":8,"height":8}})", "application/json");
+  ASSERT_TRUE(answer);
+  EXPECT_EQ(answer->status, 503);
+  EXPECT_THAT(answer->body, testing::HasSubstr("/problems/unavailable"));
+  EXPECT_THAT(alone.get("/metrics").body, testing::HasSubstr("tia_farm_up 0"));
+}
+
+TEST(FarmOptions, AreRefusedByName) {
+  for (const auto& [words, named] : std::vector<std::pair<Process::Words, std::string>>{
+           {{"worker"}, "TIA_FARM"},
+           {{"worker", "--farm", "http://x"}, "TIA_FARM"},
+           {{"worker", "--farm", "redis://x", "--name", "a b"}, "--name"},
+           {{"serve", "--farm", "redis://x", "--farm-password-file", "/nowhere"},
+            "TIA_FARM_PASSWORD_FILE"}}) {
+    const Finished ended = run(words);
+    EXPECT_EQ(ended.status, 2) << ended.err;
+    EXPECT_THAT(ended.err, testing::HasSubstr(named));
+  }
+}
+
+}  // namespace
+}  // namespace tia::test
