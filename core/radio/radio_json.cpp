@@ -119,6 +119,10 @@ Value object_of(const Value::Object& properties, const Value::Array& needed) {
   return Value::Object{{"type", "object"}, {"properties", properties}, {"required", needed}};
 }
 Value list_of(const Value& items) { return Value::Object{{"type", "array"}, {"items", items}}; }
+Value either(const char* type, const char* other) {
+  return Value::Object{
+      {"anyOf", Value::Array{Value::Object{{"type", type}}, Value::Object{{"type", other}}}}};
+}
 Value numbers_schema(double count) {
   return Value::Object{{"type", "array"},
                        {"items", Value::Object{{"type", "number"}}},
@@ -147,7 +151,7 @@ Value radio_paths_json(const RadioQuestion& question, const RadioAnswer& answer)
 
 Value radio_paths_schema() {
   const Value number = Value::Object{{"type", "number"}}, text = Value::Object{{"type", "string"}};
-  const Value maybe = Value::Object{{"type", Value::Array{"number", "null"}}};
+  const Value maybe = either("number", "null");
   const Value place = numbers_schema(3), gain = list_of(list_of(numbers_schema(2)));
   const Value angles =
       object_of({{"azimuth", number}, {"elevation", number}}, {"azimuth", "elevation"});
@@ -177,7 +181,7 @@ Value radio_paths_schema() {
                 {"coherent_db", "incoherent_db", "mean_delay_s", "delay_spread_s", "k_factor_db"});
   const Value channel = object_of({{"frequency", list_of(gain)}, {"impulse", list_of(gain)}},
                                   {"frequency", "impulse"});
-  const Value name = Value::Object{{"type", Value::Array{"string", "integer"}}};
+  const Value name = either("string", "integer");
   const Value pair = object_of({{"transmitter", name},
                                 {"receiver", name},
                                 {"paths", list_of(path)},
