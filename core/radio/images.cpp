@@ -114,7 +114,7 @@ bool same_points(const RadioPath& a, const RadioPath& b, double slack) {
 InputError too_many_images(const PathSearch& search) {
   return InputError({FaultKind::limit, "/max_reflections", Value(search.max_reflections),
                      "at most " + std::to_string(search.most_images) +
-                         " images of transmitters (option TIA_MAX_RADIO_IMAGES); fewer "
+                         " images of transmitters (option TIA_MAX_WORK); fewer "
                          "reflections or faces make fewer"});
 }
 

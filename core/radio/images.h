@@ -21,7 +21,7 @@ struct PathCounts {
 struct PathSearch {
   Vec3d from{};
   std::vector<Vec3d> to{};
-  int max_reflections = 3, max_transmissions = 0;
+  int max_reflections = 3, max_transmissions = 0, max_diffractions = 0;
   std::int64_t most_images = 0;  ///< of this search
   std::int64_t most_paths = 1 << 20;
   bool pruned = true;  ///< whether what an image cannot see is left out: the same paths

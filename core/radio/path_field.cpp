@@ -2,6 +2,7 @@
 
 #include "core/math/onb.h"
 #include "core/math/powers.h"
+#include "core/radio/diffraction.h"
 #include "core/radio/fresnel.h"
 
 namespace tia {
@@ -40,7 +41,7 @@ WaveField after(const RadioInteraction& at, const RadioBody& body, const LinkWav
   return left;
 }
 
-void set_gain(RadioPath& path, const std::vector<RadioBody>& bodies, const LinkWave& link,
+void set_gain(RadioPath& path, const RadioBodies& all, const LinkWave& link,
               const Antenna& transmitter, const Antenna& receiver) {
   const Vec3d away = way_between(path.from, path.second());
   const AntennaPorts sent = ports_of(transmitter, away);
@@ -56,7 +57,11 @@ void set_gain(RadioPath& path, const std::vector<RadioBody>& bodies, const LinkW
       const RadioInteraction& at = path.interactions[i];
       const bool last = i + 1 == path.interactions.size();
       const Vec3d out = way_between(at.point, last ? path.to : path.interactions[i + 1].point);
-      field = after(at, bodies[static_cast<std::size_t>(at.body)], link, in, out, field);
+      const RadioBody& body = all.bodies[static_cast<std::size_t>(at.body)];
+      if (at.kind == RadioKind::diffraction)
+        field =
+            after_edge(at, all.edges[static_cast<std::size_t>(at.edge)], path, body, link, field);
+      else field = after(at, body, link, in, out, field);
       in = out;
     }
     for (std::size_t r = 0; r < static_cast<std::size_t>(taken.count); ++r)

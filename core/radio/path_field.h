@@ -5,34 +5,18 @@
 #include "core/radio/antenna.h"
 #include "core/radio/radio_body.h"
 #include "core/radio/radio_path.h"
+#include "core/radio/wave_field.h"
 
 namespace tia {
 
-/// WaveField: the electric field at a place. Space/units: scene space.
-struct WaveField {
-  Vec3d re{}, im{};
-
-  Complex along(const Vec3d& axis) const { return {dot(re, axis), dot(im, axis)}; }
-  void add(const Vec3d& axis, const Complex& much) {
-    re = re + axis * much.re;
-    im = im + axis * much.im;
-  }
-};
-
-/// LinkWave: what all paths of a link have in common.
-struct LinkWave {
-  Wave wave{};
-  double unit_metres = 1;
-};
-
-/// What is left of the field of unit amplitude after an interaction; `in` and `out` are the path's
-/// unit directions before and after it.
+/// What is left of the field of unit amplitude after a reflection or a transmission; `in` and `out`
+/// are the path's unit directions before and after it.
 WaveField after(const RadioInteraction& at, const RadioBody& body, const LinkWave& link,
                 const Vec3d& in, const Vec3d& out, const WaveField& field);
 
 /// Sets a path's gain: by port pair lambda/(4 pi L) e^{-j k L} times what the interactions leave of
 /// the transmitter's field along the receiver's. Source: radio.md, "Exactly".
-void set_gain(RadioPath& path, const std::vector<RadioBody>& bodies, const LinkWave& link,
+void set_gain(RadioPath& path, const RadioBodies& all, const LinkWave& link,
               const Antenna& transmitter, const Antenna& receiver);
 
 /// The mean over both antennas' ports of |gain|^2.

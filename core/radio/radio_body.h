@@ -6,6 +6,7 @@
 
 #include "core/radio/facet.h"
 #include "core/radio/permittivity.h"
+#include "core/radio/radio_edge.h"
 #include "core/scene/scene.h"
 
 namespace tia {
@@ -32,6 +33,7 @@ struct RadioBodies {
   std::vector<RadioBody> bodies;
   std::vector<Facet> facets;
   std::vector<FacetPiece> pieces;  ///< facet by facet
+  std::vector<RadioEdge> edges{};  ///< of the facets; none before the world is made
   std::vector<std::string> assumed, warnings;
 };
 

@@ -24,7 +24,7 @@ struct RadioInteraction {
   RadioKind kind = RadioKind::reflection;
   int body = 0, element = 0;
   Vec3d point{}, normal{};  ///< the normal unit and outwards
-  double cosine = 1;        ///< of the angle between the path and the normal, >= 0
+  double cosine = 1;        ///< of the angle between the path and the normal, or the edge, >= 0
   double inside = 0;        ///< how long the path is in a body that it goes into or out of there
   int edge = -1;            ///< of a diffraction: which of the bodies' edges
 };

@@ -1,6 +1,7 @@
 #include "core/radio/radio_paths.h"
 
 #include "core/radio/decibels.h"
+#include "core/radio/edge_paths.h"
 #include "core/radio/launch.h"
 
 namespace tia {
@@ -39,9 +40,12 @@ void check_rays(const RadioQuestion& question, const RadioLimits& limits, const 
 
 PathsTo paths_from(const RadioWorld& world, const RadioQuestion& question, const PathSearch& search,
                    const Workers& workers) {
-  if (question.method == RadioMethod::image) return paths_by_images(world, search, workers);
-  return paths_by_rays(world, search, question.rays, question.method == RadioMethod::hybrid,
-                       workers);
+  PathsTo found = question.method == RadioMethod::image
+                      ? paths_by_images(world, search, workers)
+                      : paths_by_rays(world, search, question.rays,
+                                      question.method == RadioMethod::hybrid, workers);
+  if (search.max_diffractions > 0) add_edge_paths(world, search, workers, found);
+  return found;
 }
 
 void finish(RadioPair& pair, const RadioWorld& world, const RadioQuestion& question) {
@@ -50,8 +54,7 @@ void finish(RadioPair& pair, const RadioWorld& world, const RadioQuestion& quest
   const LinkWave link{{question.frequency_hz}, question.unit_metres};
   const int to = port_count(receiver.polarization), from = port_count(transmitter.polarization);
   const double least = power_of_decibels(question.min_gain_db);
-  for (RadioPath& path : pair.paths)
-    set_gain(path, world.all().bodies, link, transmitter, receiver);
+  for (RadioPath& path : pair.paths) set_gain(path, world.all(), link, transmitter, receiver);
   std::erase_if(pair.paths,
                 [&](const RadioPath& path) { return power_of(path.gain, to, from) < least; });
   pair.total = total_of(pair.paths, to, from, question.unit_metres);
@@ -77,6 +80,7 @@ RadioAnswer radio_paths(const Scene& scene, const RadioQuestion& question,
   PathSearch search;
   search.max_reflections = question.max_reflections;
   search.max_transmissions = question.max_transmissions;
+  search.max_diffractions = question.max_diffractions;
   for (const Antenna& each : question.receivers) search.to.push_back(each.position);
   std::int64_t told = 0;
   for (std::size_t t = 0; t < question.transmitters.size(); ++t) {

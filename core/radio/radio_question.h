@@ -54,7 +54,7 @@ struct RadioQuestion {
   std::vector<Antenna> transmitters, receivers;
   double frequency_hz = 0;
   RadioMethod method = RadioMethod::hybrid;
-  int max_reflections = 3, max_transmissions = 0;
+  int max_reflections = 3, max_transmissions = 0, max_diffractions = 0;
   std::int64_t rays = 100'000;
   double min_gain_db = -200, unit_metres = 1;
   std::optional<ChannelQuestion> channel;
@@ -84,6 +84,11 @@ struct RadioQuestion {
                         "with through",
                .min = 0,
                .max = deepest});
+    visit("max_diffractions", &Q::max_diffractions,
+          Spec{.about = "how often a path may be diffracted, by convex edges of flat bodies and "
+                        "ends of sheets; then it is not reflected",
+               .min = 0,
+               .max = 1});
     visit("rays", &Q::rays,
           Spec{.about = "how many rays sbr and hybrid shoot from each transmitter",
                .min = 1000,

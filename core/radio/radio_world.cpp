@@ -39,6 +39,7 @@ RadioWorld::RadioWorld(const Scene& scene, const Wave& wave, const Workers& work
   const double most =
       bounds_.empty() ? 1 : std::max(largest_of(bounds_.min), largest_of(bounds_.max));
   slack_ = 1e-9 * std::max(most, 1e-3);
+  all_.edges = edges_of(all_, slack_);
 }
 
 bool RadioWorld::holds(int i, const Vec3d& p) const {

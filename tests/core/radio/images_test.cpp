@@ -210,7 +210,11 @@ TEST(RadioPaths, PruningLosesNothingAgainstTheFullTree) {
   for (int i = 0; i < test::rounds(50); ++i) {
     const RadioWorld world(random_scene(random, 30, R"({"type":"itu","name":"glass"})"));
     const int walls = i % 3;
-    PathSearch search{free_place(random, world), {}, i % 5 == 0 ? 3 : 2, walls, 1 << 30};
+    PathSearch search;
+    search.from = free_place(random, world);
+    search.max_reflections = i % 5 == 0 ? 3 : 2;
+    search.max_transmissions = walls;
+    search.most_images = 1 << 30;
     for (int k = 0; k < 8; ++k) search.to.push_back(free_place(random, world));
     const PathsTo pruned = paths_by_images(world, search, {});
     search.pruned = false;
