@@ -46,6 +46,7 @@ struct Comparing {
     Picture picture = at_pointer(pointer, [&] { return with_memory_for(attempt, requester.stop); });
     service.costs.learn(plan.cost_key, plan.rays(), picture.trace_seconds, true);
     service.metrics.count(picture.rays, picture.timing);
+    service.access.charge(requester.key, picture.rays.all());
     return shown_signals(plan, std::move(picture), workers());
   }
 };
@@ -57,6 +58,7 @@ Response post_compare(const Request& request, const std::string&, Service& servi
   Plan a = light_plan_of(*asked.a, "/a", service.rendering, requester);
   Plan b = light_plan_of(*asked.b, "/b", service.rendering, requester);
   check_same_size(a, b);
+  service.access.check_rays(requester.key, a.rays() + b.rays());
   const auto ticket = service.admission.enter({.seconds = 2 * Cost::most_light_seconds},
                                               requester.client, requester.stop);
   Flow flow{requester.number()};
@@ -85,6 +87,7 @@ std::vector<Route> compare_routes() {
            .name = "post_compare",
            .about = "how far two pictures are from each other as they are shown: squared error, "
                     "PSNR, SSIM, of the whole and by the angle from a gaze",
+           .rights = {Right::render},
            .pace = Pace::in_turn,
            .handler = post_compare,
            .answers = {ok("how far", media::json, comparison_schema, {"Cache-Control"})},

@@ -179,6 +179,9 @@ void check_gaze(const Explaining& by, const Requester& requester) {
   const auto found = gaze_of(asked, view, {0, 0, asked.width, asked.height},
                              most_samples(by.options), by.context, requester);
   if (!found) return;
+  if (has_display(by.scene->camera))
+    throw InputError({FaultKind::conflict, "/gaze", write_value(asked.gaze),
+                      "a picture of one view; this one's camera has a display"});
   if (asked.ray)
     throw InputError({FaultKind::conflict, "/gaze", write_value(asked.gaze),
                       "x and y; a ray of its own belongs to no picture"});

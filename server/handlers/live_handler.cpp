@@ -108,6 +108,7 @@ std::vector<Route> live_routes() {
            .name = "change_stream",
            .about = "changes what a live stream of /render shows: its next picture is of all that "
                     "has come by then",
+           .rights = {Right::render},
            .pace = Pace::in_turn,
            .handler = post_stream,
            .answers = {unstored("the change's number", schema_for<StreamChanged>)},

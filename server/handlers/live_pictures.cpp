@@ -30,6 +30,7 @@ void sleep_until(Clock::time_point then, const std::stop_token& stop) {
 std::string LivePictures::drawn(Plan& plan) {
   settle_memory();
   const double rays = plan.rays();
+  service_.access.check_rays(requester_.key, rays);
   auto ticket = service_.admission.enter(service_.costs.of(plan.cost_key, rays), requester_.client,
                                          requester_.stop);
   Flow flow{requester_.number()};
@@ -42,6 +43,7 @@ std::string LivePictures::drawn(Plan& plan) {
     Picture picture = tia::server::draw(plan, service_.rendering, requester_.stop);
     service_.costs.learn(plan.cost_key, rays, picture.trace_seconds, true);
     service_.metrics.count(picture.rays, picture.timing);
+    service_.access.charge(requester_.key, picture.rays.all());
     return picture;
   };
   const Picture picture = with_memory_for(attempt, requester_.stop);

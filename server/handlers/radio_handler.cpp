@@ -56,6 +56,7 @@ std::vector<Route> radio_routes() {
            .name = "post_radio_paths",
            .about = "the ways of radio waves between transmitters and receivers among a scene's "
                     "bodies, and what they carry",
+           .rights = {Right::render},
            .pace = Pace::in_turn,
            .handler = post_radio_paths,
            .answers = {ok("the paths of every pair, the shortest first, with what was assumed",

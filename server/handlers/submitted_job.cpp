@@ -69,7 +69,7 @@ NewJob new_job(const JobRequest& asked, JobPlan plan, std::string_view body, con
   const JobTerms& terms = asked.terms;
   NewJob job;
   job.id = random_job_id();
-  job.owner = share_of(request.peer);
+  job.owner = owner_of(request.key, share_of(request.peer));
   job.key = key_in(request);
   job.digest = sha256_hex(body);
   job.kind = terms.kind;
@@ -93,6 +93,7 @@ Response submitted(const JobRequest& asked, std::string_view body, const Request
   Jobs& jobs = service.jobs;
   JobPlan plan = planned(asked, jobs.host(), requester_of(request));
   check_job_rays(plan.rays, asked.terms, service.config);
+  service.access.check_rays(request.key, plan.rays);
   const TimeMs now = Runner::now();
   const Job job =
       jobs.store().submit(new_job(asked, std::move(plan), body, request, service.config, now), now);

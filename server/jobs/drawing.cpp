@@ -55,6 +55,7 @@ class PartDrawing {
     settle_memory();
     const auto picture = std::make_shared<Picture>(drawn(plan));
     at_.metrics.count(picture->rays, picture->timing);
+    at_.access.charge(key_of(job_), picture->rays.all());
     if (plan.takes_codes) {
       PartResult result = result_of(*picture, etag, parts_.place(n));
       result.bytes = std::move(picture->bytes);

@@ -4,6 +4,7 @@
 #include <memory>
 #include <stop_token>
 
+#include "server/access/access.h"
 #include "server/jobs/kinds.h"
 #include "server/jobs/store.h"
 #include "server/operation/metrics.h"
@@ -14,6 +15,7 @@ namespace tia::server {
 /// Workplace: where parts are drawn.
 struct Workplace {
   const JobHost& host;
+  Access& access;
   JobStore& store;
   PictureStore& pictures;
   Metrics& metrics;

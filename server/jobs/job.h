@@ -38,6 +38,15 @@ struct NewJob {
   TimeMs deadline = 0;            ///< 0: none
 };
 
+/// Who is told apart by turns: the key of those who have one, else the address.
+inline std::string owner_of(std::string_view key, std::string address) {
+  return key.empty() ? std::move(address) : "key " + std::string(key);
+}
+/// The key that pays for its rays; "" where it has none.
+inline std::string key_of(const NewJob& job) {
+  return job.owner.starts_with("key ") ? job.owner.substr(4) : "";
+}
+
 /// Job: one that is kept. waiting + leased + done + dead = parts.
 struct Job : NewJob {
   JobState state = JobState::queued;

@@ -23,13 +23,14 @@ RenderContext with_limits_of_jobs(const RenderContext& context, const Config& co
 }  // namespace
 
 Jobs::Jobs(std::unique_ptr<JobStore> store, const Config& config, const RenderContext& context,
-           CostMemory& costs, PictureStore& pictures, Metrics& metrics, MemoryAccount& memory)
+           CostMemory& costs, PictureStore& pictures, Access& access, Metrics& metrics,
+           MemoryAccount& memory)
     : store_(std::move(store)),
       host_{with_limits_of_jobs(context, config), costs},
       memory_(memory),
       at_once_(std::max(1, config.renders / 2)),
       board_(std::max(1, config.connections / 2)),
-      workplace_{host_, *store_, pictures, metrics, memory} {
+      workplace_{host_, access, *store_, pictures, metrics, memory} {
   store_->changed = [this](const std::string& id) { has_changed(id); };
   store_->listen();
   if (!config.farm.empty()) {  // whose jobs may come from anybody

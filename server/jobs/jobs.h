@@ -4,6 +4,7 @@
 #include <memory>
 #include <mutex>
 
+#include "server/access/access.h"
 #include "server/jobs/board.h"
 #include "server/jobs/runner.h"
 #include "server/operation/config.h"
@@ -14,7 +15,8 @@ class Jobs {
  public:
   /// All that is given outlives it.
   Jobs(std::unique_ptr<JobStore> store, const Config& config, const RenderContext& context,
-       CostMemory& costs, PictureStore& pictures, Metrics& metrics, MemoryAccount& memory);
+       CostMemory& costs, PictureStore& pictures, Access& access, Metrics& metrics,
+       MemoryAccount& memory);
 
   ~Jobs();
   Jobs(const Jobs&) = delete;

@@ -10,7 +10,8 @@
 namespace tia::server {
 
 bool can_be_cut(const Plan& plan) {
-  return !plan.options.denoise && !plan.scene->sheet && plan.format != Format::exr;
+  return !plan.options.denoise && !plan.options.gaze && !plan.scene->sheet &&
+         plan.format != Format::exr && plan.format != Format::zip;
 }
 
 Window Windows::window(int n) const {

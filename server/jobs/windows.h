@@ -13,8 +13,8 @@
 namespace tia::server {
 
 /// Whether the windows of a picture are the picture, with its rays: not where noise is taken off,
-/// for which more is traced around each; nor of a sheet's views, nor of layers, which are more than
-/// one picture.
+/// for which more is traced around each; nor for a gaze, whose rings windows share; nor of a
+/// sheet's views, layers or an archive of views, which are more than one picture.
 bool can_be_cut(const Plan& plan);
 
 /// Windows: squares of a window of a picture, row by row; those at the right and at the bottom are

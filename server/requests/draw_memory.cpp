@@ -15,8 +15,7 @@ std::int64_t memory_beside(const Plan& plan, std::size_t pixels) {
 std::int64_t memory_of_pixels(const Plan& plan, std::size_t pixels) {
   if (plan.format == Format::exr)
     return memory_for(memory_cost::layers, pixels * static_cast<std::size_t>(plan.layers.planes()));
-  if (!holds_codes(plan.format) || plan.takes_light)
-    return memory_for(memory_cost::linear, pixels);
+  if (!holds_codes(plan.format) || plan.takes_light) return memory_for(memory_cost::linear, pixels);
   const bool alpha = is_transparent(*plan.scene, plan.options.integrator);
   return memory_for(alpha ? memory_cost::alpha : memory_cost::png, pixels);
 }

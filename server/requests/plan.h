@@ -32,9 +32,9 @@ struct Plan {
   Format format = Format::png;
   bool takes_codes = false;  ///< the bytes are the pixels' codes (PNG) or light in floats, row by
                              ///< row, and no file
-  bool takes_light = false;            ///< the bytes are the pixels' light in floats, and no file
-  LayerSet layers = {};                ///< of an exr, which alone has any
-  std::optional<GazeCount> gaze = {};  ///< the points that rays go through, of one for a gaze
+  bool takes_light = false;  ///< the bytes are the pixels' light in floats, and no file
+  LayerSet layers = {};      ///< of an exr, which alone has any
+  std::optional<GazeCount> gaze = {};     ///< the points that rays go through, of one for a gaze
   const PictureRequest* asked = nullptr;  ///< the request
   int fewest_samples = 1;                 ///< that a pixel has in any case
   std::string recipe = {};       ///< what POST /render would draw the same picture from (recipe.h)
@@ -61,9 +61,7 @@ struct Plan {
     return static_cast<double>(points()) * least_samples(options.samples, options.threshold);
   }
   /// Those that it sends out in any case.
-  double sure_rays() const {
-    return static_cast<double>(points()) * fewest_samples;
-  }
+  double sure_rays() const { return static_cast<double>(points()) * fewest_samples; }
 };
 
 }  // namespace tia::server

@@ -46,6 +46,7 @@ RenderRequest changed_by(const StreamChange& change, RenderRequest request,
         patched(name ? *found : std::get<Scene>(request.scene), *change.scene, context, requester);
   }
   if (change.camera) request.camera = change.camera;
+  if (change.gaze) request.gaze = change.gaze;
   if (change.key || change.light) {
     request.key = change.key;
     request.light = change.light;

@@ -1,6 +1,7 @@
 // What may be changed of a live stream: the body of POST /streams/{id}.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -40,6 +41,7 @@ struct StreamChange : Moment {
   std::optional<std::string> key;
   std::optional<Vec3d> light;
   std::optional<CameraPatch> camera;
+  std::optional<std::array<double, 2>> gaze;
 
   template <class Visitor>
   static void fields(Visitor&& visit) {
@@ -53,6 +55,11 @@ struct StreamChange : Moment {
         "camera", &C::camera,
         Spec{.about = "as of /render: what replaces fields of the scene's own camera, and nothing "
                       "of what was said before"});
+    visit("gaze", &C::gaze,
+          Spec{.about = "as of /render: where the eye looks",
+               .unit = "pixels",
+               .min = -ViewRequest::most_px,
+               .max = ViewRequest::most_px});
     Moment::fields(visit);
   }
   /// key with light, time with frame.

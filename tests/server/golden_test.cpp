@@ -118,8 +118,7 @@ TEST_P(GoldenScene, IsDrawnAtItsStatedHashAndAsThePageShowsIt) {
   }
   if (name == "thesis" || name == "shapes") return;  // compared above
   const Part part = Part::now();
-  const Response now =
-      host().get("/render?" + part.query() + page_size_of(name) + scene + moment);
+  const Response now = host().get("/render?" + part.query() + page_size_of(name) + scene + moment);
   const auto published = decode_png(golden("gallery/" + name + ".png"));
   ASSERT_EQ(published.width, 640);
   EXPECT_TRUE(decode_png(now.body) == part.of(published));
