@@ -144,7 +144,7 @@ RedisChannel::RedisChannel(Redis& redis, std::string name, Heard heard,
       thread_([this](const std::stop_token& stop) { listen(stop); }) {}
 RedisChannel::~RedisChannel() = default;
 
-void RedisChannel::listen(std::stop_token stop) {
+void RedisChannel::listen(const std::stop_token& stop) {
   std::mutex mutex;
   std::condition_variable_any ended;
   while (!stop.stop_requested()) {

@@ -6,6 +6,7 @@
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <stop_token>
 #include <string>
 #include <string_view>
 #include <thread>
@@ -86,7 +87,7 @@ class RedisChannel {
   RedisChannel& operator=(const RedisChannel&) = delete;
 
  private:
-  void listen(std::stop_token stop);
+  void listen(const std::stop_token& stop);
   void listen_once(const std::stop_token& stop);
 
   Redis& redis_;

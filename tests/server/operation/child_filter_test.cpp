@@ -2,7 +2,7 @@
 #include "server/operation/child_filter.h"
 
 #include <gtest/gtest.h>
-#include <sys/wait.h>
+#include <signal.h>
 
 #include <cerrno>
 #include <chrono>
@@ -19,13 +19,21 @@ ChildFilter shell_filter(const std::string& script) {
   return ChildFilter("/bin/sh", {"-c", script}, {});
 }
 
-void expect_no_child_left() {
-  EXPECT_EQ(waitpid(-1, nullptr, WNOHANG), -1);
-  EXPECT_EQ(errno, ECHILD);
+// Neither runs nor waits to be waited for.
+void expect_gone(pid_t child) {
+  EXPECT_EQ(kill(child, 0), -1);
+  EXPECT_EQ(errno, ESRCH);
+}
+// What a shell has said of itself, in a line.
+pid_t told_by(ChildFilter& shell) {
+  std::string said;
+  while (!said.ends_with('\n')) said += shell.pass("", {});
+  return std::stoi(said);
 }
 
 TEST(ChildFilter, GivesBackAllThatPassesThroughHoweverMuch) {
-  ChildFilter cat("/bin/cat", {}, {});
+  ChildFilter cat = shell_filter("echo $$; exec cat");
+  const pid_t child = told_by(cat);
   std::string in, out;
   for (int i = 0; i < 40; ++i) {
     const std::string piece(100'000, static_cast<char>('a' + i % 26));
@@ -35,7 +43,7 @@ TEST(ChildFilter, GivesBackAllThatPassesThroughHoweverMuch) {
   EXPECT_GT(out.size(), in.size() / 2) << "as it comes";
   out += cat.finish({});
   EXPECT_TRUE(out == in);
-  expect_no_child_left();
+  expect_gone(child);
 }
 
 TEST(ChildFilter, ThatFailsIsNeverDone) {
@@ -49,8 +57,10 @@ TEST(ChildFilter, ThatFailsIsNeverDone) {
 
 TEST(ChildFilter, ThatNeitherReadsNorEndsIsKilledOnceItIsStopped) {
   std::stop_source stop;
+  pid_t child = 0;
   {
-    ChildFilter deaf = shell_filter("exec sleep 1000");
+    ChildFilter deaf = shell_filter("echo $$; exec sleep 1000");
+    child = told_by(deaf);
     std::jthread soon([&] {
       std::this_thread::sleep_for(std::chrono::milliseconds(20));
       stop.request_stop();
@@ -59,7 +69,7 @@ TEST(ChildFilter, ThatNeitherReadsNorEndsIsKilledOnceItIsStopped) {
     EXPECT_THROW(deaf.pass(much, stop.get_token()), Stopped);
     EXPECT_THROW(deaf.finish(stop.get_token()), Stopped);
   }
-  expect_no_child_left();
+  expect_gone(child);
 }
 
 TEST(ChildFilter, HasItsOwnLimitsAndNothingOfOurs) {
