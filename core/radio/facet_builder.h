@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/radio/radio_body.h"
+#include "core/scene/object.h"
 
 namespace tia {
 

@@ -7,7 +7,6 @@
 #include "core/radio/facet.h"
 #include "core/radio/permittivity.h"
 #include "core/radio/radio_edge.h"
-#include "core/scene/scene.h"
 
 namespace tia {
 
@@ -36,9 +35,5 @@ struct RadioBodies {
   std::vector<RadioEdge> edges{};  ///< of the facets; none before the world is made
   std::vector<std::string> assumed, warnings;
 };
-
-/// Domain: a scene that was read and whose models are resolved.
-/// Errors: InputError (limit) of more facets than most_facets.
-RadioBodies radio_bodies_of(const Scene& scene, const Wave& wave);
 
 }  // namespace tia

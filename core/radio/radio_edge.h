@@ -1,13 +1,10 @@
 // RadioEdge: where two faces of a body meet, or a sheet ends: what waves are diffracted by.
 #pragma once
 
-#include <vector>
-
-#include "core/radio/facet.h"
+#include "core/math/deterministic.h"
+#include "core/math/vec3.h"
 
 namespace tia {
-
-struct RadioBodies;
 
 /// RadioEdge: a straight edge between the faces 0 and n. Space/units: scene units, scene space.
 struct RadioEdge {
@@ -18,11 +15,10 @@ struct RadioEdge {
   int body = 0, element = 0;
 
   /// The angle from face 0 around the edge, in [0, 2 pi). `away`: from the edge.
-  double angle_of(const Vec3d& away) const;
+  double angle_of(const Vec3d& away) const {
+    const double angle = atan2_of(dot(away, normal), dot(away, into));
+    return angle < 0 ? angle + 2 * pi : angle;
+  }
 };
-
-/// The convex edges of closed bodies, and the ends of sheets; facets that only touch have none.
-/// `slack`: how near corners are the same.
-std::vector<RadioEdge> edges_of(const RadioBodies& all, double slack);
 
 }  // namespace tia

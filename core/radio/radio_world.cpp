@@ -7,6 +7,8 @@
 #include "core/accel/world/all_hits.h"
 #include "core/boxes/box_ray.h"
 #include "core/boxes/bvh_builder.h"
+#include "core/radio/body_edges.h"
+#include "core/radio/body_walk.h"
 
 namespace tia {
 namespace {

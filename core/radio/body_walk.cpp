@@ -1,4 +1,4 @@
-#include "core/radio/radio_body.h"
+#include "core/radio/body_walk.h"
 
 #include <set>
 

@@ -1,12 +1,10 @@
-#include "core/radio/radio_edge.h"
+#include "core/radio/body_edges.h"
 
 #include <array>
 #include <cmath>
 #include <map>
 
-#include "core/math/deterministic.h"
 #include "core/math/onb.h"
-#include "core/radio/radio_body.h"
 
 namespace tia {
 namespace {
@@ -44,11 +42,6 @@ RadioEdge edge_of(const PieceSide& side, const Facet& facet) {
 }
 
 }  // namespace
-
-double RadioEdge::angle_of(const Vec3d& away) const {
-  const double angle = atan2_of(dot(away, normal), dot(away, into));
-  return angle < 0 ? angle + 2 * pi : angle;
-}
 
 std::vector<RadioEdge> edges_of(const RadioBodies& all, double slack) {
   std::map<SideKey, std::vector<PieceSide>> sides;
