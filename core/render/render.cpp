@@ -157,8 +157,7 @@ class Render {
   }
 
   void trace(int i, FilmTile& tile) {
-    const View& view = shot_.first().view;
-    if (sampler_.centered() && view.is_flat() && !view.orthographic() && !tells_more_)
+    if (sampler_.centered() && !shot_.first().view.orthographic() && !tells_more_)
       return trace_centers(shot_, options_.scalar, tiles_.window().x0 + tile.x,
                            tiles_.window().y0 + tile.y, tile);
     RoundsOfTile begun = begun_tile(i);

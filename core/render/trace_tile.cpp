@@ -202,6 +202,33 @@ template <class Real, class AnyWorldView>
   shot.meter.add(tracer.rays());
 }
 
+// The same of what looks through no plane. Not flattened, as trace_curved_round.
+template <class Real, class AnyWorldView>
+[[gnu::noinline]] void trace_curved_centers_in(const Shot& shot, int x0, int y0, FilmTile& tile) {
+  using PacketPixels = tia::PacketPixels<Real>;
+  SamplerState<Real> sampler_state;
+  sampler_state.key = shot.sampler.key();
+  Tracer<Real, AnyWorldView> tracer(shot, shot.first(), x0, y0, tile.width, tile.height);
+  const Real column_of = PacketPixels::column(), row_of = PacketPixels::row();
+  const auto number = [](int i) { return Real(static_cast<float>(i)); };
+  for (int y = 0; y < tile.height; y += PacketPixels::height)
+    for (int x = 0; x < tile.width; x += PacketPixels::width) {
+      const auto [ray, seen] = curved_ray(shot.first().view, number(x0 + x) + column_of,
+                                          number(y0 + y) + row_of, Real(0), Real(0));
+      const Mask<Real> active =
+          seen && row_of < number(tile.height - y) && column_of < number(tile.width - x);
+      PacketPixels::number(x0 + x, y0 + y, sampler_state);
+      const Vec3<Real> light = tracer.seen(tracer.light(ray, active, sampler_state), active);
+      const std::size_t i = FilmTile::index(x, y);
+      PacketPixels::store(light.x, &tile.r[i]);
+      PacketPixels::store(light.y, &tile.g[i]);
+      PacketPixels::store(light.z, &tile.b[i]);
+      if constexpr (std::is_same_v<AnyWorldView, WorldView>)
+        if (tracer.has_backdrop()) PacketPixels::store(tracer.alpha(), &tile.alpha[i]);
+    }
+  shot.meter.add(tracer.rays());
+}
+
 // ---- many rays a pixel --------------------------------------------------------------------------
 
 // Whether a round has as many samples as there are: then those are one half, and it is the other.
@@ -222,17 +249,17 @@ Vec3<Real> clamped(const Vec3<Real>& v) {
   return {clamp(v.x), clamp(v.y), clamp(v.z)};
 }
 
-// The rays of the pixels' aims. Of a flat view `center` is where they go through.
-template <bool flat, class AnyTracer, class Real>
-[[gnu::always_inline]] inline SeenRay<Real> ray_of(const AnyTracer& tracer,
-                                                   const Vec3<Real>& center,
-                                                   const Pixels<Real>& pixels,
-                                                   const Mask<Real>& active, const Aim<Real>& aim) {
-  if constexpr (flat) {
-    return {tracer.eye.ray(center, aim), active};
+// Through what else rays go: a gaze's targets, or pixels of a view that is no plane.
+template <class Real>
+void redirect(const View& view, const std::optional<TargetLanes<Real>>& targets,
+              const Pixels<Real>& pixels, const Aim<Real>& aim, Ray<Real>& ray,
+              Mask<Real>& active) {
+  if (targets) {
+    ray = targets->ray(aim);
   } else {
-    const auto curved = curved_ray(tracer.view(), pixels.column(), pixels.row(), aim.dx, aim.dy);
-    return {curved.ray, active && curved.seen};
+    const auto curved = curved_ray(view, pixels.column(), pixels.row(), aim.dx, aim.dy);
+    ray = curved.ray;
+    active = active && curved.seen;
   }
 }
 
@@ -243,8 +270,9 @@ template <bool flat, class Real, class AnyWorldView>
   Tracer<Real, AnyWorldView>* at = &tracers.first();
   Aims<Real> aims(shot.sampler, round, pixels.x, pixels.y, shot.has_lens());
   Vec3<Real> center = pixels.center(at->view());
-  std::optional<TargetLanes<Real>> targets;
-  if (pixels.targets[0] != nullptr) targets.emplace(pixels, at->view());
+  [[maybe_unused]] std::optional<TargetLanes<Real>> targets;
+  if constexpr (!flat)
+    if (pixels.targets[0] != nullptr) targets.emplace(pixels, at->view());
   const Mask<Real> all = pixels.active();
   const int count = shot.sampler.count(round), before = shot.sampler.before(round);
   const int half = doubles(shot.sampler, round) ? 0 : (count + 1) / 2;  // is added to one of guides
@@ -263,8 +291,9 @@ template <bool flat, class Real, class AnyWorldView>
     const int point = shot.sampler.point(round, i);
     sampler_state.sample = static_cast<std::uint32_t>(before + point);
     const Aim<Real> aim = aims(point);
-    const auto [ray, active] = targets ? SeenRay<Real>{targets->ray(aim), all}
-                                       : ray_of<flat>(tracer, center, pixels, all, aim);
+    Ray<Real> ray = tracer.eye.ray(center, aim);
+    Mask<Real> active = all;
+    if constexpr (!flat) redirect(tracer.view(), targets, pixels, aim, ray, active);
     Vec3<Real> light = tracer.light(ray, active, sampler_state);
     if constexpr (!flat) light = tracer.seen(light, active);
     sums.add(light);
@@ -321,7 +350,8 @@ void trace_round(const Shot& shot, int round, Tracers<Real, AnyWorldView>& trace
       const Target& target = tile.targets[static_cast<std::size_t>(pixel)];
       pixels.targets[i] = &target, pixels.x[i] = target.x, pixels.y[i] = target.y;
     }
-    if (tracers.first().view().is_flat()) trace_flat_round(shot, round, tracers, pixels);
+    if (tracers.first().view().is_flat() && tile.targets.empty())
+      trace_flat_round(shot, round, tracers, pixels);
     else trace_curved_round(shot, round, tracers, pixels);
   }
   if (!shot.convergence.watches()) return;
@@ -393,7 +423,9 @@ void trace_rounds(const Shot& shot, Scalar scalar, int first, int last, TilePixe
 
 void trace_centers(const Shot& shot, Scalar scalar, int x0, int y0, FilmTile& tile) {
   with_types(shot, scalar, true, [&]<class Real, class AnyWorldView>() {
-    trace_centers_in<Real, AnyWorldView>(shot, x0, y0, tile);
+    if (shot.first().view.is_flat())
+      return trace_centers_in<Real, AnyWorldView>(shot, x0, y0, tile);
+    trace_curved_centers_in<Real, AnyWorldView>(shot, x0, y0, tile);
   });
 }
 

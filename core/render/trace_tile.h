@@ -63,7 +63,7 @@ struct TilePixels {
 void trace_rounds(const Shot& shot, Scalar scalar, int first, int last, TilePixels& tile);
 
 /// Fills a tile whose pixels have one ray each, through their centres, and counts them.
-/// Domain: one instant, a centred sampler and a flat view that is not orthographic. Errors: the
+/// Domain: one instant, a centred sampler and no orthographic view. Errors: the
 /// meter's.
 void trace_centers(const Shot& shot, Scalar scalar, int x0, int y0, FilmTile& tile);
 
