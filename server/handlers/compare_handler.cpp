@@ -4,9 +4,9 @@
 #include "server/contract/parameters.h"
 #include "server/handlers/bodies.h"
 #include "server/handlers/handlers.h"
-#include "server/handlers/with_memory.h"
 #include "server/requests/compare_request.h"
 #include "server/requests/draw.h"
+#include "server/requests/with_memory.h"
 
 namespace tia::server {
 namespace {
