@@ -36,11 +36,9 @@ struct Codec<std::array<T, N>> {
   }
   static std::string allowed(const Spec& spec) {
     constexpr bool is_color = std::is_same_v<T, Color>;
-    return std::to_string(N) +
-           (std::is_arithmetic_v<T> ? " numbers"
-            : is_color              ? " colours"
-                                    : " lists") +
-           ", each " + Codec<T>::allowed(spec);
+    std::string words = std::to_string(N);  // by itself: g++ 12 cries wolf over sums of texts
+    words += std::is_arithmetic_v<T> ? " numbers" : is_color ? " colours" : " lists";
+    return words += ", each " + Codec<T>::allowed(spec);
   }
 };
 
