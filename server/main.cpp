@@ -271,7 +271,7 @@ void run_job(const JobCommands& commands, const Asked& asked) {
 void run_render(const Asked& asked, const Config& config) {
   if (asked.job_file.empty()) {
     if (asked.scene.empty()) throw std::invalid_argument("render needs a scene, or --job");
-    if (asked.file.empty()) throw std::invalid_argument("render needs -o");
+    if (asked.file.empty()) throw std::invalid_argument("render needs --output (-o)");
     return render_to_file(asked.scene, asked.file, asked.parameters, asked.plain, asked.watching,
                           config);
   }

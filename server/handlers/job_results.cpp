@@ -230,10 +230,10 @@ std::vector<Route> job_result_routes(const Segment& id) {
   Answer picture = picture_answer();
   Answer result = picture;
   result.about = "the picture; of several pictures their list, or with format=zip an archive";
-  for (Content& each : result.contents)
-    each.headers = {"Server-Timing", "Tia-Rays", "ETag", "Cache-Status"};
+  for (Content& each : result.contents)  // an archive may be of several pictures
+    if (each.type != "application/zip")
+      each.headers = {"Server-Timing", "Tia-Rays", "ETag", "Cache-Status"};
   result.contents.push_back({media::json, results_schema});
-  result.contents.push_back({"application/zip"});
   return {{.method = "GET",
            .path = "/jobs/{}/result",
            .name = "get_job_result",

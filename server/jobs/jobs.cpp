@@ -1,7 +1,9 @@
 #include "server/jobs/jobs.h"
 
 #include <algorithm>
+#include <stdexcept>
 
+#include "server/contract/problem.h"
 #include "server/jobs/farm.h"
 #include "server/jobs/sqlite_jobs.h"
 #include "server/operation/log.h"
@@ -18,6 +20,13 @@ RenderContext with_limits_of_jobs(const RenderContext& context, const Config& co
   own.limits.max_work = static_cast<std::int64_t>(
       std::min(9e18, static_cast<double>(config.max_work) * std::max(more, 1.0)));
   return own;
+}
+
+bool has_jobs(JobStore& store) try {
+  const JobLoad load = store.load(Runner::now());
+  return std::any_of(load.jobs.begin(), load.jobs.end(), [](auto jobs) { return jobs > 0; });
+} catch (const StorageError& error) {
+  throw std::runtime_error(std::string("option TIA_DATA_DIR: ") + error.what());
 }
 
 }  // namespace
@@ -37,9 +46,7 @@ Jobs::Jobs(std::unique_ptr<JobStore> store, const Config& config, const RenderCo
     start();
     return;
   }
-  const JobLoad load = store_->load(Runner::now());
-  for (const std::int64_t jobs : load.jobs)
-    if (jobs > 0) start();  // to go on with them, and to forget them in time
+  if (has_jobs(*store_)) start();  // to go on with them, and to forget them in time
 }
 
 Jobs::~Jobs() {

@@ -57,15 +57,14 @@ Scene moving_balls(std::int64_t n, std::int64_t movers) {
                number(i % 100) + ',' + number(i / 100 % 100) + ',' + number(i / 10'000) + "]}";
   for (std::int64_t i = 0; i < movers; ++i)
     tracks += std::string(i > 0 ? "," : "") + R"({"target":"/objects/)" + number(i * (n / movers)) +
-              R"(/center/1","formula":"sin(t)"
-})";
+              R"x(/center/1","formula":"sin(t)"})x";
   JsonLimits limits;
-limits.values = 1 << 30;
-return read_described<Scene>(
-    parse_json(
-        R"({"objects":[)" + objects + R"(],"animation":{"duration":9,"tracks":[)" + tracks + "]}}",
-        limits),
-    {});
+  limits.values = 1 << 30;
+  return read_described<Scene>(
+      parse_json(R"({"objects":[)" + objects + R"(],"animation":{"duration":9,"tracks":[)" +
+                     tracks + "]}}",
+                 limits),
+      {});
 }
 
 void moving_moment(benchmark::State& state) {

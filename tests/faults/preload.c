@@ -167,6 +167,11 @@ int openat(int f, const char* path, int flags, ...) {
   LAST(long, flags);
   return breaks_on(faults_openat, f) ? -1 : next(f, path, flags, last);
 }
+int openat64(int f, const char* path, int flags, ...) {
+  NEXT(openat64);
+  LAST(long, flags);
+  return breaks_on(faults_openat, f) ? -1 : next(f, path, flags, last);
+}
 
 // ---- calls that move bytes ------------------------------------------------------------------
 

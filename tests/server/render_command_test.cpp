@@ -155,9 +155,8 @@ TEST_F(RenderCommand, ABadParameterExits2NamingItAndItsRange) {
 TEST_F(RenderCommand, AFileOfAnotherKindOfPictureExits2SayingWhichThereAre) {
   const Finished end = run({"render", "thesis", "-o", folder_.file("x.jpg")});
   EXPECT_EQ(end.status, 2);
-  EXPECT_THAT(
-      end.err,
-      HasSubstr("x.jpg, allowed: NAME.png, NAME.pfm, NAME.hdr, NAME.tiff, NAME.exr, -, or any"));
+  EXPECT_THAT(end.err, HasSubstr("x.jpg, allowed: NAME.png, NAME.pfm, NAME.hdr, NAME.tiff, "
+                                 "NAME.exr, NAME.zip, -, or any"));
 }
 
 TEST_F(RenderCommand, AFileThatCannotBeWrittenExits2NamingIt) {

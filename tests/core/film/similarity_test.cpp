@@ -10,7 +10,7 @@ namespace {
 
 using test::Random;
 
-Image noise(int width, int height, std::uint64_t seed) {
+Image white_noise(int width, int height, std::uint64_t seed) {
   Random random(seed);
   Image image(width, height);
   for (float& each : image.rgb) each = static_cast<float>(random.unit());
@@ -42,7 +42,7 @@ double ssim_at(const Image& a, const Image& b, int cx, int cy) {
 }
 
 TEST(Similarity, OfAPictureToItselfIsOne) {
-  const Image a = noise(20, 15, 1);
+  const Image a = white_noise(20, 15, 1);
   const Similarity same = similarity_of(a, a, 0, nullptr).whole;
   EXPECT_EQ(same.mse, 0);
   EXPECT_EQ(same.max, 0);
@@ -63,9 +63,9 @@ TEST(Similarity, OfAShiftIsItsSquareAndTenDecibelsATenth) {
 }
 
 TEST(Similarity, IsWangsIndexOfTheWholeAndOfClasses) {
-  const Image a = noise(33, 21, 2);
+  const Image a = white_noise(33, 21, 2);
   Image b = a;
-  const Image other = noise(33, 21, 3);
+  const Image other = white_noise(33, 21, 3);
   for (std::size_t i = 0; i < b.rgb.size(); ++i) b.rgb[i] = 0.7F * b.rgb[i] + 0.3F * other.rgb[i];
   const auto half = [](int x, int y) { return x + y < 25 ? 0 : 1; };
   double sums[2] = {}, squares[2] = {};
@@ -90,7 +90,8 @@ TEST(Similarity, IsWangsIndexOfTheWholeAndOfClasses) {
 }
 
 TEST(Similarity, OfPicturesSmallerThanAWindowHasNoIndex) {
-  const Similarity of = similarity_of(noise(10, 40, 4), noise(10, 40, 5), 0, nullptr).whole;
+  const Similarity of =
+      similarity_of(white_noise(10, 40, 4), white_noise(10, 40, 5), 0, nullptr).whole;
   EXPECT_EQ(of.ssim, std::nullopt);
   EXPECT_GT(of.mse, 0);
 }

@@ -117,7 +117,7 @@ TEST(SceneSchema, RefusesWhatTheReaderRefuses) {
         R"({"camera":{"fov_degrees":180}})",
         R"({"camera":{"up":[0,1]}})",
         R"({"camera":{"location":[0,2e9,0]}})",
-        R"({"camera":{"projection":"fisheye"}})",
+        R"({"camera":{"projection":"mercator"}})",
         R"({"camera":{"projection":"orthographic","height":0}})",
         R"({"camera":{"aperture":-1}})",
         R"({"camera":{"basis":{"u":[1,0,0]}}})",
@@ -175,7 +175,13 @@ const std::vector<std::string> beyond_scene_schema = {
     "only projection perspective", "for aperture", "of aperture", "of pixel_size",
     "a point other than location", "a direction of some length", "not zero, not parallel",
     "a view plane of some size", "of the view plane's size", "a vector of length 1",
-    "perpendicular to u", "u x v", "more than near",
+    "perpendicular to u", "u x v", "more than near", "goes with projection", "go with projection",
+    "goes without pixel_size", "fov_degrees goes with",
+    // of displays
+    "of which such a display", "has no lens", "such a display says itself",
+    "the middle of the display's window", "where the camera has no look_at", "interlace goes with",
+    "from left to right", "between neighbours", "pitch goes with", "one for all, or one for each",
+    "as many points as", "at least 2 views", "matrix goes with",
     // animations: what a track is made of, keys that belong together
     "one of keys, formula and visible", "keys, formula or visible", "with keys", "with a formula",
     "with interpolation step", "as many numbers in each key", "tangents", "times that ascend",

@@ -176,6 +176,7 @@ Agreement judge(const Value& schema_document, const Reader& reader, int count,
   const auto judge_one = [&](const Value& document) {
     const std::vector<Fault> list = reader(document);
     const bool accepts = std::none_of(list.begin(), list.end(), seen_by_schema);
+    if (accepts && list.size() == Faults::most) return;  // and more that is not told
     if (accepts != schema.valid(document)) {
       std::string text = to_json(document);
       for (const Fault& fault : list) text += "\n  " + describe(fault);

@@ -7,7 +7,8 @@
 namespace tia::test {
 namespace {
 
-std::string body_of(const std::string& a, const std::string& b, const std::string& more = "") {
+std::string comparison_of(const std::string& a, const std::string& b,
+                          const std::string& more = "") {
   const std::string size = R"("width":48,"height":36)";
   return R"({"a":{)" + size + a + R"(},"b":{)" + size + b + "}" + more + "}";
 }
@@ -19,7 +20,8 @@ Value compared(const std::string& body) {
 bool is_null(const Value& value) { return to_json(value) == "null"; }
 
 TEST(Compare, OfEqualPicturesHasNoNoise) {
-  const Value told = compared(body_of(R"(,"key":"a")", R"(,"key":"a")", R"(,"gaze":[24,18])"));
+  const Value told =
+      compared(comparison_of(R"(,"key":"a")", R"(,"key":"a")", R"(,"gaze":[24,18])"));
   EXPECT_EQ(number_at(told, "mse"), 0);
   EXPECT_EQ(number_at(told, "max"), 0);
   EXPECT_TRUE(is_null(at(told, "psnr_db")));
@@ -34,7 +36,7 @@ TEST(Compare, TellsTheErrorOfWhatIsShown) {
   double sum = 0;
   for (std::size_t i = 0; i < a.rgb.size(); ++i) sum += std::pow((a.rgb[i] - b.rgb[i]) / 255.0, 2);
   const double mse = sum / static_cast<double>(a.rgb.size());
-  const Value told = compared(body_of("", R"(,"key":"a")"));
+  const Value told = compared(comparison_of("", R"(,"key":"a")"));
   EXPECT_NEAR(number_at(told, "mse"), mse, 0.01 * mse);
   EXPECT_NEAR(number_at(told, "psnr_db"), -10 * std::log10(number_at(told, "mse")), 1e-9);
   EXPECT_LT(number_at(told, "ssim"), 0.999);
@@ -43,16 +45,17 @@ TEST(Compare, TellsTheErrorOfWhatIsShown) {
 
 TEST(Compare, OfFeaturesComparesWhatTheyShow) {
   const Value told =
-      compared(body_of(R"(,"integrator":"normal")", R"(,"integrator":"normal","seed":3)"));
+      compared(comparison_of(R"(,"integrator":"normal")", R"(,"integrator":"normal","seed":3)"));
   EXPECT_EQ(number_at(told, "mse"), 0);
   const Value depth =
-      compared(body_of(R"(,"integrator":"depth")", R"(,"integrator":"depth","key":"a")"));
+      compared(comparison_of(R"(,"integrator":"depth")", R"(,"integrator":"depth","key":"a")"));
   EXPECT_EQ(number_at(depth, "max"), 0);
 }
 
 TEST(Compare, TellsBandsThatShareThePictureOut) {
   const std::string wide = R"(,"camera":{"fov_degrees":80},"scene":"whitted")";
-  const Value told = compared(body_of(wide, wide + R"(,"gaze":[12,9],"acuity":{"slope":0.2})"));
+  const Value told =
+      compared(comparison_of(wide, wide + R"(,"gaze":[12,9],"acuity":{"slope":0.2})"));
   const Value::Array& bands = *at(told, "bands").as<Value::Array>();
   ASSERT_EQ(bands.size(), 4U);
   double pixels = 0, squares = 0;

@@ -147,7 +147,7 @@ TEST(ExplainSize, IsNoLessThanTheJsonAndNotThreeTimesIt) {
     const World world = host().geometries().compile(scene, pool.workers(2));
     for (int i = 0; i < rounds(5); ++i) {
       const Explanation all =
-          explain(*scene, world, view_of(scene->camera, 50, 40), 5 + 10 * i, 20 + i, 0, options);
+          explain(*scene, world, view_of(scene->camera, 50, 40), 7 + 8 * i, 20 + i, 0, options);
       const std::size_t bytes = to_json(value_of(all)).size();
       EXPECT_LE(bytes, all.most_bytes);
       EXPECT_LE(all.most_bytes, 3 * bytes + 4096);

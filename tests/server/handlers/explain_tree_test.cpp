@@ -53,17 +53,25 @@ Vec3f color(const Pixels<float>& image, int x, int y) {
   return {image.at(x, y, 0), image.at(x, y, 1), image.at(x, y, 2)};
 }
 
+// Of a fisheye's picture; there is no ray.
+bool is_outside_of_disc(int x, int y, int width, int height) {
+  const double right = 2 * x + 1 - width, up = 2 * y + 1 - height, radius = std::min(width, height);
+  return right * right + up * up > radius * radius;
+}
+
 TEST(ExplainTree, AddsUpToThePixelInEverySceneOfTheGallery) {
   const int width = sanitized() ? 40 : 160, height = 3 * width / 4, pixels = rounds(100);
   Random random(440);
   for (const auto& [name, scene] : host().gallery().scenes()) {
     SCOPED_TRACE(name);
+    if (name == "anaglyph") continue;  // whose pixels are of two rays, of which one is told
     // Scenes for path have no tree of rays of their own.
     const std::string view =
         view_query(name, width, height) + "&integrator=whitted&samples=1&threshold=0";
     const Pixels<float> image = drawn(view);
     for (int i = 0; i < pixels && !HasFailure(); ++i) {
       const int x = random.below(width), y = random.below(height);
+      if (name == "dome" && is_outside_of_disc(x, y, width, height)) continue;
       const Json tree = explained(view + pixel(x, y)).at("tree");
       expect_sum(tree, 0);
       EXPECT_EQ(color(tree.at("color")), color(image, x, y)) << x << " " << y;

@@ -21,7 +21,7 @@ Told told_of(const Response& response) {
             4);
   return told;
 }
-long long primary_of(const Response& response) {
+long long primary_told(const Response& response) {
   long long primary = 0;
   std::sscanf(header(response, "Tia-Rays").value_or("").c_str(), "primary=%lld", &primary);
   return primary;
@@ -34,8 +34,8 @@ TEST(GazeRequest, TellsWhatWasTraced) {
   const Told told = told_of(drawn);
   EXPECT_EQ(told.slope, 0.022);
   EXPECT_EQ(told.full, 200 * 150);
-  EXPECT_EQ(told.fovea + told.periphery, primary_of(drawn));
-  EXPECT_LT(primary_of(drawn), told.full);
+  EXPECT_EQ(told.fovea + told.periphery, primary_told(drawn));
+  EXPECT_LT(primary_told(drawn), told.full);
   EXPECT_EQ(header(host().head(seen), "Tia-Gaze"), header(drawn, "Tia-Gaze"));
   EXPECT_EQ(header(host().get("/render?scene=whitted&width=20&height=15"), "Tia-Gaze"),
             std::nullopt);
@@ -43,20 +43,20 @@ TEST(GazeRequest, TellsWhatWasTraced) {
 
 TEST(GazeRequest, OfManySamplesAndOfAWindow) {
   const Response sampled = host().get(seen + "&samples=3&format=pfm");
-  EXPECT_EQ(3 * (told_of(sampled).fovea + told_of(sampled).periphery), primary_of(sampled));
+  EXPECT_EQ(3 * (told_of(sampled).fovea + told_of(sampled).periphery), primary_told(sampled));
   const auto all = decode_pfm(host().get(seen + "&format=pfm").body);
   const Response part = host().get(seen + "&format=pfm&crop=70,50,110,90");
   const auto cut = decode_pfm(part.body);
-  EXPECT_LT(primary_of(part), primary_of(host().get(seen)));
+  EXPECT_LT(primary_told(part), primary_told(host().get(seen)));
   for (std::size_t y = 0; y < 40; ++y)
     for (std::size_t i = 0; i < 3 * 40; ++i)
       ASSERT_EQ(cut.rgb[3 * 40 * y + i], all.rgb[3 * (200 * (y + 50) + 70) + i]);
 }
 
 TEST(GazeRequest, KeepsToItsRaysAndIsDrawnAgainFromItself) {
-  const long long all = primary_of(host().get(seen));
+  const long long all = primary_told(host().get(seen));
   const Response fewer = host().get(seen + "&gaze_rays=" + std::to_string(all / 2));
-  EXPECT_LE(primary_of(fewer), all / 2);
+  EXPECT_LE(primary_told(fewer), all / 2);
   EXPECT_GT(told_of(fewer).slope, 0.022);
   EXPECT_TRUE(host().post("/render", fewer.body, "image/png").body == fewer.body);
   // What does not bind is no other picture.
@@ -66,7 +66,7 @@ TEST(GazeRequest, KeepsToItsRaysAndIsDrawnAgainFromItself) {
   EXPECT_EQ(refused.pointer, "/gaze_rays");
   long long least = 0;
   ASSERT_EQ(std::sscanf(refused.allowed.c_str(), "at least %lld", &least), 1);
-  EXPECT_EQ(primary_of(host().get(seen + "&gaze_rays=" + std::to_string(least))), least);
+  EXPECT_EQ(primary_told(host().get(seen + "&gaze_rays=" + std::to_string(least))), least);
 }
 
 TEST(GazeRequest, InATimeIsThePictureThatItsAddressNames) {

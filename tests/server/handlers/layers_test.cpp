@@ -26,16 +26,16 @@ std::string corner(const std::string& more, const std::string& options = "") {
     "lights":[{"type":"sphere","position":[0,3,-5],"radius":0.5,"color":8}]}})";
 }
 
-std::string body_of(const std::string& request) {
+std::string layers_body_of(const std::string& request) {
   const Response response = host().post("/render", request);
   EXPECT_EQ(response.status, 200) << response.body;
   return response.body;
 }
 ExrFile exr_of(const std::string& more, const std::string& options = "") {
-  return read_exr(body_of(corner(R"(,"format":"exr")" + more, options)));
+  return read_exr(layers_body_of(corner(R"(,"format":"exr")" + more, options)));
 }
 Pixels<float> pfm_of(const std::string& more) {
-  return decode_pfm(body_of(corner(R"(,"format":"pfm")" + more)));
+  return decode_pfm(layers_body_of(corner(R"(,"format":"pfm")" + more)));
 }
 
 void expect_channels(const ExrFile& file, std::initializer_list<const char*> names,
@@ -90,12 +90,13 @@ TEST(Layers, FeaturesAreTheFeatureImages) {
       const std::string by = std::string(samples) + R"(,"integrator":")";
       const auto feature = [&](const std::string& name) {
         std::string request = corner(samples + std::string(R"(,"format":"pfm")"));
-        return decode_pfm(body_of(request.replace(request.find("\"path\""), 6, '"' + name + '"')));
+        return decode_pfm(
+            layers_body_of(request.replace(request.find("\"path\""), 6, '"' + name + '"')));
       };
       std::string request = corner(
           samples + std::string(R"(,"format":"exr","aov":["object","Z","normal","albedo"])"));
       request.replace(request.find("\"path\""), 6, std::string("\"") + integrator + '"');
-      const ExrFile file = read_exr(body_of(request));
+      const ExrFile file = read_exr(layers_body_of(request));
       EXPECT_EQ(file.types.size(), 8U);
       EXPECT_EQ(file.types.at("object"), 0);
       EXPECT_EQ(file.types.at("Z"), 2);
@@ -138,10 +139,10 @@ TEST(Layers, PartsOfMattSurfacesAreThoseOfFewerBounces) {
   const std::string asked = R"({"integrator":"path","samples":8,"width":24,"height":16)";
   const auto up_to = [&](int depth) {
     return decode_pfm(
-        body_of(asked + R"(,"format":"pfm","max_depth":)" + std::to_string(depth) + scene));
+        layers_body_of(asked + R"(,"format":"pfm","max_depth":)" + std::to_string(depth) + scene));
   };
   const ExrFile file = read_exr(
-      body_of(asked + R"(,"format":"exr","aov":["direct","indirect","emission"])" + scene));
+      layers_body_of(asked + R"(,"format":"exr","aov":["direct","indirect","emission"])" + scene));
   expect_channels(file, {"emission.R", "emission.G", "emission.B"}, up_to(0), 1e-6);
   const Pixels<float> once = up_to(1), none = up_to(0), all = up_to(16);
   Pixels<float> direct = once, indirect = all;
@@ -197,9 +198,9 @@ TEST(Layers, ABudgetsContentLocationGivesTheSameBytes) {
 
 TEST(Layers, ATransparentBackdropIsInAlphaAndTheLightIsMultipliedByIt) {
   const auto asked = [](const std::string& backdrop, const std::string& format) {
-    return body_of(R"({"width":24,"height":18,"samples":4,"scene":{"backdrop":)" + backdrop +
-                   R"(,"objects":[{"type":"sphere","center":[0,0,-9],"radius":2}]},"format":)" +
-                   format + "}");
+    return layers_body_of(
+        R"({"width":24,"height":18,"samples":4,"scene":{"backdrop":)" + backdrop +
+        R"(,"objects":[{"type":"sphere","center":[0,0,-9],"radius":2}]},"format":)" + format + "}");
   };
   const ExrFile file = read_exr(asked(R"("transparent")", R"("exr","depth":32)"));
   expect_channels(file, {"R", "G", "B"}, decode_pfm(asked("0", R"("pfm")")));

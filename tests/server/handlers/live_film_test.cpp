@@ -51,7 +51,7 @@ TEST(LiveFilm, ShowsThePicturesOfRenderNoSoonerThanTheirTimes) {
 }
 
 TEST(LiveFilm, LeavesOutWhatWouldComeLate) {
-  const LiveFilm film = watched(live_lamp + "&samples=16&fps=1000&to=0.5");
+  const LiveFilm film = watched(live_lamp + "&samples=256&fps=1000&to=0.5");
   EXPECT_EQ(film.parts.front().number("Tia-Frame"), 0);
   EXPECT_EQ(film.last(), 499);
   EXPECT_LT(film.parts.size(), 400U);

@@ -245,8 +245,9 @@ TEST(KeptScenes, AreServedWithoutOpeningAnotherFile) {
     const auto is = std::filesystem::read_symlink(entry.path(), closed);
     if (is.string().starts_with(folder.file(""))) open.insert(is.filename());
   }
-  EXPECT_THAT(open, testing::ElementsAre("models", "scenes.sqlite", "scenes.sqlite-shm",
-                                         "scenes.sqlite-wal"));
+  EXPECT_THAT(open,
+              testing::ElementsAre("jobs.sqlite", "jobs.sqlite-wal", "models", "scenes.sqlite",
+                                   "scenes.sqlite-shm", "scenes.sqlite-wal"));
 }
 
 TEST(KeptScenes, AFileThatCannotBeUsedEndsTheStartWith2) {
