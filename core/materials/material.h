@@ -40,7 +40,7 @@ using MaterialList = std::variant<ListedMaterial<Kinds>...>;
 struct Material {
   static constexpr std::string_view schema_name = "material";
   MaterialList<Finish, Principled> kind;
-  std::optional<Boxed<RadioMaterial>> radio{};  ///< none: what radio.h assumes
+  OptionalBox<RadioMaterial> radio{};  ///< none: what radio.h assumes
 
   template <class Visitor>
   static void fields(Visitor&& visit) {

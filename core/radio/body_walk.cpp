@@ -60,7 +60,7 @@ class BodyWalk {
     const ObjectLabel& label = labels_[static_cast<std::size_t>(number)];
     RadioBody body{label.name, label.type};
     const bool said = material != nullptr && material->radio;
-    const RadioMaterial radio = said ? **material->radio : RadioMaterial{};
+    const RadioMaterial radio = said ? *material->radio : RadioMaterial{};
     body.matter = matter_of(radio, wave_);
     const bool closed = is_closed(object.shape);
     const bool half_space = std::holds_alternative<Plane>(object.shape);

@@ -41,6 +41,10 @@ template <class T>
 std::size_t heap(const Boxed<T>& boxed) {
   return block + sizeof(T) + heap_of(*boxed);
 }
+template <class T>
+std::size_t heap(const OptionalBox<T>& box) {
+  return box ? block + sizeof(T) + heap_of(*box) : 0;
+}
 // A shared list counts in full for every scene that holds it.
 template <class T>
 std::size_t heap(const SharedList<T>& list) {

@@ -89,6 +89,11 @@ class Digester {
     for (const auto& [name, value] : map) add(name), add(value);
   }
   template <class T>
+  void add(const OptionalBox<T>& value) {
+    add(static_cast<bool>(value));
+    if (value) add(*value);
+  }
+  template <class T>
   void add(const std::optional<T>& value) {
     add(value.has_value());
     if (value) add(*value);

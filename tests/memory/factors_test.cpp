@@ -179,7 +179,7 @@ std::vector<Sample> scenes() {
                                   sphere + "]}")),
        26, 16},
       {"Materials", members_of("materials", most_values - 8, "{}"), 38, 31},
-      {"NumberedMaterials", objects(wearing("{}")), 115, 102},
+      {"NumberedMaterials", objects(wearing("{}")), 118, 104},  // each has a place for `radio`
       {"TexturedNumbers",
        members_of("materials", 14'000,
                   R"({"type":"principled","roughness":{"type":"noise","range":[0,1]}})"),
