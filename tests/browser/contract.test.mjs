@@ -50,7 +50,7 @@ test('names the parameters that the page knows, and those that are none of a pic
     .map(({ name }) => name);
   const [render, still] = [queries('/render'), queries('/still')];
   const known = PARAMETERS.filter((name) => render.includes(name) || !still.includes(name)); // but what only stills have
-  const unknown = ['acuity.slope', 'acuity.w0_degrees', 'blur_steps', 'frame', 'frame_ms', 'gaze', 'gaze_rays', 'stream', 'threads', 'v'];
+  const unknown = ['acuity', 'acuity.slope', 'acuity.w0_degrees', 'blur_steps', 'frame', 'frame_ms', 'gaze', 'gaze_rays', 'stream', 'threads', 'v'];
   assert.deepEqual(render.toSorted(), [...known, ...OF_FILES, ...unknown].toSorted());
 });
 

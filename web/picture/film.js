@@ -2,7 +2,7 @@
 
 import { fetchable } from '../state/request.js';
 import { unanswered, readProblem } from './problem.js';
-import { fetchJson } from './server.js';
+import { ask, fetchJson } from './server.js';
 
 // What stands before each frame, where that can be told from bytes.
 const MARKS = { apng: 'fcTL', zip: 'PK\x03\x04', webp: 'ANMF' };
@@ -23,7 +23,7 @@ export async function fetchFilm(request, signal, came) {
   const asked = Object.fromEntries(Object.entries(request).filter(([name]) => !NOT_OF_FILMS.includes(name)));
   const { path, init } = fetchable('film', asked);
   try {
-    const response = await fetch(path, { ...init, signal });
+    const response = await ask(path, { ...init, signal });
     if (!response.ok) throw await readProblem(response);
     return await read(response, request.format, came);
   } catch (error) {

@@ -1,9 +1,10 @@
 // Models on their way to the server, which keeps them by the SHA-256 of what came.
 
+import { authorization } from '../state/access_key.js';
 import { bundleText } from '../state/bundle.js';
 import { recall, remember } from '../state/memory.js';
 import { readProblem, unanswered } from './problem.js';
-import { fetchJson } from './server.js';
+import { ask, fetchJson } from './server.js';
 
 /** What is in a kept model. */
 export function fetchModel(id, signal) {
@@ -38,7 +39,7 @@ async function sha256(bytes) {
 
 async function isKept(id, signal) {
   try {
-    return (await fetch(`models/${id}`, { method: 'HEAD', signal })).ok;
+    return (await ask(`models/${id}`, { method: 'HEAD', signal })).ok;
   } catch (error) {
     throw error.name === 'AbortError' ? error : unanswered(error);
   }
@@ -70,7 +71,8 @@ function post(path, body, type, told, signal) {
     signal.addEventListener('abort', () => sending.abort());
     sending.open('POST', path);
     sending.responseType = 'blob';
-    if (type) sending.setRequestHeader('Content-Type', type);
+    const headers = { ...authorization(), ...(type && { 'Content-Type': type }) };
+    for (const [name, value] of Object.entries(headers)) sending.setRequestHeader(name, value);
     sending.send(body);
   });
 }

@@ -1,5 +1,6 @@
 // The page's only way to the server. Every failure comes out as a Problem, but an abort.
 
+import { authorization } from '../state/access_key.js';
 import { fetchable, inScene, queryOf, routeOf } from '../state/request.js';
 import { t } from '../words/words.js';
 import { Problem, readProblem, unanswered } from './problem.js';
@@ -92,10 +93,14 @@ export async function fetchJson(path, signal) {
   return body(() => response.json());
 }
 
-async function get(path, init, signal) {
+/** fetch() with the key that this tab has, where it has one. */
+export const ask = (path, init = {}) => fetch(path, { ...init, headers: { ...init.headers, ...authorization() } });
+
+/** The good answer of any path. */
+export async function get(path, init, signal) {
   const patience = AbortSignal.timeout(PATIENCE_MS);
   const either = signal ? AbortSignal.any([signal, patience]) : patience;
-  const response = await body(() => fetch(path, { ...init, signal: either }));
+  const response = await body(() => ask(path, { ...init, signal: either }));
   if (!response.ok) throw await readProblem(response);
   return response;
 }

@@ -1,6 +1,7 @@
 // A scene kept by the server while its moments are asked for one after the other: its text goes there once.
 
 import { tidy } from '../state/request.js';
+import { ask } from './server.js';
 
 /** Storing: `carry(request)` gives the request with its scene's id, where the server has taken it. */
 export class StoredScene {
@@ -25,7 +26,7 @@ export class StoredScene {
     const kept = this.#kept;
     [this.#scene, this.#kept] = [null, Promise.resolve(null)];
     const { id, key } = (await kept) ?? {};
-    if (key) fetch(`scenes/${id}`, { method: 'DELETE', headers: { 'Tia-Delete-Key': key }, keepalive: true }).catch(() => {});
+    if (key) ask(`scenes/${id}`, { method: 'DELETE', headers: { 'Tia-Delete-Key': key }, keepalive: true }).catch(() => {});
   }
 
   #keep(scene) {
@@ -37,7 +38,7 @@ export class StoredScene {
 
 async function keptAs(scene) {
   const headers = { 'Content-Type': 'application/json' };
-  const response = await fetch('scenes', { method: 'POST', headers, body: JSON.stringify(tidy(scene)) });
+  const response = await ask('scenes', { method: 'POST', headers, body: JSON.stringify(tidy(scene)) });
   if (!response.ok) return null;
   return { id: (await response.json()).id, key: response.headers.get('Tia-Delete-Key') };
 }

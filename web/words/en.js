@@ -459,6 +459,8 @@ export default {
   },
   compare: { tab: 'Compare' },
   timeline: { tab: 'Timeline' },
+  jobs: { tab: 'Large' },
+  views: { tab: 'Views' },
   numbers: {
     tab: 'Numbers',
     server: 'Time in the server',

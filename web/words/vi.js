@@ -459,6 +459,8 @@ export default {
   },
   compare: { tab: 'So sánh' },
   timeline: { tab: 'Thời gian' },
+  jobs: { tab: 'Ảnh lớn' },
+  views: { tab: 'Cách nhìn' },
   numbers: {
     tab: 'Con số',
     server: 'Thời gian ở máy chủ',

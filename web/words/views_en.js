@@ -1,0 +1,31 @@
+// English, of other ways to see. Other languages have the same names.
+
+export default {
+  views: {
+    tab: 'Views',
+    ways: 'See the picture',
+    flat: 'as it is',
+    anaglyph: 'with red and cyan glasses',
+    quilt: 'as a display of many views',
+    wiggle: 'from side to side',
+    panorama: 'all around at once',
+    look: 'looking around',
+    gaze: 'for one gaze',
+    about_anaglyph: 'Two eyes see two pictures, laid over each other. What the camera looks at is at the screen; nearer things come out of it.',
+    about_quilt: 'What a holographic display gets: views from left to right. Things at the distance that the camera looks at stand at the same place in all of them.',
+    about_wiggle: 'Move over the picture: each place shows it from a little farther left or right.',
+    about_panorama: 'All directions around the eye: left and right are behind it, top and bottom above and below.',
+    about_look: 'Drag, or use arrow keys, to turn the eye where it is.',
+    about_gaze: 'An eye sees sharply only where it looks. Move over the picture: rays go where your eye is, and fewer the farther they are from there. The rings are 5, 15 and 35 degrees away.',
+    stand: 'Where you stand',
+    viewOf: 'View {view} of {count}',
+    lookLabel: 'Picture. Arrow keys turn the eye.',
+    turned: '{right}\u00b0 to the right, {up}\u00b0 up.',
+    gazeLabel: 'Picture. Arrow keys move the gaze.',
+    counted: '{traced} rays from the eye instead of {full}: {share} %.',
+    beside: 'Beside the full picture',
+    full: 'Full',
+    line: 'Where the two meet',
+    share: '{share} % from the left',
+  },
+};

@@ -1,0 +1,31 @@
+// Tiếng Việt, của các cách nhìn khác.
+
+export default {
+  views: {
+    tab: 'Cách nhìn',
+    ways: 'Xem ảnh',
+    flat: 'như vốn có',
+    anaglyph: 'bằng kính đỏ và lục lam',
+    quilt: 'như màn hình nhiều góc nhìn',
+    wiggle: 'từ bên này sang bên kia',
+    panorama: 'toàn cảnh xung quanh',
+    look: 'nhìn quanh',
+    gaze: 'cho một ánh nhìn',
+    about_anaglyph: 'Hai mắt thấy hai ảnh chồng lên nhau. Nơi máy ảnh nhìn vào nằm trên màn hình; vật gần hơn nổi ra ngoài.',
+    about_quilt: 'Thứ mà màn hình nổi nhận: các góc nhìn từ trái sang phải. Vật ở khoảng cách mà máy ảnh nhìn vào đứng yên trong mọi góc nhìn.',
+    about_wiggle: 'Di chuyển trên ảnh: mỗi chỗ cho thấy ảnh từ bên trái hay bên phải hơn một chút.',
+    about_panorama: 'Mọi hướng quanh mắt: hai mép trái phải ở phía sau, trên và dưới là phía trên và phía dưới.',
+    about_look: 'Kéo, hoặc dùng phím mũi tên, để quay mắt tại chỗ.',
+    about_gaze: 'Mắt chỉ nhìn rõ nơi nó hướng tới. Di chuyển trên ảnh: tia đi tới nơi mắt nhìn, càng xa càng ít. Các vòng cách đó 5, 15 và 35 độ.',
+    stand: 'Bạn đứng ở đâu',
+    viewOf: 'Góc nhìn {view} trên {count}',
+    lookLabel: 'Ảnh. Phím mũi tên quay mắt.',
+    turned: '{right}\u00b0 sang phải, {up}\u00b0 lên trên.',
+    gazeLabel: 'Ảnh. Phím mũi tên dời ánh nhìn.',
+    counted: '{traced} tia từ mắt thay vì {full}: {share} %.',
+    beside: 'Đặt cạnh ảnh đầy đủ',
+    full: 'Đầy đủ',
+    line: 'Hai ảnh gặp nhau ở đâu',
+    share: '{share} % từ bên trái',
+  },
+};
