@@ -46,6 +46,7 @@ class WorkerThreads {
       const std::lock_guard lock(mutex_);
       is_over_ = true;
       for (Rest* rest : resting_) rest->call.notify_one();
+      resting_.clear();  // they end with their threads
     }
     threads_.clear();
   }

@@ -67,7 +67,7 @@ test('looking around: an arrow turns the eye by five degrees, where it is', () =
 test('for one gaze: sharp there, with a part of the rays, and beside the full picture at a line', () =>
   on.open(async (page) => {
     await choose(page, 'for one gaze');
-    await page.getByText(/rays from the eye instead of 19,200: [\d.]+ %/).waitFor();
+    await page.getByText(/points are traced instead of 19,200 pixels: [\d.]+ %/).waitFor();
     const box = await page.locator('#frame').boundingBox();
     await page.mouse.move(box.x + 0.25 * box.width, box.y + 0.5 * box.height);
     await page.waitForTimeout(500);

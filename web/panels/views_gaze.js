@@ -1,6 +1,5 @@
 // A picture for one gaze: rays where the eye can use them. The eye is where the pointer is.
 
-import { countOf } from '../picture/timing.js';
 import { finalPicture } from '../studio/studio.js';
 import { circleAround } from '../space/sight.js';
 import { countWords, numberWords, t } from '../words/words.js';
@@ -51,10 +50,11 @@ export function gaze({ studio, again, tell, cover }) {
       svg('circle', { cx: at[0], cy: at[1], r: height / 120 }));
   }
 
-  function count({ rays }) {
-    const [width, height] = size();
-    const traced = countOf(rays, 'primary');
-    tell(t('views.counted', { traced: countWords(traced), full: countWords(width * height), share: numberWords((100 * traced) / (width * height)) }));
+  // What rays go through: pixels where the eye looks, points of rings elsewhere.
+  function count({ gaze: told }) {
+    const [fovea, periphery, full] = ['fovea', 'periphery', 'full'].map((name) => Number(new RegExp(`${name}=(\\d+)`).exec(told)?.[1]));
+    const traced = fovea + periphery;
+    tell(t('views.counted', { traced: countWords(traced), full: countWords(full), share: numberWords((100 * traced) / full) }));
   }
 
   // The full picture to the left of a line, this one to the right.

@@ -45,6 +45,7 @@ function readHeaders(headers, all) {
     timing: readTiming(header('Server-Timing')),
     rays: readRays(header('Tia-Rays')),
     noise: header('Tia-Noise'),
+    gaze: header('Tia-Gaze'),
     biased: all.get('Tia-Biased'),
     ignored: all.get('Tia-Ignored'),
     reached: Number(/&samples=(\d+)$/.exec(header('Content-Location'))?.[1]), // NaN: had no budget

@@ -22,7 +22,7 @@ export default {
     lookLabel: 'Picture. Arrow keys turn the eye.',
     turned: '{right}\u00b0 to the right, {up}\u00b0 up.',
     gazeLabel: 'Picture. Arrow keys move the gaze.',
-    counted: '{traced} rays from the eye instead of {full}: {share} %.',
+    counted: '{traced} points are traced instead of {full} pixels: {share} %.',
     beside: 'Beside the full picture',
     full: 'Full',
     line: 'Where the two meet',

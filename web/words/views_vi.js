@@ -22,7 +22,7 @@ export default {
     lookLabel: 'Ảnh. Phím mũi tên quay mắt.',
     turned: '{right}\u00b0 sang phải, {up}\u00b0 lên trên.',
     gazeLabel: 'Ảnh. Phím mũi tên dời ánh nhìn.',
-    counted: '{traced} tia từ mắt thay vì {full}: {share} %.',
+    counted: 'Dò {traced} điểm thay vì {full} điểm ảnh: {share} %.',
     beside: 'Đặt cạnh ảnh đầy đủ',
     full: 'Đầy đủ',
     line: 'Hai ảnh gặp nhau ở đâu',

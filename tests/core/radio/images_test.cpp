@@ -207,7 +207,7 @@ Vec3d free_place(Random& random, const RadioWorld& world) {
 TEST(RadioPaths, PruningLosesNothingAgainstTheFullTree) {
   Random random(6);
   std::size_t found = 0;
-  for (int i = 0; i < test::rounds(50); ++i) {
+  for (int i = 0; i < 50; ++i) {
     const RadioWorld world(random_scene(random, 30, R"({"type":"itu","name":"glass"})"));
     const int walls = i % 3;
     PathSearch search;
@@ -233,7 +233,7 @@ TEST(RadioPaths, PruningLosesNothingAgainstTheFullTree) {
 TEST(RadioPaths, AreTheSameBothWays) {
   Random random(7);
   std::size_t found = 0;
-  for (int i = 0; i < test::rounds(20); ++i) {
+  for (int i = 0; i < 20; ++i) {
     const Scene scene = random_scene(
         random, 20, R"({"type":"itu","name":"plasterboard","thickness":0.03,"through":true})");
     const RadioWorld world(scene);

@@ -43,12 +43,13 @@ class JobPictures : public testing::Test {
 
 TEST_F(JobPictures, AreThoseOfRenderForEveryGalleryScene) {
   for (const auto& [name, scene] : own_.gallery().scenes()) {
+    if (sanitized() && name != "thesis") continue;  // others take minutes to compile, then
     const int parts =
         expect_same(R"({"width":32,"height":24,"samples":2,"scene":")" + name + "\"}");
     const ViewGrid views = views_of(scene->camera, 32, 24);
     const int windows = (32 * views.columns + 15) / 16 * ((24 * views.rows + 15) / 16);
     EXPECT_EQ(parts, scene->sheet ? 1 : windows) << name;
-    if (HasFailure() || sanitized()) break;
+    if (HasFailure()) break;
   }
 }
 

@@ -98,7 +98,7 @@ TEST_P(JobStoreOf, WalksAsItsModelDoes) {
   std::map<std::string, std::int64_t> events;
   std::vector<Claim> claims;
   int restarts = 0, done = 0, dead = 0;
-  for (int step = 0; step < test::rounds(600); ++step) {
+  for (int step = 0; step < std::max(test::rounds(600), 300); ++step) {
     now += below(20);
     const auto any_claim = [&] { return std::size_t(below(static_cast<int>(claims.size()))); };
     const int what = below(100);
