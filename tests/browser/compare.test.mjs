@@ -36,6 +36,7 @@ test('the line goes where keys, a mouse and a finger put it', () =>
     assert.equal(await halfOf(page), 100);
     assert.equal(await range.getAttribute('aria-valuetext'), '0 % from the left');
 
+    await page.locator('#frame').scrollIntoViewIfNeeded();
     const box = await page.locator('#frame').boundingBox();
     await page.mouse.move(box.x + 5, box.y + box.height / 2);
     await page.mouse.down();

@@ -220,7 +220,7 @@ for (const [colorScheme, locale, width] of [['light', 'en-US', 1280], ['dark', '
 test('a turntable of the model as it is seen is drawn on one sheet and saved', () =>
   open(async (page) => {
     await page.locator('#tab-model').click();
-    await page.getByLabel('Views').fill('3');
+    await page.getByRole('spinbutton', { name: 'Views' }).fill('3');
     await page.getByLabel('Columns').fill('4');
     await page.getByRole('button', { name: 'Draw and save the sheet' }).click();
     await page.getByText('Columns: a whole number from 1 to 3').waitFor();
