@@ -17,13 +17,15 @@ namespace {
 int parts_of_a_job() { return std::getenv("TIA_LONG_TESTS") != nullptr ? 200 : 24; }
 
 /// FarmProcesses: a Redis that syncs, one who serves, and workers.
+// Processes that are watched take minutes for what leases give seconds.
+constexpr const char* too_slow = "watched processes are too slow for leases";
+
 class FarmProcesses : public testing::Test {
  protected:
   static constexpr int lease_ms = 1000;
 
   void SetUp() override {
     if (RedisServer::program().empty()) GTEST_SKIP() << "redis-server is not installed";
-    if (sanitized()) GTEST_SKIP() << "watched processes take minutes for what leases give seconds";
     redis = std::make_unique<RedisServer>(true);
     serve = std::make_unique<Tia>(Process::Words{"--port", "0"}, variables());
   }
@@ -83,6 +85,7 @@ class FarmProcesses : public testing::Test {
 };
 
 TEST_F(FarmProcesses, AWorkerThatIsKilledLosesNothing) {
+  if (sanitized()) GTEST_SKIP() << too_slow;
   auto first = worker("first");
   const auto second = worker("second");
   const int parts = parts_of_a_job();
@@ -94,6 +97,7 @@ TEST_F(FarmProcesses, AWorkerThatIsKilledLosesNothing) {
 }
 
 TEST_F(FarmProcesses, ARedisThatIsKilledLosesNothing) {
+  if (sanitized()) GTEST_SKIP() << too_slow;
   const auto first = worker("first"), second = worker("second");
   const int parts = parts_of_a_job();
   const std::string job = submit(parts);
@@ -114,6 +118,7 @@ TEST_F(FarmProcesses, ARedisThatIsKilledLosesNothing) {
 }
 
 TEST_F(FarmProcesses, AWorkerThatStopsBeyondItsLeaseDoesNothingTwice) {
+  if (sanitized()) GTEST_SKIP() << too_slow;
   const auto first = worker("first"), second = worker("second");
   const int parts = parts_of_a_job();
   const std::string job = submit(parts);
