@@ -16,10 +16,10 @@ namespace {
 // TIA_LONG_TESTS: as long as it takes to believe it.
 int parts_of_a_job() { return std::getenv("TIA_LONG_TESTS") != nullptr ? 200 : 24; }
 
-/// FarmProcesses: a Redis that syncs, one who serves, and workers.
 // Processes that are watched take minutes for what leases give seconds.
 constexpr const char* too_slow = "watched processes are too slow for leases";
 
+/// FarmProcesses: a Redis that syncs, one who serves, and workers.
 class FarmProcesses : public testing::Test {
  protected:
   static constexpr int lease_ms = 1000;
