@@ -202,6 +202,7 @@ void serve_until_told(const Config& config, DataFiles files, RedisJobs* farm) {
   warn_of_keys(config);
   const Gallery gallery;
   Backend backend(config, gallery, std::move(files));
+  give_memory_back();  // what reading the gallery took
   Service& service = backend.service;
   HttpServer server(http_options(config),
                     farm == nullptr ? application(service) : worker_application(*farm, service));
@@ -241,7 +242,7 @@ void serve(const Config& config) try {
 void work(Config config, const std::string& name) {
   if (config.farm.empty()) throw std::invalid_argument("option TIA_FARM: a worker needs a farm");
   // One part at a time, by all threads; and who asks whether it lives.
-  config.renders = 1, config.queue = 0, config.connections = 16;
+  config.renders = 1, config.queue = 0, config.streams = 0, config.connections = 16;
   auto jobs = farm_jobs(config, job_limits(config, true), FarmRole::draws, name);
   RedisJobs& farm = *jobs;
   serve_until_told(config, {nullptr, nullptr, std::move(jobs)}, &farm);
