@@ -263,106 +263,108 @@ void redirect(const View& view, const std::optional<TargetLanes<Real>>& targets,
   }
 }
 
+/// Round: what a round's samples of the pixels come to.
 template <class Real, class AnyWorldView>
-[[gnu::flatten]] void trace_flat_round(const Shot& shot, int round,
+class Round {
+ public:
+  Round(const Shot& shot, int round, Tracers<Real, AnyWorldView>& tracers,
+        const Pixels<Real>& pixels)
+      : pixels_(pixels),
+        count_(shot.sampler.count(round)),
+        before_(shot.sampler.before(round)),
+        half_(doubles(shot.sampler, round) ? 0 : (count_ + 1) / 2),
+        watches_(shot.watches()),
+        clamps_(shot.convergence.clamps()),
+        guided_(shot.guided),
+        has_backdrop_(tracers.first().has_backdrop()),
+        has_ground_(tracers.have_ground()),
+        first_(pixels.first_light()),
+        sums_(pixels) {
+    if (has_ground_) sums_.begin_ground(pixels);
+  }
+  int count() const { return count_; }
+  int before() const { return before_; }
+  /// The i-th sample, which the tracer has just traced.
+  [[gnu::always_inline]] void add(Tracer<Real, AnyWorldView>& tracer, const Ray<Real>& ray,
+                                  const Mask<Real>& active, const Vec3<Real>& light, int i) {
+    sums_.add(light);
+    if (pixels_.parts[0] != nullptr) pixels_.add(tracer.parts());
+    if constexpr (Tracer<Real, AnyWorldView>::may_have_backdrop)
+      if (has_backdrop_) sums_.add_met(tracer.met());
+    if (has_ground_) sums_.add_ground(tracer.on_ground());
+    if (guided_) {
+      pixels_.add(tracer.guides(ray, active), i < half_);
+      if (i == half_ - 1) pixels_.end_half(sums_.light, half_);
+    }
+    if (watches_) {
+      const Vec3<Real> shown = has_ground_ ? tracer.shown(light) : light;
+      const Vec3<Real> watched = clamps_ ? clamped(shown) : shown;
+      if (before_ + i == 0) first_ = watched;
+      sums_.add_deviation(watched, first_);
+    }
+    tracer.tell_many_rays();
+  }
+  void tell() const {
+    sums_.scatter_to(pixels_);
+    pixels_.tell(first_, count_);
+  }
+
+ private:
+  const Pixels<Real>& pixels_;
+  const int count_, before_, half_;  // of which the first half is added to one of guides
+  const bool watches_, clamps_, guided_, has_backdrop_, has_ground_;
+  Vec3<Real> first_;
+  Sums<Real> sums_;
+};
+
+template <class Real, class AnyWorldView>
+[[gnu::flatten]] void trace_flat_round(const Shot& shot, int number,
                                        Tracers<Real, AnyWorldView>& tracers,
                                        const Pixels<Real>& pixels) {
   Tracer<Real, AnyWorldView>* at = &tracers.first();
-  Aims<Real> aims(shot.sampler, round, pixels.x, pixels.y, shot.has_lens());
+  Aims<Real> aims(shot.sampler, number, pixels.x, pixels.y, shot.has_lens());
   Vec3<Real> center = pixels.center(at->view());
   const Mask<Real> active = pixels.active();
-  const int count = shot.sampler.count(round), before = shot.sampler.before(round);
-  const int half = doubles(shot.sampler, round) ? 0 : (count + 1) / 2;  // is added to one of guides
-  const bool watches = shot.watches(), clamps = shot.convergence.clamps();
-  const bool has_backdrop = at->has_backdrop(), has_ground = tracers.have_ground();
-  Vec3<Real> first = pixels.first_light();
   SamplerState<Real> sampler_state{pixels.x, pixels.y, 0, shot.sampler.key()};
-  Sums<Real> sums(pixels);
-  if (has_ground) sums.begin_ground(pixels);
-  for (int i = 0; i < count; ++i) {
+  Round<Real, AnyWorldView> round(shot, number, tracers, pixels);
+  for (int i = 0; i < round.count(); ++i) {
     if (tracers.blur()) {
-      at = &tracers.of(before + i);
+      at = &tracers.of(round.before() + i);
       center = pixels.center(at->view());
     }
-    Tracer<Real, AnyWorldView>& tracer = *at;
-    const int point = shot.sampler.point(round, i);
-    sampler_state.sample = static_cast<std::uint32_t>(before + point);
-    const Ray<Real> ray = tracer.eye.ray(center, aims(point));
-    const Vec3<Real> light = tracer.light(ray, active, sampler_state);
-    sums.add(light);
-    if (pixels.parts[0] != nullptr) pixels.add(tracer.parts());
-    if constexpr (Tracer<Real, AnyWorldView>::may_have_backdrop)
-      if (has_backdrop) sums.add_met(tracer.met());
-    if (has_ground) sums.add_ground(tracer.on_ground());
-    if (shot.guided) {
-      pixels.add(tracer.guides(ray, active), i < half);
-      if (i == half - 1) pixels.end_half(sums.light, half);
-    }
-    if (watches) {
-      const Vec3<Real> shown = has_ground ? tracer.shown(light) : light;
-      const Vec3<Real> watched = clamps ? clamped(shown) : shown;
-      if (before + i == 0) first = watched;
-      sums.add_deviation(watched, first);
-    }
-    tracer.tell_many_rays();
+    const int point = shot.sampler.point(number, i);
+    sampler_state.sample = static_cast<std::uint32_t>(round.before() + point);
+    const Ray<Real> ray = at->eye.ray(center, aims(point));
+    const Vec3<Real> light = at->light(ray, active, sampler_state);
+    round.add(*at, ray, active, light, i);
   }
-  sums.scatter_to(pixels);
-  pixels.tell(first, count);
+  round.tell();
 }
 
 // The same through a gaze's targets and of views that are no plane. Not flattened, which takes the
-// compiler long: such rays cost more than the calls. A text of its own, for of one for both g++ 12
+// compiler long: such rays cost more than the calls. A loop of its own, for of one for both g++ 12
 // made a fifth more instructions of what is flat.
 template <class Real, class AnyWorldView>
-[[gnu::noinline]] void trace_curved_round(const Shot& shot, int round,
+[[gnu::noinline]] void trace_curved_round(const Shot& shot, int number,
                                           Tracers<Real, AnyWorldView>& tracers,
                                           const Pixels<Real>& pixels) {
-  Tracer<Real, AnyWorldView>* at = &tracers.first();
-  Aims<Real> aims(shot.sampler, round, pixels.x, pixels.y, shot.has_lens());
-  Vec3<Real> center = pixels.center(at->view());
+  Aims<Real> aims(shot.sampler, number, pixels.x, pixels.y, shot.has_lens());
   std::optional<TargetLanes<Real>> targets;
-  if (pixels.targets[0] != nullptr) targets.emplace(pixels, at->view());
-  const Mask<Real> all = pixels.active();
-  const int count = shot.sampler.count(round), before = shot.sampler.before(round);
-  const int half = doubles(shot.sampler, round) ? 0 : (count + 1) / 2;  // is added to one of guides
-  const bool watches = shot.watches(), clamps = shot.convergence.clamps();
-  const bool has_backdrop = at->has_backdrop(), has_ground = tracers.have_ground();
-  Vec3<Real> first = pixels.first_light();
+  if (pixels.targets[0] != nullptr) targets.emplace(pixels, tracers.first().view());
   SamplerState<Real> sampler_state{pixels.x, pixels.y, 0, shot.sampler.key()};
-  Sums<Real> sums(pixels);
-  if (has_ground) sums.begin_ground(pixels);
-  for (int i = 0; i < count; ++i) {
-    if (tracers.blur()) {
-      at = &tracers.of(before + i);
-      center = pixels.center(at->view());
-    }
-    Tracer<Real, AnyWorldView>& tracer = *at;
-    const int point = shot.sampler.point(round, i);
-    sampler_state.sample = static_cast<std::uint32_t>(before + point);
-    const Aim<Real> aim = aims(point);
+  Round<Real, AnyWorldView> round(shot, number, tracers, pixels);
+  for (int i = 0; i < round.count(); ++i) {
+    Tracer<Real, AnyWorldView>& tracer =
+        tracers.blur() ? tracers.of(round.before() + i) : tracers.first();
+    const int point = shot.sampler.point(number, i);
+    sampler_state.sample = static_cast<std::uint32_t>(round.before() + point);
     Ray<Real> ray;
-    Mask<Real> active = all;
-    redirect(tracer.view(), targets, pixels, aim, ray, active);
+    Mask<Real> active = pixels.active();
+    redirect(tracer.view(), targets, pixels, aims(point), ray, active);
     const Vec3<Real> light = tracer.seen(tracer.light(ray, active, sampler_state), active);
-    sums.add(light);
-    if (pixels.parts[0] != nullptr) pixels.add(tracer.parts());
-    if constexpr (Tracer<Real, AnyWorldView>::may_have_backdrop)
-      if (has_backdrop) sums.add_met(tracer.met());
-    if (has_ground) sums.add_ground(tracer.on_ground());
-    if (shot.guided) {
-      pixels.add(tracer.guides(ray, active), i < half);
-      if (i == half - 1) pixels.end_half(sums.light, half);
-    }
-    if (watches) {
-      const Vec3<Real> shown = has_ground ? tracer.shown(light) : light;
-      const Vec3<Real> watched = clamps ? clamped(shown) : shown;
-      if (before + i == 0) first = watched;
-      sums.add_deviation(watched, first);
-    }
-    tracer.tell_many_rays();
+    round.add(tracer, ray, active, light, i);
   }
-  sums.scatter_to(pixels);
-  pixels.tell(first, count);
+  round.tell();
 }
 
 template <class Real, class AnyWorldView>

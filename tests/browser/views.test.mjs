@@ -82,6 +82,15 @@ test('for one gaze: sharp there, with a part of the rays, and beside the full pi
     assert.equal(await page.getByRole('slider').getAttribute('aria-valuetext'), '100 % from the left');
   }, SMALL));
 
+test('a scene that has a display of its own is seen in every other way, and in the plans', () =>
+  on.open(async (page) => {
+    await page.locator('.map image[href]').nth(1).waitFor({ state: 'attached' });
+    for (const words of ['for one gaze', 'looking around', 'all around at once', 'with red and cyan glasses']) {
+      await choose(page, words);
+      await page.locator(`#compare img[alt="${words}"]`).waitFor();
+    }
+  }, { ...SMALL, at: '/?scene=quilt&width=64&height=48' })); // nothing has failed to load
+
 for (const locale of ['en-US', 'vi-VN']) {
   test(`axe finds nothing, whatever is chosen, ${locale}`, () =>
     on.open(async (page) => {

@@ -10,8 +10,9 @@ const CONE_DEGREES = 30;
 /** How far what the camera looks at is; the plane that stays where it is lies there. */
 export const focusOf = ({ pivot, camera }) => (pivot ? distanceOf(pivot, camera.location) : 10);
 
-/** A request with fields of its camera replaced. */
-export const seenBy = (request, fields) => ({ ...request, crop: null, camera: { ...request.camera, ...fields } });
+/** A request with fields of its camera replaced, and no display but what they say. */
+export const seenBy = (request, fields) =>
+  ({ ...request, crop: null, camera: { ...request.camera, display: null, interlace: null, ...fields } });
 
 /** The display of `columns` views in a row, `scale` times the picture's size each. */
 export function rowOfViews(studio, request, columns, scale) {

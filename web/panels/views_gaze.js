@@ -8,6 +8,7 @@ import { slidingView } from './compare_views.js';
 import { imageOf } from './cover.js';
 import { element, svg } from './element.js';
 import { showProblem } from './problem_view.js';
+import { seenBy } from './views_flat.js';
 
 const RINGS = [5, 15, 35]; // degrees from where the eye looks
 const STEP = 1 / 20; // of the picture, of an arrow key
@@ -79,7 +80,7 @@ export function gaze({ studio, again, tell, cover }) {
     name: 'gaze',
     controls: [element('div', { class: 'row wrap' }, compare), line],
     begin: () => (at = size().map((length) => Math.floor(length / 2))),
-    request: (base) => ({ ...base, crop: null, threshold: 0, noise: null, denoise: null, budget_ms: null, max_rays: null, gaze: at }),
+    request: (base) => ({ ...seenBy(base, {}), threshold: 0, noise: null, denoise: null, budget_ms: null, max_rays: null, gaze: at }),
     show(image, picture) {
       last = { image, picture };
       count(picture);

@@ -2,7 +2,7 @@
 // the world's: what is up in the picture is up from the side, what is right is right from above.
 
 import { add, cross, dot, scale, subtract } from './vec.js';
-import { axisOf } from './view.js';
+import { axisOf, UNSAID } from './view.js';
 
 const MARGIN = 1.25;
 
@@ -40,11 +40,7 @@ export function regionOf(plan, points) {
 
 /** The camera that draws a plan, as what replaces fields of a scene's camera. */
 export function planCamera(plan, { center, half }) {
-  return {
-    location: center, direction: plan.into, up: plan.up, projection: 'orthographic', height: 2 * half,
-    look_at: null, right: null, basis: null, distance: null, pixel_size: null, fov_degrees: null, aperture: 0,
-    focus_distance: null,
-  };
+  return { ...UNSAID, location: center, direction: plan.into, up: plan.up, projection: 'orthographic', height: 2 * half };
 }
 
 /** Where a point is in a plan `height` high and 4/3 as wide: [x, y] from the top left. */

@@ -1,7 +1,7 @@
 // What an eye sees where: circles around what it looks at.
 
 import { add, cross, dot, normalize, scale } from './vec.js';
-import { project, rayThrough } from './view.js';
+import { project, rayThrough, UNSAID } from './view.js';
 
 /** The places of the picture, in pixels, that lie `degrees` from where the eye looks: [[x, y]], those before the eye. */
 export function circleAround(view, [x, y], degrees, count = 72) {
@@ -22,6 +22,5 @@ export function turnedEye(view, right, up, fov_degrees) {
   const [a, b] = [right, up].map((angle) => (angle * Math.PI) / 180);
   const level = add(scale(view.axis, Math.cos(a)), scale(view.across, Math.sin(a)));
   const direction = add(scale(level, Math.cos(b)), scale(view.upwards, Math.sin(b)));
-  return { location: view.origin, direction, up: view.upwards, fov_degrees, look_at: null, right: null, basis: null,
-    distance: null, pixel_size: null, projection: 'perspective', height: null, aperture: 0, focus_distance: null };
+  return { ...UNSAID, location: view.origin, direction, up: view.upwards, projection: 'perspective', fov_degrees };
 }

@@ -3,6 +3,10 @@
 
 import { add, cross, dot, normalize, scale, subtract } from './vec.js';
 
+/** What takes away all that a scene's camera says of what it sees, so that another view says it alone. */
+export const UNSAID = { look_at: null, right: null, basis: null, distance: null, pixel_size: null, fov_degrees: null, height: null,
+  aperture: 0, focus_distance: null, near: null, far: null, angle_degrees: null, display: null, interlace: null };
+
 /** A scene's camera with the defaults that the canonical text leaves out. */
 export function completeCamera(camera = {}) {
   const whole = { location: [0, 0, 0], up: [0, 1, 0], fov_degrees: 25, projection: 'perspective', ...camera };
