@@ -135,8 +135,8 @@ struct Config {
                .min = 0,
                .max = 1e9});
     visit("data_dir", &Config::data_dir,
-          Spec{.about = "folder for the scenes and models that clients send, so that they "
-                        "outlive the server; none = they are kept in memory only"});
+          Spec{.about = "folder for the scenes and models that clients send, and for jobs, so that "
+                        "they outlive the server; none = they are kept in memory only"});
     visit("max_data_bytes", &Config::max_data_bytes,
           Spec{.about = "what the file of kept scenes may hold, and the models beside it; beyond "
                         "it none is kept any more",
