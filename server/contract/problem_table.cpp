@@ -52,7 +52,7 @@ constexpr std::array table{
     ProblemRow{"length-required", 411, "The body's length is not announced", Met::by_body,
                "A body needs Content-Length, or to be chunked."},
     ProblemRow{
-        "too-large", 413, "The request's body is too large", Met::by_body,
+        "too-large", 413, "The request, or what it asks for, is too large", Met::by_size,
         "More bytes than TIA_MAX_BODY_BYTES, or, of type image/png, TIA_MAX_PNG_BYTES, or, of a "
         "model, TIA_MAX_MODEL_BYTES; or what it asks for may take more memory than "
         "TIA_MEMORY_BYTES gives one request."},

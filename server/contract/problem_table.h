@@ -13,6 +13,7 @@ namespace tia::server {
 enum class Met {
   by_any,     ///< before anybody looks at what it asks for, or when all goes wrong
   by_body,    ///< one with a body
+  by_size,    ///< one with a body, or whose work takes its turn and may need much memory
   by_write,   ///< one that is no GET
   by_right,   ///< one that a key needs a right for
   by_input,   ///< one with parameters

@@ -9,6 +9,7 @@ bool meets(const Route& route, Met met) {
   switch (met) {
     case Met::by_any: return true;
     case Met::by_body: return !route.body.empty();
+    case Met::by_size: return !route.body.empty() || route.pace == Pace::in_turn;
     case Met::by_write: return route.method != "GET";
     case Met::by_right: return !route.rights.empty();
     case Met::by_input:  // of jobs also what the header Prefer says, and what failed them

@@ -46,7 +46,16 @@ class Filming {
 
  private:
   SharedPicture drawn(Plan& plan, const Shot& shot, Flow& flow);
+  std::size_t pixels() const {
+    return static_cast<std::size_t>(film.width) * static_cast<std::size_t>(film.height);
+  }
+  std::int64_t encoder_bytes() const;
 };
+
+std::int64_t Filming::encoder_bytes() const {
+  const MemoryCost* const cost = row_of(asked.film_format).cost;
+  return cost == nullptr ? 0 : memory_cost::encoder.bytes + memory_for(*cost, pixels());
+}
 
 // Once for all who ask for the frame later, but not together with who asks now: they may wait for
 // the place that this has.
@@ -54,7 +63,7 @@ SharedPicture Filming::drawn(Plan& plan, const Shot& shot, Flow& flow) {
   if (!plan.takes_codes)
     if (const auto found = service.pictures.find(shot.etag)) return found->picture;
   plan.options.flow = &flow;
-  settle_memory();
+  if (encoder_bytes() == 0) settle_memory();
   const auto attempt = [&] {
     Picture picture = draw(plan, service.rendering, requester.stop);
     service.costs.learn(plan.cost_key, plan.rays(), picture.trace_seconds, true);
@@ -68,19 +77,25 @@ SharedPicture Filming::drawn(Plan& plan, const Shot& shot, Flow& flow) {
 }
 
 // With one ticket for heavy work from its first frame to its last. It may take longer than others
-// would wait for: threads go round by turns.
+// would wait for: threads go round by turns. What it needs beside an encoder that is large it keeps
+// as well: a film that has begun does not wait for what its client asks for later.
 void Filming::operator()(const SendPart& send) {
   MemoryClaim claim(service.memory, requester.client);
   const ClaimScope scope(&claim);
   const auto ticket = service.admission.enter({.seconds = 2 * Cost::most_light_seconds},
                                               requester.client, requester.stop);
+  const std::int64_t foreseen = encoder_bytes();
+  if (foreseen > 0)
+    claim.reserve(foreseen + memory_for(memory_cost::alpha, pixels()), "the film", requester.stop);
+  ForeseenMemory encoders(claim, foreseen, "the film", requester.stop);
   Flow flow{requester.number()};
   flow.is_long = true;
-  const Crew crew{[&](Plan& plan, const Shot& shot) { return drawn(plan, shot, flow); },
-                  [&](const std::function<void()>& work) {
-                    service.rendering.pool.alone(work, requester.stop, &flow);
-                  },
-                  send.next};
+  const Crew crew{
+      [&](Plan& plan, const Shot& shot) { return drawn(plan, shot, flow); },
+      [&](const std::function<void()>& work) {
+        encoders.spend([&] { service.rendering.pool.alone(work, requester.stop, &flow); });
+      },
+      send.next};
   shoot(asked, film, service.rendering, requester, crew);
 }
 

@@ -225,6 +225,22 @@ HttpError MemoryClaim::refusal() const {
   return no_memory();
 }
 
+ForeseenMemory::ForeseenMemory(MemoryClaim& claim, std::int64_t bytes, std::string_view what,
+                               const std::stop_token& stop)
+    : claim_(claim) {
+  claim_.reserve(bytes, what, stop);
+  if (claim_.charge(bytes)) left_ = bytes;
+}
+
+void ForeseenMemory::spend(const std::function<void()>& work) {
+  const std::int64_t foreseen = std::exchange(left_, 0);
+  claim_.discharge(foreseen);
+  const std::int64_t before = claim_.used();
+  work();
+  const std::int64_t left = foreseen - std::max<std::int64_t>(0, claim_.used() - before);
+  if (left > 0 && claim_.charge(left)) left_ = left;
+}
+
 ClaimScope::ClaimScope(MemoryClaim* claim) : outside_(std::exchange(task_context, claim)) {}
 ClaimScope::~ClaimScope() { task_context = outside_; }
 

@@ -169,6 +169,7 @@ class MemoryClaim {
   bool was_refused() const { return was_refused_; }
 
   std::int64_t granted() const { return granted_; }
+  std::int64_t used() const { return used_; }
   /// The most that was in use at once; 0 in programs whose allocator does not count.
   std::int64_t most_used() const { return most_used_; }
   double waited_ms() const { return waited_ms_; }
@@ -190,6 +191,25 @@ class MemoryClaim {
   std::atomic<std::int64_t> granted_ = 0, used_ = 0, most_used_ = 0;
   std::atomic<bool> was_refused_ = false;
   double waited_ms_ = 0;
+};
+
+/// ForeseenMemory: what a step of a request will come to need though others come before it, as an
+/// encoder which grows with its first frame: booked as in use until that step has taken it.
+class ForeseenMemory {
+ public:
+  /// Errors: as MemoryClaim::reserve.
+  ForeseenMemory(MemoryClaim& claim, std::int64_t bytes, std::string_view what,
+                 const std::stop_token& stop);
+  ~ForeseenMemory() { claim_.discharge(left_); }
+  ForeseenMemory(const ForeseenMemory&) = delete;
+  ForeseenMemory& operator=(const ForeseenMemory&) = delete;
+
+  /// Does work of that step. What it has taken and keeps is foreseen no longer.
+  void spend(const std::function<void()>& work);
+
+ private:
+  MemoryClaim& claim_;
+  std::int64_t left_ = 0;
 };
 
 /// ClaimScope: while it lives, this thread and those that share its work charge the claim.

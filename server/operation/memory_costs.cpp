@@ -7,8 +7,9 @@ namespace tia::server {
 
 std::span<const MemoryCost> memory_costs() {
   using namespace memory_cost;
-  static constexpr std::array table{text,   value,  patch,   build,          png,  alpha, linear,
-                                    layers, rounds, denoise, denoise_thread, gaze, model, request};
+  static constexpr std::array table{text,   value,  patch,   build,          png,  alpha,   linear,
+                                    layers, rounds, denoise, denoise_thread, gaze, encoder, webm,
+                                    webp,   model,  request};
   return table;
 }
 

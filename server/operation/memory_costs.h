@@ -41,6 +41,12 @@ inline constexpr MemoryCost denoise_thread{"denoise_thread", "thread that denois
                                            "the weights and the fits of a tile"};
 inline constexpr MemoryCost gaze{"gaze", "ray of a picture for a gaze", 96,
                                  "where it goes, what it finds, and the pixels near the fovea"};
+inline constexpr MemoryCost encoder{"encoder", "film as webm or webp", 16 << 20,
+                                    "what its encoder has however small the frames are"};
+inline constexpr MemoryCost webm{"webm", "pixel of a film's frame", 84,
+                                 "what VP9's encoder keeps from frame to frame, and the planes"};
+inline constexpr MemoryCost webp{"webp", "pixel of a film's frame", 60,
+                                 "what the encoder keeps from frame to frame, and searches in"};
 inline constexpr MemoryCost model{"model", "byte of a model's files", 4,
                                   "what its reader answers, and what that comes to"};
 inline constexpr MemoryCost request{"request", "request", 1 << 20, "all else"};

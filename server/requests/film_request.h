@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "core/film/jpeg.h"
+#include "server/operation/memory_costs.h"
 #include "server/requests/picture_request.h"
 
 namespace tia::server {
@@ -20,14 +21,15 @@ struct FilmFormatRow {
   bool has_alpha = true;
   bool takes_codes = false;  ///< of pixels, where others take PNG files
   int longest_side = static_cast<int>(PictureRequest::most_px);
-  bool is_live = false;  ///< over HTTP its frames come at their times
+  bool is_live = false;              ///< over HTTP its frames come at their times
+  const MemoryCost* cost = nullptr;  ///< of an encoder that keeps much from frame to frame
 };
 
 /// THE LIST of formats of films. Of those that a client likes equally well the first is given.
 inline constexpr std::array film_formats = std::to_array<FilmFormatRow>({
     {FilmFormat::apng, "apng", "image/apng"},
-    {FilmFormat::webp, "webp", "image/webp", true, true, 16'383},
-    {FilmFormat::webm, "webm", "video/webm", false, true, 16'384},
+    {FilmFormat::webp, "webp", "image/webp", true, true, 16'383, false, &memory_cost::webp},
+    {FilmFormat::webm, "webm", "video/webm", false, true, 16'384, false, &memory_cost::webm},
     {FilmFormat::zip, "zip", "application/zip"},
     {FilmFormat::mjpeg, "mjpeg", "multipart/x-mixed-replace", false, true, longest_jpeg_side, true},
     {FilmFormat::mp4, "mp4", "video/mp4", false, true, 16'384},

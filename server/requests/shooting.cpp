@@ -6,7 +6,10 @@ namespace tia::server {
 
 void shoot(FilmRequest& asked, const FilmPlan& film, const RenderContext& context,
            const Requester& requester, const Crew& crew) {
-  const auto encoder = encoder_of(asked.film_format, film, {context.ffmpeg, requester.stop});
+  std::unique_ptr<FilmEncoder> encoder;
+  crew.alone([&] {
+    encoder = encoder_of(asked.film_format, film, {context.ffmpeg, requester.stop});
+  });
   const auto hand_on = [&](const auto& encode) {
     std::string piece;
     const auto work = [&] { piece = encode(); };

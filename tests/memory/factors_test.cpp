@@ -3,6 +3,7 @@
 // Run with --gtest_filter=MemoryFactors.* to see them: each test prints its row.
 #include <cstdio>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -15,6 +16,8 @@
 #include "core/render/explain.h"
 #include "core/render/layer_film.h"
 #include "core/scene/read_scene.h"
+#include "core/video/vp9.h"
+#include "core/video/webp_animation.h"
 #include "server/operation/memory_costs.h"
 #include "server/requests/recipe.h"
 #include "tests/core/film/files.h"
@@ -319,6 +322,37 @@ TEST(RoundsMemory, IsWithinItsRow) {
   EXPECT_LE(plain, memory_for(memory_cost::rounds, pixels));
   EXPECT_LE(layered,
             memory_for(memory_cost::rounds, pixels) + memory_for(memory_cost::layers, pixels * 12));
+}
+
+// Of frames by chance, which nothing can pack.
+template <class Encoder>
+long encoder_bytes(int size, const std::function<void(Encoder&, Image8&)>& add) {
+  Image8 frame(size, size);
+  Random random(8);
+  const Use use = use_of<std::unique_ptr<Encoder>>([&] {
+    auto encoder = std::make_unique<Encoder>(size, size);
+    for (int k = 0; k < 3; ++k) {
+      for (std::uint8_t& code : frame.rgb) code = static_cast<std::uint8_t>(random.in(0, 256));
+      add(*encoder, frame);
+    }
+    return encoder;
+  });
+  std::printf("encoder: %.1f bytes a pixel\n", static_cast<double>(use.peak) / (size * size));
+  return use.peak;
+}
+
+TEST(EncoderMemory, IsWithinItsRows) {
+  for (const int size : {32, 512}) {
+    const std::size_t pixels = static_cast<std::size_t>(size * size);
+    const long webm = encoder_bytes<Vp9Encoder>(
+        size, [](Vp9Encoder& encoder, Image8& frame) { encoder.encode(frame); });
+    const long webp = encoder_bytes<WebpAnimation>(size, [](WebpAnimation& encoder, Image8& frame) {
+      encoder.add(frame.rgb.data(), false, 0);
+    });
+    if (sanitized()) GTEST_SKIP() << "the sanitizer's pieces are larger";
+    EXPECT_LE(webm, memory_for(memory_cost::webm, pixels) + memory_cost::encoder.bytes);
+    EXPECT_LE(webp, memory_for(memory_cost::webp, pixels) + memory_cost::encoder.bytes);
+  }
 }
 
 // The window and the room around it, of which there is most for small pictures.

@@ -80,6 +80,18 @@ TEST(FilmLimits, RaysThatAreSureToComeAreAPicturesTogether) {
   EXPECT_THAT(error.allowed, HasSubstr("TIA_MAX_RAYS"));
 }
 
+// Else it would be found out after its first frame.
+TEST(FilmLimits, MemoryForAnEncoderIsAskedForBeforeTheFirstRay) {
+  Tia small({"--port", "0", "--memory-bytes", std::to_string(256 << 20)});
+  const std::string target = "/film?scene=lamp-round&format=webm&fps=1&to=1&width=";
+  const Response refused = ask_on(small.port(), target + "2048&height=1024");
+  EXPECT_EQ(refused.status, 413);
+  EXPECT_THAT(refused.body, HasSubstr("TIA_MEMORY_BYTES"));
+  const auto metrics = series_of(ask_on(small.port(), "/metrics").body);
+  EXPECT_EQ(metrics.at("tia_rays_total{kind=\"primary\"}"), 0);
+  EXPECT_EQ(ask_on(small.port(), target + "64&height=48").status, 200);
+}
+
 // ---- clients ------------------------------------------------------------------------------------
 
 const std::string long_film = "/film?scene=lamp-round&width=640&height=480&fps=100&samples=8";

@@ -89,6 +89,31 @@ TEST(MemoryClaim, GrowsByWhatIsAllocatedUntilOnlySmallOnesMayHaveMore) {
   EXPECT_EQ(last.granted(), 0);
 }
 
+TEST(ForeseenMemory, StaysWhateverOthersTakeUntilItsStepHasTakenIt) {
+  MemoryAccount account(account_bytes);
+  const std::int64_t free = account.free();
+  {
+    MemoryClaim claim(account);
+    ForeseenMemory foreseen(claim, 10 * mega, "the test", {});
+    claim.settle();
+    claim.reserve(4 * mega, "another step", {});
+    EXPECT_EQ(claim.granted(), 14 * mega);
+    claim.settle();
+    foreseen.spend([&] { EXPECT_TRUE(claim.charge(7 * mega)); });
+    claim.settle();
+    EXPECT_EQ(claim.granted(), 10 * mega);
+    foreseen.spend([&] { EXPECT_TRUE(claim.charge(5 * mega)); });  // more than was foreseen
+    claim.settle();
+    EXPECT_EQ(claim.granted(), 12 * mega);
+    EXPECT_THROW(foreseen.spend([] { throw Stopped(); }), Stopped);
+    claim.discharge(12 * mega);
+  }
+  EXPECT_EQ(account.free(), free);
+  MemoryClaim claim(account);
+  EXPECT_THROW(ForeseenMemory(claim, account_bytes, "the test", {}), HttpError);
+  EXPECT_EQ(claim.used(), 0);
+}
+
 TEST(MemoryClaim, CachesGiveWayBeforeAnyoneWaits) {
   MemoryAccount account(account_bytes);
   std::int64_t cached = account.free();
