@@ -103,6 +103,22 @@ test('what names a kept scene or model goes to the replica that keeps it', withR
   }
 }));
 
+test('a job is asked of who took it', withReplicas(async (balancer) => {
+  for (let seed = 0; seed < 4; ++seed) {
+    const job = await post(balancer, '/jobs', JSON.stringify(
+      { kind: 'render', request: { scene: 'whitted', width: 16, height: 12, seed } }));
+    assert.equal(job.status, 202);
+    const at = job.headers.get('location');
+    for (let i = 0; i < 6; ++i) assert.equal((await get(balancer, `${at}?${i}`, { Prefer: 'wait=1' })).status, 200);
+    assert.equal((await get(balancer, `${at}/result`)).status, 200);
+  }
+}));
+
+test('with a farm any replica is asked for a job', withStandIns(async (balancer, replicas) => {
+  for (let i = 0; i < 24; ++i) await get(balancer, `/jobs/abcdefghijklmnopqrstuvwxy2/results/${i}`);
+  for (const { asked } of replicas) assert.ok(asked.length > 0);
+}, { FARM: '1' }));
+
 test('what a stream shows is asked where the stream is, by GET and by POST', withStandIns(
   async (balancer, replicas) => {
     const streams = new Set();
@@ -209,7 +225,7 @@ test('without any replica the answer is a problem document', withStandIns(async 
 }));
 
 test('every variable is understood', async () => {
-  await checkConfig({ REPLICAS: 'tia.example:8080', STATS: '127.0.0.1:8404', AS_STARTED: '1' });
+  await checkConfig({ REPLICAS: 'tia.example:8080', STATS: '127.0.0.1:8404', AS_STARTED: '1', FARM: '1' });
   await assert.rejects(checkConfig({ ANSWER_WITHIN: 'soon' }));
 });
 

@@ -7,6 +7,19 @@ import { promisify } from 'node:util';
 import * as k8s from '@kubernetes/client-node';
 import { BINARY } from '../browser/tia.mjs';
 
+// Of KEDA 2 (keda.sh, "ScaledObject specification" and "Metrics API"), as Kubernetes' are below.
+const KEDA = {
+  ScaledObject: { apiVersion: 'string', kind: 'string', metadata: 'V1ObjectMeta', spec: 'ScaledObjectSpec' },
+  ScaledObjectSpec: {
+    scaleTargetRef: 'ScaleTarget', pollingInterval: 'number', cooldownPeriod: 'number',
+    initialCooldownPeriod: 'number', minReplicaCount: 'number', maxReplicaCount: 'number',
+    triggers: 'Array<ScaleTrigger>',
+  },
+  ScaleTarget: { apiVersion: 'string', kind: 'string', name: 'string' },
+  ScaleTrigger: { type: 'string', name: 'string', metadata: 'MetricsApi', authenticationRef: 'ScaleTarget' },
+  MetricsApi: { url: 'string', valueLocation: 'string', targetValue: 'string', format: 'string' },
+};
+
 const API = {
   Deployment: 'apps/v1',
   HorizontalPodAutoscaler: 'autoscaling/v2',
@@ -24,6 +37,7 @@ export const documentsOf = async (path) => k8s.loadAllYaml(await textOf(path));
 /** What Kubernetes would not understand of an object, each in a sentence. */
 export function faultsOf(object) {
   const { apiVersion, kind } = object;
+  if (apiVersion === 'keda.sh/v1alpha1') return faultsIn(object, kind, kind);
   if (API[kind] !== apiVersion) return [`${apiVersion} has no ${kind}`];
   return faultsIn(object, `V${apiVersion.slice(-1)}${kind}`, kind);
 }
@@ -36,7 +50,8 @@ function faultsIn(value, type, at) {
   if (many) return value.flatMap((one, i) => faultsIn(one, many, `${at}[${i}]`));
   if (named) return Object.entries(value).flatMap(([name, one]) => faultsIn(one, named, `${at}.${name}`));
   if (type === 'IntOrString') return ['number', 'string'].includes(typeof value) ? [] : [`${at}: no ${type}`];
-  const fields = k8s[type]?.attributeTypeMap;
+  const fields = KEDA[type] ? Object.entries(KEDA[type]).map(([baseName, of]) => ({ baseName, type: of }))
+    : k8s[type]?.attributeTypeMap;
   if (!fields) return typeof value === type ? [] : [`${at}: no ${type}`];
   return Object.entries(value).flatMap(([name, one]) => {
     const field = fields.find(({ baseName }) => baseName === name);
