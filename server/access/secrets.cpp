@@ -1,14 +1,13 @@
 #include "server/access/secrets.h"
 
 #include <openssl/crypto.h>
-#include <openssl/evp.h>
-#include <openssl/hmac.h>
 #include <sys/random.h>
 
 #include <array>
-#include <new>
 #include <span>
 #include <stdexcept>
+
+#include "server/stores/digest.h"
 
 namespace tia::server {
 namespace {
@@ -33,13 +32,7 @@ std::string base64url(std::span<const unsigned char> bytes) {
 }  // namespace
 
 std::string authentication_code(std::string_view key, std::string_view text) {
-  Bytes code{};
-  unsigned size = 0;
-  const auto* bytes = reinterpret_cast<const unsigned char*>(text.data());
-  if (HMAC(EVP_sha256(), key.data(), static_cast<int>(key.size()), bytes, text.size(), code.data(),
-           &size) == nullptr)
-    throw std::bad_alloc();  // it fails for want of memory only
-  return base64url(code);
+  return base64url(hmac_sha256(key, text));
 }
 
 bool same_secret(std::string_view a, std::string_view b) {

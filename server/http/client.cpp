@@ -7,10 +7,11 @@
 namespace tia::server {
 
 namespace {
-constexpr int connect_s = 5, answer_s = 75;  // longer than any `Prefer: wait`
+constexpr int connect_s = 5;
 }  // namespace
 
-Client::Client(std::string url) : url_(std::move(url)) {
+Client::Client(std::string url, std::chrono::seconds patience)
+    : url_(std::move(url)), patience_(patience) {
   while (url_.ends_with('/')) url_.pop_back();
   if (!url_.starts_with("http://") && !url_.starts_with("https://"))
     throw std::invalid_argument("option --url: got " + url_ + ", allowed: http://HOST:PORT");
@@ -20,13 +21,15 @@ Response Client::ask(const std::string& method, const std::string& path, const s
                      const Headers& headers) const {
   httplib::Client client(url_);
   client.set_connection_timeout(connect_s);
-  client.set_read_timeout(answer_s);
+  client.set_read_timeout(patience_);
+  client.set_write_timeout(patience_);
   httplib::Request request;
   request.method = method;
   request.path = path;
   request.body = body;
-  if (!body.empty()) request.set_header("Content-Type", "application/json");
   for (const auto& [name, value] : headers) request.set_header(name, value);
+  if (!body.empty() && !request.has_header("Content-Type"))
+    request.set_header("Content-Type", "application/json");
   const auto answer = client.send(request);
   if (!answer)
     throw std::runtime_error(url_ + " does not answer: " + httplib::to_string(answer.error()));

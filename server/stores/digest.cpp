@@ -1,6 +1,7 @@
 #include "server/stores/digest.h"
 
 #include <openssl/evp.h>
+#include <openssl/hmac.h>
 
 #include <algorithm>
 #include <memory>
@@ -48,6 +49,15 @@ std::string Sha256::digits() {
   Digest digest{};
   require_done(EVP_DigestFinal_ex(context_->evp.get(), digest.data(), nullptr) == 1);
   return hex(digest);
+}
+
+Digest hmac_sha256(std::string_view key, std::string_view text) {
+  Digest code{};
+  unsigned size = 0;
+  const auto* bytes = reinterpret_cast<const unsigned char*>(text.data());
+  require_done(HMAC(EVP_sha256(), key.data(), static_cast<int>(key.size()), bytes, text.size(),
+                    code.data(), &size) != nullptr);
+  return code;
 }
 
 std::string sha256_hex(std::string_view bytes) {

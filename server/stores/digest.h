@@ -1,4 +1,4 @@
-// SHA-256, by OpenSSL.
+// SHA-256 and codes by it, by OpenSSL.
 #pragma once
 
 #include <array>
@@ -32,6 +32,10 @@ class Sha256 {
   struct Context;
   std::unique_ptr<Context> context_;
 };
+
+/// A code of the text that only who has the key can make. Errors: std::bad_alloc.
+/// Source: RFC 2104, with SHA-256.
+Digest hmac_sha256(std::string_view key, std::string_view text);
 
 /// Returns: the digest's digits. Source: FIPS 180-4.
 std::string sha256_hex(std::string_view bytes);
