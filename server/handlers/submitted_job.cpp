@@ -3,9 +3,11 @@
 #include <sys/random.h>
 
 #include <array>
+#include <set>
 
 #include "core/input/json.h"
 #include "core/input/object_schema.h"
+#include "core/scene/read_scene.h"
 #include "core/version.h"
 #include "server/contract/answers.h"
 #include "server/contract/problem.h"
@@ -86,17 +88,41 @@ NewJob new_job(const JobRequest& asked, JobPlan plan, std::string_view body, con
   return job;
 }
 
+// For those who draw it and have only the gallery: what it names that was sent to this server.
+std::string lent_things(const std::set<std::string>& named, Service& service, TimeMs now) {
+  std::string needs;
+  for (const std::string& name : named) {
+    const std::string id = name.substr(name.find('/') + 1);
+    service.jobs.store().lend(
+        name,
+        [&] {
+          if (name.starts_with("scenes/"))
+            if (const KnownScene scene = service.rendering.kept.find(id))
+              return canonical_text(*scene);
+          if (const auto packed = service.models.packed(id)) return *packed;
+          throw StorageError("what a job names has made room for others just now: " + name);
+        },
+        now);
+    needs += needs.empty() ? name : ' ' + name;
+  }
+  return needs;
+}
+
 }  // namespace
 
 Response submitted(const JobRequest& asked, std::string_view body, const Request& request,
                    Service& service) {
   Jobs& jobs = service.jobs;
-  JobPlan plan = planned(asked, jobs.host(), requester_of(request));
+  JobHost host = jobs.host();
+  std::set<std::string> named;
+  if (jobs.store().is_shared()) host.context.named = &named;
+  JobPlan plan = planned(asked, host, requester_of(request));
   check_job_rays(plan.rays, asked.terms, service.config);
   service.access.check_rays(request.key, plan.rays);
   const TimeMs now = Runner::now();
-  const Job job =
-      jobs.store().submit(new_job(asked, std::move(plan), body, request, service.config, now), now);
+  NewJob made = new_job(asked, std::move(plan), body, request, service.config, now);
+  made.needs = lent_things(named, service, now);
+  const Job job = jobs.store().submit(made, now);
   jobs.start();
   return {
       .status = 202,

@@ -6,6 +6,7 @@
 #include <array>
 #include <fstream>
 #include <iterator>
+#include <sstream>
 #include <stdexcept>
 
 #include "core/version.h"
@@ -45,7 +46,37 @@ RedisAddress farm_address(const std::string& url) {
   }
 }
 
+// An endpoint is a URL without a path: what is signed is the host as it is sent.
+bool is_endpoint(std::string_view url) {
+  const bool is_http = url.starts_with("http://") || url.starts_with("https://");
+  const std::string_view host = url.substr(std::min(url.size(), url.find("//") + 2));
+  return is_http && !host.empty() && host.find_first_of("/?#@ ") == host.npos;
+}
+
+S3Options s3_options(const Config& config) {
+  if (!config.s3_endpoint.empty() && !is_endpoint(config.s3_endpoint))
+    throw std::invalid_argument("option TIA_S3_ENDPOINT: got " + config.s3_endpoint +
+                                ", allowed: https://HOST[:PORT], or http://");
+  S3Options options{.endpoint = config.s3_endpoint, .region = config.s3_region};
+  if (config.s3_key_file.empty()) return options;
+  std::istringstream lines(farm_file("TIA_S3_KEY_FILE", config.s3_key_file));
+  if (!(lines >> options.key_id >> options.key_secret))
+    throw std::invalid_argument(
+        "option TIA_S3_KEY_FILE: needed: two lines, a key's id and its secret");
+  return options;
+}
+
 }  // namespace
+
+std::shared_ptr<Blobs> farm_store(const Config& config) {
+  if (config.store.empty()) return nullptr;
+  const S3Options s3 = s3_options(config);
+  try {
+    return blobs_at(config.store, s3);
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(std::string("option TIA_STORE: ") + error.what());
+  }
+}
 
 std::string own_worker_name() {
   std::array<char, longest_worker_name + 1> host{};
@@ -72,7 +103,8 @@ std::unique_ptr<RedisJobs> farm_jobs(const Config& config, const JobLimits& limi
                                                  .name = name,
                                                  .role = role,
                                                  .lease_ms = config.farm_lease_ms,
-                                                 .audit = config.farm_audit});
+                                                 .audit = config.farm_audit,
+                                                 .store = farm_store(config)});
 }
 
 }  // namespace tia::server

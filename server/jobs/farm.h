@@ -17,6 +17,10 @@ constexpr std::size_t longest_worker_name = 64;
 std::unique_ptr<RedisJobs> farm_jobs(const Config& config, const JobLimits& limits, FarmRole role,
                                      const std::string& name);
 
+/// The store of TIA_STORE; null where there is none. Errors: std::invalid_argument naming the
+/// option.
+std::shared_ptr<Blobs> farm_store(const Config& config);
+
 /// This machine's name and the process' number.
 std::string own_worker_name();
 

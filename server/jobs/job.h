@@ -31,6 +31,7 @@ struct NewJob {
   std::string version = {};  ///< that draws it
   std::string request = {};  ///< what its kind plans parts from
   std::string plan = {};     ///< what its kind has decided, such as the size of windows
+  std::string needs = {};    ///< what it names that clients have sent: "models/ID scenes/ID"
   int parts = 1;
   bool joins = false;             ///< whether results are put together once all are there
   std::int64_t max_rays = 0;      ///< of all parts; 0: as many as the server gives
@@ -96,6 +97,12 @@ struct JobEvent {
 /// FarmCounts: what a farm has seen since it was begun, and the workers that it has now.
 struct FarmCounts {
   std::int64_t reclaims = 0, mismatches = 0, audits = 0, workers = 0;
+};
+
+/// Charge: rays that were traced for a key's jobs where nobody counts for keys.
+struct Charge {
+  std::string key;
+  std::int64_t rays = 0;
 };
 
 /// JobLoad: how much there is to do.

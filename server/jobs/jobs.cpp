@@ -40,6 +40,7 @@ Jobs::Jobs(std::unique_ptr<JobStore> store, const Config& config, const RenderCo
       at_once_(std::max(1, config.renders / 2)),
       board_(std::max(1, config.connections / 2)),
       workplace_{host_, access, *store_, pictures, metrics, memory} {
+  if (store_->is_shared()) host_.context.elsewhere = &elsewhere_;
   store_->changed = [this](const std::string& id) { has_changed(id); };
   store_->listen();
   if (!config.farm.empty()) {  // whose jobs may come from anybody
@@ -86,6 +87,8 @@ std::unique_ptr<JobStore> job_store_in_memory(const Config& config) {
 std::unique_ptr<JobStore> job_store(const Config& config) {
   if (!config.farm.empty())
     return farm_jobs(config, job_limits(config, true), FarmRole::joins, own_worker_name());
+  if (!config.store.empty())
+    throw std::invalid_argument("option TIA_STORE: it is a farm's, which TIA_FARM names");
   if (config.data_dir.empty()) return job_store_in_memory(config);
   try {
     return std::make_unique<SqliteJobs>(config.data_dir + "/" + SqliteJobs::name,

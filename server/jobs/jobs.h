@@ -36,6 +36,7 @@ class Jobs {
   void has_changed(const std::string& id);
 
   const std::unique_ptr<JobStore> store_;
+  const Elsewhere elsewhere_ = [this](const std::string& name) { return store_->lent(name); };
   JobHost host_;
   MemoryAccount& memory_;
   const int at_once_;

@@ -4,17 +4,30 @@
 namespace tia::server {
 
 const char* const redis_end_words = R"lua(
-local function drop_results(id, spares)
-  local results = key(id) .. ':results'
-  local dropped = 0
-  for _, n in ipairs(call('HKEYS', results)) do
+-- The store may have what nobody needs any more: by a count, so that none is forgotten that was told
+-- meanwhile.
+local function leave_outside(id)
+  if word(id, 'outside') == '1' then call('ZADD', P .. 'dropped', total('drops', 1), id) end
+end
+local function drop_of(hash, id, spares, bytes)
+  local all, dropped = key(id) .. hash, 0
+  for _, n in ipairs(call('HKEYS', all)) do
     if n ~= spares then
-      dropped = dropped + call('HSTRLEN', results, n)
-      if spares then call('HDEL', results, n) end
+      dropped = dropped + bytes(all, n)
+      if spares then call('HDEL', all, n) end
     end
   end
-  if not spares then call('UNLINK', results) end
-  hold(id, 0 - dropped)
+  if not spares then call('UNLINK', all) end
+  return dropped
+end
+local function drop_results(id, spares)
+  local inside = drop_of(':results', id, spares, function(all, n)
+    return call('HSTRLEN', all, n)
+  end)
+  local outside = drop_of(':outside', id, spares, function(all, n)
+    return string.match(call('HGET', all, n), '%d+$')
+  end)
+  hold(id, 0 - inside - outside)
 end
 -- What others are still at is not waited for. Of the results those stay that are asked for.
 local function close(id, state)
@@ -43,6 +56,7 @@ local function close(id, state)
     local row = part(id, joins and parts or 0)
     call('HSET', key(id), 'etag', row.etag, 'type', row.type, 'bytes', row.bytes)
   end
+  leave_outside(id)
   tell_state(id)
   changed(id)
   wake(id)
@@ -75,7 +89,8 @@ local function forget_key(id)
 end
 local function let_go(id)
   forget_key(id)
-  call('UNLINK', key(id) .. ':results', key(id) .. ':parts')
+  leave_outside(id)
+  call('UNLINK', key(id) .. ':results', key(id) .. ':outside', key(id) .. ':parts')
   hold(id, own_bytes - number(id, 'held'))
   call('HSET', key(id), 'gone', 1, 'request', '', 'plan', '', 'key', '', 'key_digest', '')
   call('ZREM', P .. 'closed', id)
@@ -88,7 +103,9 @@ local function remove(id)
   call('HINCRBY', P .. 'states', word(id, 'state'), -1)
   call('ZREM', P .. 'closed', id)
   call('ZREM', P .. 'gone', id)
-  call('UNLINK', key(id), key(id) .. ':results', key(id) .. ':parts', key(id) .. ':events')
+  leave_outside(id)
+  call('UNLINK', key(id), key(id) .. ':results', key(id) .. ':outside', key(id) .. ':parts',
+       key(id) .. ':events')
   changed(id)
 end
 -- What has been finished for longest goes first; nothing where that would not do.

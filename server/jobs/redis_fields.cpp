@@ -76,6 +76,7 @@ void new_fields(Job& job, const Visitor& visit) {
   visit("digest", job.digest), visit("kind", job.kind), visit("name", job.name);
   visit("priority", job.priority), visit("max_rays", job.max_rays);
   visit("result_bytes", job.result_bytes), visit("deadline", job.deadline);
+  visit("needs", job.needs);
   plan_fields(job, visit);
 }
 

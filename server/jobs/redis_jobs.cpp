@@ -37,6 +37,8 @@ std::string attempt_text(const Claim& claim) { return std::to_string(claim.attem
 RedisJobs::RedisJobs(FarmOptions options)
     : options_(std::move(options)),
       redis_(options_.redis),
+      outside_(options_.store ? options_.store
+                              : blobs_in_redis(redis_, std::string(prefix) + "blob:")),
       keeper_([this](const std::stop_token& stop) { keep_alive(stop); }) {}
 RedisJobs::~RedisJobs() { hush(); }
 
@@ -90,6 +92,7 @@ Job RedisJobs::submit(const NewJob& job, TimeMs now) {
                                std::to_string(job.result_bytes)};
   const auto fields = redis_fields(job);
   own.insert(own.end(), fields.begin(), fields.end());
+  if (options_.store) own.insert(own.end(), {"outside", "1"});
   const RedisReply reply = run(scripts_.submit, now, own);
   const std::string word = reply.items.empty() ? "" : reply.items[0].words;
   if (word == "conflict")
@@ -142,10 +145,14 @@ auto RedisJobs::insist(const Ask& ask) -> decltype(ask()) {
 
 bool RedisJobs::finish(const Claim& claim, const PartResult& result, TimeMs now) {
   const RayCounts& rays = result.rays;
+  const std::string outside =
+      options_.store
+          ? insist([&] { return put_outside("results/" + claim.job + '/', result.bytes); })
+          : "";
   std::vector<std::string> own{claim.job,
                                number_of_part(claim),
                                attempt_text(claim),
-                               result.bytes,
+                               outside.empty() ? result.bytes : "",
                                sha256_hex(result.bytes),
                                result.etag,
                                result.type,
@@ -160,7 +167,10 @@ bool RedisJobs::finish(const Claim& claim, const PartResult& result, TimeMs now)
                                             options_.name + " than by @OTHER@"));
   own.push_back("{\"n\":" + number_of_part(claim) + ",\"state\":\"done\",\"etag\":" +
                 to_json(result.etag) + (result.place.empty() ? "" : "," + result.place) + "}");
+  own.push_back(outside);
+  own.push_back(std::to_string(result.bytes.size()));
   const std::string word = insist([&] { return run(scripts_.finish, now, own).words; });
+  if (word != "done" && !outside.empty()) remove_outside(outside);
   if (word == "full") throw farm_full(options_.limits);
   release(claim);
   if (word == "mismatch") is_banned_ = true;
@@ -199,6 +209,9 @@ void RedisJobs::sweep(TimeMs now) {
   const std::string problem = job_problem("timeout", "the job's deadline_s is over");
   while (run(scripts_.sweep, now, {problem}).count > 0) {
   }
+  if (options_.role == FarmRole::draws) return;
+  if (options_.store) sweep_dropped();
+  mend(now);
 }
 
 void RedisJobs::plan_anew(const Job& job, TimeMs now) {

@@ -9,6 +9,7 @@
 
 #include "server/jobs/redis_scripts.h"
 #include "server/jobs/store.h"
+#include "server/stores/blobs.h"
 
 namespace tia::server {
 
@@ -24,6 +25,7 @@ struct FarmOptions {
   FarmRole role = FarmRole::all;
   int lease_ms = 15'000;  ///< after which a part is another's, if nothing is heard of who draws it
   double audit = 0;       ///< share of the parts that two workers draw
+  std::shared_ptr<Blobs> store = nullptr;  ///< of results and what is lent; null: Redis
 };
 
 /// RedisJobs: claims of this process are kept alive by a thread of its own until they are finished
@@ -60,6 +62,12 @@ class RedisJobs : public JobStore {
   /// By what a farm's Redis has to be: one that syncs before it answers.
   bool is_durable() const override { return true; }
 
+  bool is_shared() const override { return true; }
+  void lend(const std::string& name, const std::function<std::string()>& bytes,
+            TimeMs now) override;
+  std::optional<std::string> lent(const std::string& name) override;
+  std::vector<Charge> take_charges() override;
+
   /// Claims nothing any more.
   void rest() { is_resting_ = true; }
   /// Parts that this process is at.
@@ -74,6 +82,13 @@ class RedisJobs : public JobStore {
   template <class Ask>
   auto insist(const Ask& ask) -> decltype(ask());
   bool is_audited(const Claim& claim) const;
+  // What is in the store, as Redis tells of it: a name that only this has, SHA-256, bytes.
+  std::string put_outside(const std::string& folder, const std::string& bytes);
+  std::optional<std::string> find_outside(const std::string& told);
+  void remove_outside(const std::string& told);
+  std::optional<std::string> outside_result(const std::string& id, int n);
+  void sweep_dropped();
+  void mend(TimeMs now);
   void hold(const Claim& claim);
   void release(const Claim& claim);
   void keep_alive(const std::stop_token& stop);
@@ -81,7 +96,9 @@ class RedisJobs : public JobStore {
 
   const FarmOptions options_;
   Redis redis_;
+  const std::shared_ptr<Blobs> outside_;  // the store, or Redis itself
   RedisScripts scripts_;
+  std::atomic<TimeMs> mended_ = 0;
   std::atomic<bool> is_banned_ = false, is_resting_ = false, is_telling_ = false;
   std::mutex telling_;  // while the keeper tells
   std::mutex mutex_;

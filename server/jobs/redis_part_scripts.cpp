@@ -108,10 +108,11 @@ return 1
 )lua";
 
 // id, part, attempt, bytes, their SHA-256, etag, type, place, ms, rays of all kinds, then of each,
-// whether it is audited, the problem of a mismatch, the event. Returns: what has become of it.
+// whether it is audited, the problem of a mismatch, the event, where its bytes are outside or '',
+// how many they are. Returns: what has become of it.
 const char* const redis_finish_text = R"lua(
 local id, n, attempt = ARGV[11], tonumber(ARGV[12]), tonumber(ARGV[13])
-local bytes, sha256 = ARGV[14], ARGV[15]
+local bytes, sha256, outside, size = ARGV[14], ARGV[15], ARGV[29], tonumber(ARGV[30])
 local row = part(id, n)
 local is_wanted = is_leased(id, row, attempt)
 local function mismatch(other)
@@ -141,20 +142,27 @@ elseif ARGV[26] == '1' and workers(version) >= 2 then
   changed(id)
   return 'audited'
 end
-if not make_room(#bytes) then return 'full' end
+if not make_room(size) then return 'full' end
 
 release(id, n, row)
-row.state, row.sha256, row.bytes = 'done', sha256, #bytes
+row.state, row.sha256, row.bytes = 'done', sha256, size
 row.etag, row.type, row.place, row.ms, row.rays = unpack(ARGV, 16, 20)
 keep(id, n, row)
-call('HSET', key(id) .. ':results', n, bytes)
-hold(id, #bytes)
+if outside == '' then
+  call('HSET', key(id) .. ':results', n, bytes)
+else
+  call('HSET', key(id) .. ':outside', n, outside)
+  call('HSET', key(id), 'outside', 1)
+end
+hold(id, size)
 local parts, joins = number(id, 'parts'), word(id, 'joins') == '1'
 if n < parts then
   move(id, n, 'leased', 'done')
   for i, kind in ipairs({'primary', 'shadow', 'reflection', 'refraction', 'cut'}) do
     add(id, kind, ARGV[20 + i])
   end
+  local owner = string.match(word(id, 'owner'), '^key (.*)')
+  if owner and role == 'draws' then call('HINCRBY', P .. 'charges', owner, ARGV[20]) end
   tell(id, 'part', ARGV[28])
   tell_progress(id, number(id, 'done') == parts)
 end

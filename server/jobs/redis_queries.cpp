@@ -46,7 +46,7 @@ std::optional<PartRow> RedisJobs::part(const std::string& id, int n) {
 
 std::optional<std::string> RedisJobs::result(const std::string& id, int n) {
   RedisReply bytes = redis_.call({"HGET", key(id) + ":results", std::to_string(n)});
-  if (bytes.kind != RedisReply::text) return std::nullopt;
+  if (bytes.kind != RedisReply::text) return outside_result(id, n);
   return std::move(bytes.words);
 }
 

@@ -3,7 +3,7 @@
 namespace tia::server {
 namespace {
 
-std::string script_text(const char* own) {
+std::string script_text(const std::string& own) {
   return std::string(redis_job_words) + redis_turn_words + redis_end_words + own;
 }
 
@@ -76,7 +76,8 @@ if not is_open(id) then return 0 end
 for _, n in ipairs(call('SMEMBERS', key(id) .. ':leased')) do release(id, n, part(id, n)) end
 delist(id)
 call('LREM', P .. 'joins:' .. word(id, 'version'), 1, id)
-call('UNLINK', key(id) .. ':results', key(id) .. ':parts', key(id) .. ':back')
+call('UNLINK', key(id) .. ':results', key(id) .. ':outside', key(id) .. ':parts',
+     key(id) .. ':back')
 total('waiting', 0 - number(id, 'waiting'))
 total('leased', 0 - number(id, 'leased'))
 hold(id, ARGV[12] - number(id, 'held'))
@@ -138,6 +139,12 @@ RedisScripts::RedisScripts()
       sweep(script_text(sweep_text)),
       plan_anew(script_text(plan_anew_text)),
       load(script_text(load_text)),
-      others(script_text(others_text)) {}
+      others(script_text(others_text)),
+      redo(script_text(std::string(redis_undo_words) + redis_redo_text)),
+      mend(script_text(std::string(redis_undo_words) + redis_mend_text)),
+      lend(script_text(redis_lend_text)),
+      unlend(script_text(redis_unlend_text)),
+      swept(redis_swept_text),
+      charges(redis_charges_text) {}
 
 }  // namespace tia::server

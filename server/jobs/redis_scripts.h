@@ -11,7 +11,12 @@
 //   q:V:QUEUE         stream of what is leased, group `workers`; queues: priorities, and joins
 //   joins:V           list of jobs whose parts are all there to be put together
 //   job:ID            hash; :parts hash of rows, :results hash of bytes, :back sorted set of parts
-//                     that came back, :leased set, :events stream
+//                     that came back, :leased set, :events stream, :outside hash of results that
+//                     are in the store: name, SHA-256, bytes
+//   dropped           sorted set of jobs of which the store may have what nobody needs, by a count
+//   lent lent:used    hash of what clients have sent and jobs name, as :outside; by its last use
+//   charges           hash: key -> rays that were traced for it and nobody has charged yet
+//   blob:NAME         what is lent, where there is no store
 //   changed work      channels: jobs that have changed, and those that give workers more or less to
 //   do workers:V banned  sorted sets: when a worker was last heard of; those that drew other bytes
 #pragma once
@@ -23,7 +28,8 @@ namespace tia::server {
 /// RedisScripts. Their arguments: `common` of each, then its own (see the texts).
 struct RedisScripts {
   RedisScripts();
-  RedisScript submit, claim, heartbeat, finish, lose, fail, cancel, sweep, plan_anew, load, others;
+  RedisScript submit, claim, heartbeat, finish, lose, fail, cancel, sweep, plan_anew, load, others,
+      redo, mend, lend, unlend, swept, charges;
 };
 
 /// What each script begins with: the words that they share.
@@ -35,5 +41,12 @@ extern const char* const redis_claim_text;
 extern const char* const redis_heartbeat_text;
 extern const char* const redis_finish_text;
 extern const char* const redis_lose_text;
+extern const char* const redis_undo_words;
+extern const char* const redis_redo_text;
+extern const char* const redis_mend_text;
+extern const char* const redis_lend_text;
+extern const char* const redis_unlend_text;
+extern const char* const redis_swept_text;
+extern const char* const redis_charges_text;
 
 }  // namespace tia::server

@@ -92,6 +92,7 @@ void Runner::keep_order() {
     swept_ = now();
   }
   plan_anew();
+  for (const Charge& each : at_.store.take_charges()) at_.access.charge(each.key, each.rays);
   at_.store.sweep(now());
 }
 
@@ -155,6 +156,11 @@ void Runner::give_up(const Claim& claim, const std::exception_ptr& failure) {
     if (is_fault) at_.store.fail(claim.job, problem_document(failure, claim.job), now());
     else at_.store.lose(claim, error.type() == "busy" ? Loss::given_back : Loss::failed, now());
     at_.metrics.count_part(is_fault ? "fault" : "lost", 0);
+    pause();
+  } catch (const StorageAway& error) {  // which is nobody's fault who draws
+    log_failure(claim.job, error.what());
+    at_.store.lose(claim, Loss::given_back, now());
+    at_.metrics.count_part("lost", 0);
     pause();
   } catch (const std::exception& error) {
     log_failure(claim.job, error.what());

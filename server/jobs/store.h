@@ -74,6 +74,17 @@ class JobStore {
   virtual JobLoad load(TimeMs now) = 0;
   virtual bool is_durable() const = 0;
 
+  /// Whether processes draw its parts that do not have what clients have sent to this one.
+  virtual bool is_shared() const { return false; }
+  /// Keeps what jobs name for those, as long as one needs it and results are kept; `bytes` is asked
+  /// where it is not kept yet. Errors: HttpError (storage-full); what bytes() throws.
+  virtual void lend(const std::string& /*name*/, const std::function<std::string()>& /*bytes*/,
+                    TimeMs /*now*/) {}
+  /// What was lent by that name, as it was; none where nothing was.
+  virtual std::optional<std::string> lent(const std::string& /*name*/) { return std::nullopt; }
+  /// What others have traced since this was asked last, by anybody.
+  virtual std::vector<Charge> take_charges() { return {}; }
+
   /// Begins to tell of what others change, too, once `changed` is what it stays; and ends it: what
   /// is being told has been when hush() returns.
   virtual void listen() {}

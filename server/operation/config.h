@@ -64,6 +64,10 @@ struct Config {
   std::string farm_ca_file;
   int farm_lease_ms = 15'000;
   double farm_audit = 0.01;
+  std::string store;
+  std::string s3_endpoint;
+  std::string s3_region = "us-east-1";
+  std::string s3_key_file;
 
   template <class Visitor>
   static void fields(Visitor&& visit) {
@@ -245,6 +249,17 @@ struct Config {
     visit(
         "farm_audit", &Config::farm_audit,
         Spec{.about = "share of the parts that two workers draw, to compare", .min = 0, .max = 1});
+    visit("store", &Config::store,
+          Spec{.about = "where a farm keeps results and what its jobs name that clients have sent: "
+                        "dir:/path, a folder that all its machines see, or s3://bucket/prefix; "
+                        "none = its Redis"});
+    visit("s3_endpoint", &Config::s3_endpoint,
+          Spec{.about = "where S3 is, such as https://minio:9000; none = AWS' of TIA_S3_REGION"});
+    visit("s3_region", &Config::s3_region,
+          Spec{.about = "the region that requests to S3 are signed for"});
+    visit("s3_key_file", &Config::s3_key_file,
+          Spec{.about = "file of two lines, the id of the key for S3 and its secret; none = "
+                        "requests are signed by an empty one"});
     visit("cors_origins", &Config::cors_origins,
           Spec{.about = "origins whose pages may read answers (CORS)"});
     visit("trusted_proxies", &Config::trusted_proxies,

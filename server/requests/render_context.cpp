@@ -1,12 +1,17 @@
 #include "server/requests/render_context.h"
 
 #include <algorithm>
+#include <limits>
 #include <map>
 
 #include "core/input/nearest_listed.h"
 #include "core/input/object_schema.h"
 #include "core/scene/at_time.h"
+#include "core/scene/read_scene.h"
 #include "core/scene/resolve_models.h"
+#include "server/contract/problem.h"
+#include "server/stores/gallery_models.h"
+#include "server/stores/model_upload.h"
 
 namespace tia::server {
 namespace {
@@ -78,6 +83,27 @@ Camera patched(Camera camera, const CameraPatch& patch) {
   return read_described<Camera>(merge_patch(write_value(camera), patch.members), at);
 }
 
+// ---- what others of a farm were sent, kept here as if it had been sent to this one -------------
+
+SharedModel taken_model(const std::string& id, const std::string& packed,
+                        const RenderContext& context, const Requester& requester) {
+  const auto upload = unpacked_upload(id, packed);
+  if (!upload) throw StorageError("the model " + id + " is damaged where a farm keeps it");
+  return context.models->keep(*upload, requester).known.model;
+}
+
+KnownScene taken_scene(const std::string& id, const std::string& text, const RenderContext& context,
+                       const Requester& requester) {
+  return context.go_through(text.size(), requester, [&] {
+    constexpr JsonLimits any{.values = std::numeric_limits<std::size_t>::max()};
+    const NewScene made(
+        read_described<Scene>(parse_json(text, any, requester.stop), {}, requester.stop));
+    if (made.id != id) throw StorageError("the scene " + id + " is damaged where a farm keeps it");
+    context.kept.keep(made);
+    return made.scene;
+  });
+}
+
 }  // namespace
 
 bool is_at_hand(const std::string& name, const RenderContext& context) {
@@ -87,13 +113,26 @@ bool is_at_hand(const std::string& name, const RenderContext& context) {
 SharedModel find_model(const std::string& name, const RenderContext& context,
                        const Requester& requester) {
   if (context.models == nullptr) return nullptr;
-  return context.models->find(name, requester).model;
+  SharedModel model = context.models->find(name, requester).model;
+  if (gallery_model(name) != nullptr) return model;
+  const std::string lent = "models/" + name;
+  if (!model && context.elsewhere != nullptr && is_model_id(name))
+    if (const auto packed = (*context.elsewhere)(lent))
+      model = taken_model(name, *packed, context, requester);
+  if (model && context.named != nullptr) context.named->insert(lent);
+  return model;
 }
 
 KnownScene find_scene(const std::string& name, const RenderContext& context,
                       const Requester& requester) {
   if (KnownScene scene = context.gallery.find(name)) return scene;
-  if (KnownScene scene = context.kept.find(name, requester)) return scene;
+  KnownScene kept = context.kept.find(name, requester);
+  const std::string lent = "scenes/" + name;
+  if (!kept && context.elsewhere != nullptr && is_model_id(name))
+    if (const auto text = (*context.elsewhere)(lent))
+      kept = taken_scene(name, *text, context, requester);
+  if (kept && context.named != nullptr) context.named->insert(lent);
+  if (kept) return kept;
   const std::vector<std::string_view> known = context.gallery.names();
   throw InputError(
       {FaultKind::unknown_name, "/scene", Value(name),

@@ -1,6 +1,9 @@
 // What a request's words stand for: its scene, found and changed as it says, and its options.
 #pragma once
 
+#include <functional>
+#include <optional>
+#include <set>
 #include <string>
 
 #include "core/render/render.h"
@@ -23,6 +26,10 @@ struct OutsideEncoder {
   unsigned cpu_s = 600;
 };
 
+/// Elsewhere: what clients have sent to others of a farm: "models/ID" packed, "scenes/ID" as
+/// canonical text; or none. Errors: StorageError.
+using Elsewhere = std::function<std::optional<std::string>(const std::string& name)>;
+
 /// What every picture needs of its host.
 struct RenderContext {
   const Gallery& gallery;
@@ -32,8 +39,10 @@ struct RenderContext {
   Pool& pool;
   LongWork& long_work;
   Limits limits;
-  ModelStore* models = nullptr;  ///< null: none are kept
-  OutsideEncoder ffmpeg{};       ///< of films
+  ModelStore* models = nullptr;            ///< null: none are kept
+  OutsideEncoder ffmpeg{};                 ///< of films
+  const Elsewhere* elsewhere = nullptr;    ///< asked for what is not here; null: nobody is
+  std::set<std::string>* named = nullptr;  ///< told by such names what was asked for and found
 
   /// Does what copies or writes so many bytes of a scene: as long work, unless they are few.
   /// Returns: what it does. Errors: as LongWork, and whatever it throws.

@@ -71,6 +71,9 @@ class ModelStore {
   /// Errors: StorageError of one that is damaged; ReaderDied; as LongWork, ModelReader::read.
   KnownModel find(const std::string& name, const Requester& requester);
 
+  /// What came by that id, packed; null where nothing has. Errors: StorageError.
+  std::shared_ptr<const std::string> packed(const std::string& id) { return uploads_.find(id); }
+
   ModelCounts counts() const { return {uploads_.count(), read_.count()}; }
   /// Lets go of what was read and nobody has asked for longest. Returns: how many bytes.
   std::int64_t give_way(std::int64_t bytes) { return read_.give_way(bytes); }

@@ -3,11 +3,16 @@
 #include <httplib.h>
 #include <signal.h>
 
+#include <cerrno>
 #include <cstdlib>
+#include <filesystem>
+#include <fstream>
 #include <memory>
 
 #include "core/input/json.h"
+#include "tests/server/faults/faults_support.h"
 #include "tests/server/redis_support.h"
+#include "tests/server/s3_support.h"
 #include "tests/server/support.h"
 
 namespace tia::test {
@@ -150,6 +155,68 @@ TEST_F(FarmProcesses, AWorkerThatIsToldToEndGivesBackWhatItIsAt) {
   EXPECT_EQ(serve->client().Delete(job.c_str())->status, 204);
 }
 
+// Workers have nothing but the gallery: what a client has sent comes with the job.
+TEST_F(FarmProcesses, AnyWorkerDrawsAModelThatAClientHasSentAndS3KeepsWhatComesOfIt) {
+  if (sanitized()) GTEST_SKIP() << too_slow;
+  S3StandIn s3;
+  std::ofstream(redis->file("s3-key")) << s3.key_file();
+  const Process::Words more{"TIA_STORE=s3://tia-test/farm", "TIA_S3_ENDPOINT=" + s3.endpoint(),
+                            "TIA_S3_REGION=" + s3.options().region,
+                            "TIA_S3_KEY_FILE=" + redis->file("s3-key")};
+  Process::Words environment = variables();
+  environment.insert(environment.end(), more.begin(), more.end());
+  serve = std::make_unique<Tia>(Process::Words{"--port", "0"}, environment);
+  const auto first = worker("first", more);
+  const std::string triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+  const auto sent = serve->client().Post("/models", triangle, "application/octet-stream");
+  ASSERT_EQ(sent->status, 201) << sent->body;
+  const std::string picture =
+      R"({"width":32,"height":24,"scene":{"camera":{"location":[0,0,3]},)"
+      R"("lights":[{"type":"point","position":[1,2,4]}],"objects":[{"type":"model","id":")" +
+      text_at(parse_json(sent->body), "id") + "\"}]}}";
+  const auto kept =
+      serve->client().Post("/scenes", R"({"title":"kept","objects":[]})", "application/json");
+  ASSERT_EQ(kept->status, 201) << kept->body;
+  const std::string by_id =
+      R"({"width":16,"height":16,"scene":")" + kept->get_header_value("Location").substr(8) + "\"}";
+  s3.fail("GET", S3StandIn::Fault::flips_a_bit, 2);
+  s3.fail("PUT", S3StandIn::Fault::answers_500, 2);
+  const auto answer = serve->client().Post(
+      "/jobs", R"({"kind":"batch","requests":[)" + picture + ',' + by_id + "]}",
+      "application/json");
+  ASSERT_EQ(answer->status, 202) << answer->body;
+  const std::string job = answer->get_header_value("Location");
+  ASSERT_TRUE(ends(job)) << serve->get(job).body << first->err();
+  for (const auto& [n, same] : {std::pair("0", picture), std::pair("1", by_id)}) {
+    const Response drawn = serve->get(job + "/results/" + n);
+    EXPECT_EQ(drawn.status, 200) << drawn.body;
+    EXPECT_EQ(drawn.body, serve->client().Post("/render", same, "application/json")->body) << n;
+  }
+  EXPECT_EQ(s3.kept().size(), 4U) << "two results, a model, a scene";
+  EXPECT_EQ(s3.refused(), 0);
+}
+
+TEST_F(FarmProcesses, AStoreWhoseDiskIsFullForAWhileLosesNothing) {
+  if (sanitized()) GTEST_SKIP() << too_slow;
+  const Folder folder;
+  const std::string below = std::filesystem::path(folder.file("x")).parent_path();
+  Faults faults;
+  faults.only_below(below);
+  faults.begin({faults_write, ENOSPC}, 1, 2);
+  Process::Words environment = variables();
+  environment.push_back("TIA_STORE=dir:" + below);
+  serve = std::make_unique<Tia>(Process::Words{"--port", "0"}, environment);
+  Process::Words broken = faults.environment();
+  broken.push_back("TIA_STORE=dir:" + below);
+  const auto first = worker("first", broken);
+  const std::string job = submit(3);
+  EXPECT_TRUE(ends(job)) << first->err();
+  EXPECT_EQ(faults.failed(), 2);
+  expect_all_right(job, 3);
+  EXPECT_EQ(serve->client().Delete(job.c_str())->status, 204);
+  EXPECT_TRUE(eventually([&] { return std::filesystem::is_empty(below); }));
+}
+
 TEST_F(FarmProcesses, AWorkerAnswersWhetherItLivesAndTakesLittleWhenIdle) {
   const auto first = worker("first");
   for (const char* path : {"/healthz", "/readyz", "/metrics", "/version"})
@@ -181,7 +248,11 @@ TEST(FarmOptions, AreRefusedByName) {
            {{"worker", "--farm", "http://x"}, "TIA_FARM"},
            {{"worker", "--farm", "redis://x", "--name", "a b"}, "--name"},
            {{"serve", "--farm", "redis://x", "--farm-password-file", "/nowhere"},
-            "TIA_FARM_PASSWORD_FILE"}}) {
+            "TIA_FARM_PASSWORD_FILE"},
+           {{"serve", "--store", "dir:/tmp"}, "TIA_STORE"},
+           {{"serve", "--farm", "redis://x", "--store", "dir:/nowhere"}, "TIA_STORE"},
+           {{"serve", "--farm", "redis://x", "--store", "s3://bucket", "--s3-endpoint", "minio"},
+            "TIA_S3_ENDPOINT"}}) {
     const Finished ended = run(words);
     EXPECT_EQ(ended.status, 2) << ended.err;
     EXPECT_THAT(ended.err, testing::HasSubstr(named));

@@ -187,7 +187,7 @@ TEST_P(JobStoreOf, OwnersShareByHalvesHoweverManyJobsEachHas) {
 
 TEST_P(JobStoreOf, HighGoesFirstAndLowIsNotStarved) {
   for (const Priority priority : {Priority::low, Priority::normal, Priority::high}) {
-    NewJob made = job(std::string(name_of(priority)), 1000);
+    NewJob made = job(std::string(tia::name_of(priority)), 1000);
     made.priority = priority;
     store->submit(made, now);
   }

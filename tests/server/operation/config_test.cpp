@@ -185,9 +185,14 @@ INSTANTIATE_TEST_SUITE_P(Of, Option, testing::ValuesIn(numerics), option_name);
 TEST(Options, AreTheseAndNoOthers) {
   std::vector<std::string> names;
   for (const OptionRow& row : option_rows()) names.push_back(row.name);
-  std::vector<std::string> tested{
-      "host",      "data_dir",  "cors_origins", "trusted_proxies",    "hosts",        "ffmpeg",
-      "keys_file", "sign_file", "farm",         "farm_password_file", "farm_ca_file", "farm_audit"};
+  std::vector<std::string> tested{"host",         "data_dir",
+                                  "cors_origins", "trusted_proxies",
+                                  "hosts",        "ffmpeg",
+                                  "keys_file",    "sign_file",
+                                  "farm",         "farm_password_file",
+                                  "farm_ca_file", "farm_audit",
+                                  "store",        "s3_endpoint",
+                                  "s3_region",    "s3_key_file"};
   for (const Numeric& option : numerics) tested.emplace_back(option.name);
   EXPECT_THAT(names, testing::UnorderedElementsAreArray(tested));
 }
