@@ -49,6 +49,9 @@ Nanoseconds ahead(const Turn& one, const Turn& other, Nanoseconds now) {
   return one.service.at(now) - other.service.at(now);
 }
 
+// How many times a thread's time counts.
+int weight(const ClientJobs& client) { return client.is_background ? Turns::background_cost : 1; }
+
 void add_once(std::vector<std::uint64_t>& numbers, std::uint64_t number) {
   if (std::ranges::find(numbers, number) == numbers.end()) numbers.push_back(number);
 }
@@ -70,20 +73,27 @@ ClientJobs* Turns::find(std::uint64_t client) {
   return known != clients_.end() ? &*known : nullptr;
 }
 
-ClientJobs& Turns::client_of(std::uint64_t number, Nanoseconds now) {
-  if (ClientJobs* known = find(number)) return *known;
+ClientJobs& Turns::client_of(std::uint64_t number, bool is_background, Nanoseconds now) {
+  ClientJobs* const known = find(number);
+  if (known != nullptr && !known->jobs.empty()) return *known;
   const auto each = [this](const auto& action) {
-    for (ClientJobs& client : clients_) action(client.service);
+    for (ClientJobs& client : clients_)
+      if (!client.jobs.empty()) action(client.service);
   };
   level_ = settled_level(each, level_, now);
-  ClientJobs& made = clients_.emplace_back(ClientJobs{number});
-  made.service.before = level_ - credit;
+  if (known != nullptr) {  // it has been away, and owes no more than it can be owed
+    const Nanoseconds had = known->service.at(now);
+    known->service.before += std::clamp(had, level_, level_ + arrears) - had;
+    return *known;
+  }
+  ClientJobs& made = clients_.emplace_back(ClientJobs{number, is_background});
+  made.service.before = is_background ? level_ : level_ - credit;
   return made;
 }
 
 void Turns::enter(Turn& job, Nanoseconds now) {
   choose_client(job.flow, now);
-  ClientJobs& client = client_of(job.flow.client, now);
+  ClientJobs& client = client_of(job.flow.client, job.flow.is_background, now);
   client.jobs.reserve(client.jobs.size() + 1);
   join(job, client, now);
 }
@@ -102,8 +112,9 @@ void Turns::join(Turn& job, ClientJobs& client, Nanoseconds now) {
     flow.credit_end = client.level;
   }
   job.service.before = std::max(flow.place, client.level - credit) - job.service.awake * now;
-  client.service.before -= job.service.awake * now;
-  client.service.awake += job.service.awake;
+  const int awake = job.service.awake * weight(client);
+  client.service.before -= awake * now;
+  client.service.awake += awake;
   client.jobs.push_back(&job);
   job.client = &client;
 }
@@ -112,11 +123,12 @@ void Turns::join(Turn& job, ClientJobs& client, Nanoseconds now) {
 void Turns::leave(Turn& job, Nanoseconds now) {
   ClientJobs& client = *job.client;
   job.flow.place = job.service.at(now);
-  client.service.before += job.service.awake * now;
-  client.service.awake -= job.service.awake;
+  const int awake = job.service.awake * weight(client);
+  client.service.before += awake * now;
+  client.service.awake -= awake;
   client.jobs.erase(std::ranges::find(client.jobs, &job));
   job.client = nullptr;
-  if (client.jobs.empty())
+  if (client.jobs.empty() && !client.is_background)
     clients_.remove_if([&](const ClientJobs& each) { return &each == &client; });
 }
 
@@ -136,7 +148,7 @@ void Turns::move(Flow& flow, std::uint64_t client, Nanoseconds now) {
   for (Turn* job : find(flow.client)->jobs)
     if (&job->flow == &flow) jobs.push_back(job);
   if (!jobs.empty()) {
-    ClientJobs& theirs = client_of(client, now);
+    ClientJobs& theirs = client_of(client, false, now);
     theirs.jobs.reserve(theirs.jobs.size() + jobs.size());
   }
   for (Turn* job : jobs) leave(*job, now);
@@ -221,12 +233,12 @@ void Turns::dismiss(Turn& job) {
 
 void Turns::begin(Turn& job, Nanoseconds now) {
   job.service.begin(now);
-  job.client->service.begin(now);
+  job.client->service.begin(now, weight(*job.client));
 }
 
 void Turns::end(Turn& job, Nanoseconds now) {
   job.service.end(now);
-  job.client->service.end(now);
+  job.client->service.end(now, weight(*job.client));
 }
 
 void Turns::spend(Turn& job, Nanoseconds time, Nanoseconds now) {
@@ -235,7 +247,9 @@ void Turns::spend(Turn& job, Nanoseconds time, Nanoseconds now) {
       std::ranges::count_if(client.jobs, [](Turn* each) { return is_parked(*each); });
   const auto present = static_cast<Nanoseconds>(client.jobs.size()) - parked;
   client.level += time / (2 * std::max<Nanoseconds>(present, 1));
-  level_ += time / (4 * static_cast<Nanoseconds>(clients_.size()));
+  const auto at_hand =
+      std::ranges::count_if(clients_, [](const ClientJobs& each) { return !each.jobs.empty(); });
+  level_ += time / (4 * static_cast<Nanoseconds>(at_hand));
   job.flow.attained += time;
   if (job.flow.is_long || job.flow.attained < long_service) return;
   job.flow.is_long = true;

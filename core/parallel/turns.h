@@ -12,13 +12,14 @@ namespace tia {
 
 using Nanoseconds = std::int64_t;
 
-/// ServiceTime: the time that threads spend on something, which goes on while they do.
+/// ServiceTime: the time that threads spend on something, which goes on while they do; `each` of
+/// them may count as several.
 struct ServiceTime {
   Nanoseconds before = 0;  ///< what those at work found, less the times at which they came
-  int awake = 0;           ///< threads at work
+  int awake = 0;           ///< threads at work, as they count
   Nanoseconds at(Nanoseconds now) const { return before + awake * now; }
-  void begin(Nanoseconds now) { ++awake, before -= now; }
-  void end(Nanoseconds now) { --awake, before += now; }
+  void begin(Nanoseconds now, int each = 1) { awake += each, before -= each * now; }
+  void end(Nanoseconds now, int each = 1) { awake -= each, before += each * now; }
   void raise_to(Nanoseconds least, Nanoseconds now) {
     if (at(now) < least) before += least - at(now);
   }
@@ -28,8 +29,9 @@ struct ServiceTime {
 struct Flow {
   std::uint64_t client = 0;             ///< whom it is for, by any number that tells clients apart
   std::vector<std::uint64_t> others{};  ///< who wait for it, too: it may become theirs
-  bool is_long = false;      ///< it takes long: so foreseen, or it has had Turns::long_service
-  Nanoseconds attained = 0;  ///< the service that it has had
+  bool is_long = false;        ///< it takes long: so foreseen, or it has had Turns::long_service
+  bool is_background = false;  ///< nobody waits for it: of a client whose all is so
+  Nanoseconds attained = 0;    ///< the service that it has had
   std::function<void()>
       became_long{};  ///< called once it has, by any thread, while turns are taken
 
@@ -65,7 +67,8 @@ struct Turn {
 /// ClientJobs: those of one client's jobs that are present.
 struct ClientJobs {
   std::uint64_t number = 0;
-  ServiceTime service{};
+  bool is_background = false;
+  ServiceTime service{};  ///< of what is in the background `background_cost` times what it has
   Nanoseconds level = 0;  ///< the service that makes a job even with the others
   std::vector<Turn*> jobs{};
 };
@@ -87,6 +90,10 @@ struct ClientJobs {
 /// who drags a light beside a flood.
 /// No job, or client, is owed more than `arrears` when another begins: few threads save up no claim
 /// to all.
+/// What is in the background has 1/background_cost of a client's share, all together: its service
+/// counts so many times. It begins with no credit, and what it has had is remembered while it has
+/// nothing to do, so that many small jobs one after the other have no more than a large one.
+///
 /// At most `threads` hands at once, and up to two more at times: a young job, still within its
 /// credit, that has no hand does not wait for the end of an older one's task: one such job, and one
 /// of a client who has no hand at all. Then the old job that has had most leaves when it next
@@ -97,6 +104,7 @@ class Turns {
  public:
   static constexpr Nanoseconds look = 250'000, slice = 2'000'000, credit = 50'000'000,
                                arrears = 1'000'000'000, long_service = 500'000'000;
+  static constexpr int background_cost = 8;
 
   explicit Turns(int threads) : threads_(threads) {}
   int threads() const { return threads_; }
@@ -125,7 +133,7 @@ class Turns {
 
  private:
   ClientJobs* find(std::uint64_t client);
-  ClientJobs& client_of(std::uint64_t number, Nanoseconds now);
+  ClientJobs& client_of(std::uint64_t number, bool is_background, Nanoseconds now);
   void join(Turn& job, ClientJobs& client, Nanoseconds now);
   bool would_be_sooner(const Flow& flow, std::uint64_t client, Nanoseconds now);
   void choose_client(Flow& flow, Nanoseconds now);

@@ -35,7 +35,7 @@ PartResult result_of(const Picture& picture, std::string etag, const std::string
   return result;
 }
 
-/// PartDrawing: what is drawn for a job, as heavy work that has the share of one client.
+/// PartDrawing: what is drawn for a job, as heavy work that has the least share of the threads.
 class PartDrawing {
  public:
   PartDrawing(const Job& job, const JobParts& parts, const Workplace& at,
@@ -43,6 +43,7 @@ class PartDrawing {
       : job_(job), parts_(parts), at_(at), stop_(stop) {
     flow_.client = requester_.number();
     flow_.is_long = true;
+    flow_.is_background = true;
   }
 
   PartResult part(int n) {

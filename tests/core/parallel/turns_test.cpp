@@ -32,10 +32,13 @@ class Play {
 
   explicit Play(int threads) : turns_(threads) {}
   Nanoseconds now() const { return now_; }
+  const std::list<Job>& all() const { return jobs_; }
   std::size_t most_at_once() const { return most_at_once_; }
 
-  Job& come(int tasks, Nanoseconds cost, int most = 64, std::uint64_t whose = 0) {
+  Job& come(int tasks, Nanoseconds cost, int most = 64, std::uint64_t whose = 0,
+            bool is_background = false) {
     Job& job = jobs_.emplace_back(tasks, most, cost, whose);
+    job.own.is_background = job.own.is_long = is_background;
     job.came = now_;
     turns_.enter(job, now_);
     call();
@@ -327,6 +330,40 @@ TEST(Turns, LongTasksOfAClientThatAsksAgainLeaveAnotherAQuarterOfAnEvenShare) {
     while (play.run(start + time) != nullptr) play.come(1, 750 * ms, 64, 2);
     EXPECT_GE(victim.had, time / 4) << at_once;
   }
+}
+
+// Whether it is one large job, or many small ones, each new where the last one has ended.
+TEST(Turns, TheBackgroundHasTheLeastShareHoweverItIsCut) {
+  constexpr double cost = Turns::background_cost;
+  for (const int clients : {0, 1, 3})
+    for (const int tasks : {endless, 100, 10}) {
+      Play play(2);
+      play.come(tasks, ms, 64, 9, true);
+      for (int i = 0; i < clients; ++i) play.come(endless, ms, 64, std::uint64_t(i));
+      const Nanoseconds start = play.now(), time = 20'000 * ms;
+      Nanoseconds had = 0;
+      while (const Play::Job* over = play.run(start + time)) {
+        had += over->had;
+        play.come(tasks, ms, 64, 9, true);
+      }
+      for (const Play::Job& job : play.all())
+        if (job.own.is_background && !job.is_over()) had += job.had;
+      const double share = static_cast<double>(had) / (2 * static_cast<double>(time));
+      EXPECT_NEAR(share, 1 / (1 + cost * clients), 0.01) << clients << ", " << tasks;
+    }
+}
+
+// What comes again and again, each time new, finds both threads at it, and does not stop it: of two
+// clients the level rises by an eighth of all service, and the background's counts several times.
+TEST(Turns, SmallJobsHardlyNoticeTheBackgroundWhichGoesOnBesideThem) {
+  Play play(2);
+  const Play::Job& background = play.come(endless, ms / 4, 64, 9, true);
+  play.run(play.now() + 1000 * ms);
+  const Nanoseconds before = background.had, start = play.now();
+  int drawn = 0;
+  for (; play.now() < start + 10'000 * ms; ++drawn) play.finish(play.come(20, ms, 64, 1));
+  EXPECT_GE(drawn, 1000 * 9 / 10 - 10);
+  EXPECT_GE(background.had - before, 20'000 * ms / (4 * 2 * Turns::background_cost));
 }
 
 TEST(Turns, AStreamOfOneClientLeavesTheOthersAQuarterOfAnEvenShare) {
