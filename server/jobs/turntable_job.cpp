@@ -72,8 +72,7 @@ JobPlan plan_turntable(const JobRequest& asked, const JobHost& host, const Reque
     for (int n = 0; n < views; ++n) {
       end_if_asked(requester.stop);
       const PictureRequest picture = turned.part(n);
-      const Plan plan = plan_of(picture, host.context, requester);
-      made.rays += plan.sure_rays();
+      made.rays += checked_plan_of(picture, host.context, requester).sure_rays();
     }
   });
   made.parts = views;

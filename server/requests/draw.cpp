@@ -99,16 +99,9 @@ int fewest_samples(const PictureRequest& asked, const RenderOptions& options) {
   return least_samples(options.samples, options.threshold);
 }
 
-}  // namespace
-
-Plan plan_of(const PictureRequest& asked, const RenderContext& context,
-             const Requester& requester) {
-  check_size(asked.width, asked.height, context.limits);
-  return plan_of(asked, found_scene(asked, context, requester), context, requester);
-}
-
-Plan plan_of(const PictureRequest& asked, const FoundScene& found, const RenderContext& context,
-             const Requester& requester) {
+// A plan but for what is told of it.
+Plan checked_plan(const PictureRequest& asked, const FoundScene& found,
+                  const RenderContext& context, const Requester& requester) {
   check_size(asked.width, asked.height, context.limits);
   const KnownScene& scene = found.plain;
   SceneOptions in_effect = options_in_effect(scene->options, asked);
@@ -144,6 +137,26 @@ Plan plan_of(const PictureRequest& asked, const FoundScene& found, const RenderC
   check_denoise(plan);
   plan_gaze(context, requester, plan);
   check_rays(plan.points(), plan.fewest_samples, context.limits);
+  return plan;
+}
+
+}  // namespace
+
+Plan checked_plan_of(const PictureRequest& asked, const RenderContext& context,
+                     const Requester& requester) {
+  check_size(asked.width, asked.height, context.limits);
+  return checked_plan(asked, found_scene(asked, context, requester), context, requester);
+}
+
+Plan plan_of(const PictureRequest& asked, const RenderContext& context,
+             const Requester& requester) {
+  check_size(asked.width, asked.height, context.limits);
+  return plan_of(asked, found_scene(asked, context, requester), context, requester);
+}
+
+Plan plan_of(const PictureRequest& asked, const FoundScene& found, const RenderContext& context,
+             const Requester& requester) {
+  Plan plan = checked_plan(asked, found, context, requester);
   const KnownScene& told = told_scene_of(plan);
   const std::size_t objects = told.objects.bytes <= most_told_bytes ? told.objects.bytes : 0;
   std::tie(plan.recipe, plan.rounds_name, plan.cost_key) =

@@ -18,6 +18,11 @@ Plan plan_of(const PictureRequest& asked, const RenderContext& context, const Re
 Plan plan_of(const PictureRequest& asked, const FoundScene& found, const RenderContext& context,
              const Requester& requester);
 
+/// The same without recipe and the names by it, which take longer than all that is checked: of what
+/// is not drawn yet.
+Plan checked_plan_of(const PictureRequest& asked, const RenderContext& context,
+                     const Requester& requester);
+
 /// Makes the picture, which carries its recipe if it is a PNG. Before each step it reserves the
 /// memory that it may take. Errors: InputError; Stopped; as MemoryClaim::reserve;
 /// what the onlooker throws.
