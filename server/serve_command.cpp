@@ -231,7 +231,9 @@ void serve_until_told(const Config& config, DataFiles files, RedisJobs* farm) {
 }  // namespace
 
 void serve(const Config& config) try {
-  serve_until_told(config, {scene_file(config), model_folder(config), job_store(config)}, nullptr);
+  serve_until_told(config,
+                   {scene_file(config), model_folder(config), job_store(config), quotas_of(config)},
+                   nullptr);
 } catch (const std::system_error& error) {
   if (error.code() != std::errc::resource_unavailable_try_again) throw;
   throw std::runtime_error(

@@ -33,6 +33,10 @@ std::optional<RequestRate> rate_of(const KeyEntry& entry) {
   return RequestRate::of(*entry.requests_per_s, entry.burst.value_or(usual));
 }
 
+std::int64_t rays_left(const KeyEntry& entry, std::int64_t rays) {
+  return std::max<std::int64_t>(0, *entry.rays_per_day - rays);
+}
+
 std::string* field_of(Response& response, std::string_view name) {
   const auto found = std::ranges::find(response.headers, name, &Headers::value_type::first);
   return found == response.headers.end() ? nullptr : &found->second;
@@ -130,8 +134,16 @@ bool Access::takes(const Request& request, const std::vector<Right>& needs) {
     return false;
   }
   const auto entry = entry_for(request);
-  const auto left = entry ? requests_left(*entry, true) : std::nullopt;
-  return !left || left->is_taken;
+  if (!entry || !entry->requests_per_s) return true;
+  return !quotas_->may_wait() && requests_left(*entry, true)->is_taken;
+}
+
+void Access::check_owner(const Request& request, const std::string& owner) {
+  if (owner.empty() || owner == request.key) return;
+  const auto entry = entry_for(request);
+  if (entry && entry->has(Right::admin)) return;
+  metrics_.count_refusal(request.key, "owner");
+  throw AccessRefusal("forbidden", "owner", "it is another key's, which takes the right \"admin\"");
 }
 
 std::optional<RequestsLeft> Access::requests_left(const KeyEntry& entry, bool take) {
@@ -144,15 +156,10 @@ std::optional<RequestsLeft> Access::requests_left(const KeyEntry& entry, bool ta
 std::int64_t Access::day() const { return now_() / one_second / day_s; }
 std::int64_t Access::seconds_to_midnight() const { return day_s - now_() / one_second % day_s; }
 
-std::int64_t Access::rays_left(const KeyEntry& entry) {
-  return std::max<std::int64_t>(0,
-                                *entry.rays_per_day - quotas_->add_rays(entry.id.text, day(), 0));
-}
-
 void Access::check_rays(const std::string& key, double rays) {
   const auto entry = entry_called(key);
   if (!entry || !entry->rays_per_day) return;
-  const std::int64_t left = rays_left(*entry);
+  const std::int64_t left = rays_left(*entry, quotas_->add_rays(entry->id.text, day(), 0));
   if (rays <= static_cast<double>(left)) return;
   metrics_.count_refusal(key, "rays");
   refuse_quota("rays",
@@ -188,7 +195,8 @@ void Access::tell(Response& response, const Request& request) {
     add("requests", rate->burst, seconds_up(rate->refill()), now.left, seconds_up(now.to_full));
   }
   if (entry->rays_per_day)
-    add("rays", *entry->rays_per_day, day_s, rays_left(*entry), seconds_to_midnight());
+    add("rays", *entry->rays_per_day, day_s,
+        rays_left(*entry, quotas_->rays(entry->id.text, day())), seconds_to_midnight());
   if (policy.empty()) return;
   response.headers.emplace_back("RateLimit-Policy", policy);
   response.headers.emplace_back("RateLimit", left);

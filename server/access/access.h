@@ -55,8 +55,12 @@ class Access {
   /// hold; forbidden where the key lacks a right; quota where it has asked too often. Otherwise it
   /// is one request of the key's. What needs no right is anybody's, and not counted.
   void admit(const Request& request, const std::vector<Right>& needs);
-  /// The same where it may be refused elsewhere. Returns: whether it may.
+  /// The same where it may be refused elsewhere, and waits for nobody. Returns: whether it may.
   bool takes(const Request& request, const std::vector<Right>& needs);
+
+  /// Errors: AccessRefusal (forbidden) for what is another key's, unless the caller's has the right
+  /// admin; `owner`: the id of a key, "" = nobody's, which is for all who know of it.
+  void check_owner(const Request& request, const std::string& owner);
 
   /// Says in the answer who may keep it, and what is left of quotas.
   void tell(Response& response, const Request& request);
@@ -75,7 +79,6 @@ class Access {
   std::shared_ptr<const KeyEntry> entry_for(const Request& request) const;
   void check_rights(const Request& request, const std::vector<Right>& needs) const;
   std::optional<RequestsLeft> requests_left(const KeyEntry& entry, bool take);
-  std::int64_t rays_left(const KeyEntry& entry);
   std::int64_t day() const;
   std::int64_t seconds_to_midnight() const;
 

@@ -44,6 +44,14 @@ RequestsLeft OwnQuotas::look(const std::string& key, const RequestRate& rate, st
   return state_of(full_at_from(told, rate, now), rate, now);
 }
 
+RequestsLeft OwnQuotas::learn(const std::string& key, const RequestRate& rate, std::int64_t now,
+                              std::int64_t to_full) {
+  const std::lock_guard lock(mutex_);
+  std::int64_t& told = counts_[key].full_at;
+  told = full_at_from(now + to_full, rate, now);
+  return state_of(told, rate, now);
+}
+
 std::int64_t OwnQuotas::add_rays(const std::string& key, std::int64_t day, std::int64_t rays) {
   const std::lock_guard lock(mutex_);
   Count& count = counts_[key];

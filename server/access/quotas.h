@@ -38,6 +38,10 @@ class Quotas {
   virtual RequestsLeft look(const std::string& key, const RequestRate& rate, std::int64_t now) = 0;
   /// Counts rays that have been traced for the key on that day, and tells the day's sum.
   virtual std::int64_t add_rays(const std::string& key, std::int64_t day, std::int64_t rays) = 0;
+  /// That sum as it was last told, or known here. As look(), it asks nobody.
+  virtual std::int64_t rays(const std::string& key, std::int64_t day) = 0;
+  /// Whether the others may have to wait for another machine.
+  virtual bool may_wait() const { return false; }
 };
 
 /// OwnQuotas: counted in this process, and forgotten with it. However requests come, in t seconds
@@ -50,6 +54,12 @@ class OwnQuotas final : public Quotas {
   RequestsLeft take(const std::string& key, const RequestRate& rate, std::int64_t now) override;
   RequestsLeft look(const std::string& key, const RequestRate& rate, std::int64_t now) override;
   std::int64_t add_rays(const std::string& key, std::int64_t day, std::int64_t rays) override;
+  std::int64_t rays(const std::string& key, std::int64_t day) override {
+    return add_rays(key, day, 0);
+  }
+  /// That the bucket will be full in so long, as another one knows. Unit: ns.
+  RequestsLeft learn(const std::string& key, const RequestRate& rate, std::int64_t now,
+                     std::int64_t to_full);
 
  private:
   struct Count {

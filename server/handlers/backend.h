@@ -13,6 +13,7 @@ struct DataFiles {
   std::unique_ptr<SceneFile> scenes;
   std::unique_ptr<ModelFolder> models;
   std::unique_ptr<JobStore> jobs = nullptr;  ///< null: in memory
+  std::unique_ptr<Quotas> quotas = std::make_unique<OwnQuotas>();
 };
 
 class Backend {

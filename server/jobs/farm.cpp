@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "core/version.h"
+#include "server/access/shared_quotas.h"
 
 namespace tia::server {
 namespace {
@@ -66,6 +67,14 @@ S3Options s3_options(const Config& config) {
   return options;
 }
 
+RedisOptions farm_redis(const Config& config) {
+  if (!config.farm_ca_file.empty())
+    static_cast<void>(farm_file("TIA_FARM_CA_FILE", config.farm_ca_file));
+  return {.at = farm_address(config.farm),
+          .password = farm_password(config),
+          .ca_file = config.farm_ca_file};
+}
+
 }  // namespace
 
 std::shared_ptr<Blobs> farm_store(const Config& config) {
@@ -76,6 +85,11 @@ std::shared_ptr<Blobs> farm_store(const Config& config) {
   } catch (const std::invalid_argument& error) {
     throw std::invalid_argument(std::string("option TIA_STORE: ") + error.what());
   }
+}
+
+std::unique_ptr<Quotas> quotas_of(const Config& config) {
+  if (config.farm.empty()) return std::make_unique<OwnQuotas>();
+  return std::make_unique<SharedQuotas>(farm_redis(config));
 }
 
 std::string own_worker_name() {
@@ -93,11 +107,7 @@ std::unique_ptr<RedisJobs> farm_jobs(const Config& config, const JobLimits& limi
     throw std::invalid_argument("--name: got " + name + ", allowed: 1 to " +
                                 std::to_string(longest_worker_name) +
                                 " letters, digits, '.', '-', '_'");
-  if (!config.farm_ca_file.empty())
-    static_cast<void>(farm_file("TIA_FARM_CA_FILE", config.farm_ca_file));
-  return std::make_unique<RedisJobs>(FarmOptions{.redis = {.at = farm_address(config.farm),
-                                                           .password = farm_password(config),
-                                                           .ca_file = config.farm_ca_file},
+  return std::make_unique<RedisJobs>(FarmOptions{.redis = farm_redis(config),
                                                  .limits = limits,
                                                  .version = full_version(),
                                                  .name = name,

@@ -4,6 +4,7 @@
 #include <memory>
 #include <string>
 
+#include "server/access/quotas.h"
 #include "server/jobs/redis_jobs.h"
 #include "server/operation/config.h"
 
@@ -20,6 +21,10 @@ std::unique_ptr<RedisJobs> farm_jobs(const Config& config, const JobLimits& limi
 /// The store of TIA_STORE; null where there is none. Errors: std::invalid_argument naming the
 /// option.
 std::shared_ptr<Blobs> farm_store(const Config& config);
+
+/// What keys have asked for, counted by all who serve in the farm, where there is one; else in this
+/// process. Errors: std::invalid_argument naming the option.
+std::unique_ptr<Quotas> quotas_of(const Config& config);
 
 /// This machine's name and the process' number.
 std::string own_worker_name();

@@ -18,6 +18,9 @@
 
 namespace tia::server {
 
+/// All keys and channels of a farm begin so: one slot of a cluster, and the layout's number.
+constexpr std::string_view farm_prefix = "{tia}:1:";
+
 /// RedisOptions: which one, and what its calls may take.
 struct RedisOptions {
   RedisAddress at = {};
