@@ -70,7 +70,8 @@ constexpr std::array table{
                "Connections, queue or memory are full. Retry-After says when to ask again.",
                "Retry-After"},
     ProblemRow{"quota", 429, "The key has used up what it may", Met::by_right,
-               "Its requests a second, or its rays a day. Retry-After says when there are more.",
+               "Its requests a second, its rays a day, its unfinished jobs, or what its jobs keep. "
+               "Retry-After says when there are more, or when to ask again.",
                "Retry-After"},
     ProblemRow{"header-too-large", 431, "The request's head is too large", Met::by_any,
                "More than 16 KiB or 100 fields."},

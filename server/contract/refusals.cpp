@@ -12,10 +12,10 @@ bool meets(const Route& route, Met met) {
     case Met::by_size: return !route.body.empty() || route.pace == Pace::in_turn;
     case Met::by_write: return route.method != "GET";
     case Met::by_right: return !route.rights.empty();
-    case Met::by_input:  // of jobs also what the header Prefer says, and what failed them
-      return route.query != nullptr || !route.body.empty() || route.name.starts_with("get_job");
+    case Met::by_input:  // what a job has come to may be that its input was at fault
+      return route.query != nullptr || !route.body.empty() || route.prefers || route.tells_result;
     case Met::by_name: return route.path.find("{}") != route.path.npos && route.has == nullptr;
-    case Met::by_job: return route.path.starts_with("/jobs/{}/result");
+    case Met::by_job: return route.tells_result;
     case Met::by_accept: return !route.gives.empty() || route.chooses;
     case Met::by_method: return false;  // then it is no request of the route
   }

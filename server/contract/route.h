@@ -34,6 +34,9 @@ struct Route {
   std::vector<Answer> answers = {};  ///< but for problems
   /// The media types of which Accept must allow one; empty = it is not asked, or by the handler.
   std::vector<std::string_view> gives = {};
+  bool tells_result =
+      false;             ///< whether it answers what a job has come to, or why there is nothing
+  bool prefers = false;  ///< whether the handler reads the header Prefer
   bool chooses = false;  ///< whether the handler lets Accept choose among the answer's types
   Value::Array (*query)(Definitions&) = nullptr;  ///< the parameters of a query
   std::vector<Content> body = {};                 ///< what may be sent, one of them

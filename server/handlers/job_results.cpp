@@ -94,7 +94,7 @@ Value told_part(const PartRow& row, const std::string& place) {
 
 Response get_parts(const Request& request, const std::string& name, Service& service) {
   const auto asked = read_described<PartsQuery>(query_object<PartsQuery>(request.query()));
-  const Job job = known_job(name, service);
+  const Job job = known_job(name, request, service);
   Value::Array parts;
   for (const PartRow& row :
        service.jobs.store().parts(job.id, asked.state, asked.first, page_of_parts))
@@ -168,7 +168,7 @@ Response list_response(const Job& job, bool as_zip, const Request& request, Serv
 
 Response get_result(const Request& request, const std::string& id, Service& service) {
   const auto asked = read_described<ResultQuery>(query_object<ResultQuery>(request.query()));
-  const Job job = known_job(id, service);
+  const Job job = known_job(id, request, service);
   const bool is_one = job.kind == "render";
   if (asked.format && is_one)
     throw InputError({FaultKind::conflict, "/format", write_value(*asked.format),
@@ -181,7 +181,7 @@ Response get_result(const Request& request, const std::string& id, Service& serv
 
 // The path's name is "ID/results/N".
 Response get_nth_result(const Request& request, const std::string& name, Service& service) {
-  const Job job = known_job(name.substr(0, name.find('/')), service);
+  const Job job = known_job(name.substr(0, name.find('/')), request, service);
   const std::string_view number = std::string_view(name).substr(name.rfind('/') + 1);
   int n = -1;
   const auto read = std::from_chars(number.data(), number.data() + number.size(), n);
@@ -242,6 +242,7 @@ std::vector<Route> job_result_routes(const Segment& id) {
            .pace = Pace::in_turn,
            .handler = get_result,
            .answers = {result, picture_unchanged()},
+           .tells_result = true,
            .query = query_parameters<ResultQuery>,
            .segment = id},
           {.method = "GET",
@@ -252,6 +253,7 @@ std::vector<Route> job_result_routes(const Segment& id) {
            .pace = Pace::in_turn,
            .handler = get_nth_result,
            .answers = {picture, picture_unchanged()},
+           .tells_result = true,
            .segment = id,
            .last_segment = {"n", "its number, from 0"}},
           {.method = "GET",

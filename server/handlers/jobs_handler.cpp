@@ -13,6 +13,7 @@
 #include "server/handlers/submitted_job.h"
 #include "server/jobs/event_stream.h"
 #include "server/jobs/job_json.h"
+#include "server/jobs/job_queries.h"
 #include "server/jobs/jobs.h"
 #include "server/requests/preferences.h"
 
@@ -37,7 +38,7 @@ Response job_response(const Job& job, Service& service) {
 }
 
 Response get_job(const Request& request, const std::string& id, Service& service) {
-  const Job job = known_job(id, service);
+  const Job job = known_job(id, request, service);
   const Preferences preferences = preferences_of(request);
   Response response = job_response(job, service);
   if (!preferences.wait_s || is_last(job.state) || request.is_head()) return response;
@@ -49,7 +50,7 @@ Response get_job(const Request& request, const std::string& id, Service& service
 }
 
 Response get_events(const Request& request, const std::string& id, Service& service) {
-  const Job job = known_job(id, service);
+  const Job job = known_job(id, request, service);
   std::int64_t after = 0;
   const std::string_view last = request.header("Last-Event-ID");
   std::from_chars(last.data(), last.data() + last.size(), after);
@@ -66,9 +67,29 @@ Response get_events(const Request& request, const std::string& id, Service& serv
 
 Response delete_job(const Request& request, const std::string& id, Service& service) {
   refuse_query(request);
-  static_cast<void>(known_job(id, service));
+  static_cast<void>(known_job(id, request, service));
   service.jobs.store().cancel(id, Runner::now());
   return {.status = 204, .content_type = "", .body = ""};
+}
+
+Response get_jobs(const Request& request, const std::string&, Service& service) {
+  const auto asked = read_described<JobsQuery>(query_object<JobsQuery>(request.query()));
+  JobStore& store = service.jobs.store();
+  Value::Array jobs;
+  for (const std::string& id : store.ids(asked.first, JobsQuery::page))
+    if (const auto job = store.find(id))
+      jobs.push_back(Value::Object{{"owner", job->owner},
+                                   {"job", job_status(*job, Runner::now(), store.is_durable())}});
+  return {.content_type = std::string(media::json),
+          .body = to_json(Value::Object{{"jobs", std::move(jobs)}}),
+          .headers = {{"Cache-Control", "no-store"}}};
+}
+
+Value jobs_schema(Definitions& named) {
+  const Value owner = plain_schema<std::string>();
+  return object_schema(
+      {{"jobs", list_schema(object_schema({{"owner", owner, "key ID, or an address"},
+                                           {"job", job_status_schema(named)}}))}});
 }
 
 Response get_load(const Request&, const std::string&, Service& service) {
@@ -143,6 +164,17 @@ std::vector<Route> job_routes() {
        .gives = {media::json},
        .body = job_body()},
       {.method = "GET",
+       .path = "/jobs",
+       .name = "get_jobs",
+       .about = "all jobs that are kept, of whomever: the unfinished ones, then those that have "
+                "ended, the latest first, 100 at a time",
+       .rights = {Right::admin},
+       .pace = Pace::in_turn,
+       .handler = get_jobs,
+       .answers = {unstored("the jobs", jobs_schema)},
+       .gives = {media::json},
+       .query = query_parameters<JobsQuery>},
+      {.method = "GET",
        .path = "/jobs/load",
        .name = "get_job_load",
        .about = "how much there is to draw",
@@ -161,6 +193,7 @@ std::vector<Route> job_routes() {
        .answers = {ok("the status", media::json, job_status_schema,
                       {"Cache-Control", "Preference-Applied"})},
        .gives = {media::json},
+       .prefers = true,
        .segment = id},
       {.method = "DELETE",
        .path = "/jobs/{}",

@@ -8,7 +8,7 @@
 
 namespace tia::server {
 
-/// Errors: HttpError (not-found) where none is kept by that id.
-Job known_job(const std::string& id, Service& service);
+/// Errors: HttpError (not-found) where none is kept by that id; as Access::check_owner.
+Job known_job(const std::string& id, const Request& request, Service& service);
 
 }  // namespace tia::server

@@ -26,6 +26,13 @@ Response get_model(const Request& request, const std::string& id, Service& servi
   return told_of_model(request, id, service, [](const KnownModel& known) { return *known.text; });
 }
 
+Response delete_model(const Request& request, const std::string& id, Service& service) {
+  refuse_query(request);
+  if (!service.models.remove(id))
+    throw HttpError("not-found", "no model has been sent that has this id; the gallery's stay");
+  return {.status = 204, .content_type = "", .body = ""};
+}
+
 // ---- as the documents have it -------------------------------------------------------------------
 
 Value any_object() { return Value::Object{{"type", "object"}}; }
@@ -106,7 +113,16 @@ std::vector<Route> model_routes() {
        .answers = tagged("the model in words and numbers", {{media::json, model_schema}}),
        .gives = {media::json},
        .segment = {"id", "a name of the gallery's models, or the id of a kept one"},
-       .examples = {"/models/chess"}}};
+       .examples = {"/models/chess"}},
+      {.method = "DELETE",
+       .path = "/models/{}",
+       .name = "delete_model",
+       .about = "takes away a model that was sent; scenes that show it are drawn no more",
+       .rights = {Right::admin},
+       .pace = Pace::in_turn,
+       .handler = delete_model,
+       .answers = {{204, "it is gone"}},
+       .segment = {"id", "the id of a kept model"}}};
 }
 
 }  // namespace tia::server

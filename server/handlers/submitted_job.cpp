@@ -2,6 +2,7 @@
 
 #include <sys/random.h>
 
+#include <algorithm>
 #include <array>
 #include <set>
 
@@ -66,6 +67,12 @@ JobPlan planned(const JobRequest& asked, const JobHost& host, const Requester& r
   }
 }
 
+// A key's jobs have its priority at most, and it bounds how many they are and how much they keep.
+void bound_by(const KeyEntry& entry, NewJob& job) {
+  job.priority = std::min(job.priority, static_cast<Priority>(entry.priority));
+  job.limits = {entry.jobs, entry.kept_bytes};
+}
+
 NewJob new_job(const JobRequest& asked, JobPlan plan, std::string_view body, const Request& request,
                const Config& config, TimeMs now) {
   const JobTerms& terms = asked.terms;
@@ -108,6 +115,15 @@ std::string lent_things(const std::set<std::string>& named, Service& service, Ti
   return needs;
 }
 
+Job kept(const NewJob& job, const std::string& key, TimeMs now, Service& service) {
+  try {
+    return service.jobs.store().submit(job, now);
+  } catch (const AccessRefusal& refusal) {
+    service.metrics.count_refusal(key, refusal.why());
+    throw;
+  }
+}
+
 }  // namespace
 
 Response submitted(const JobRequest& asked, std::string_view body, const Request& request,
@@ -122,7 +138,8 @@ Response submitted(const JobRequest& asked, std::string_view body, const Request
   const TimeMs now = Runner::now();
   NewJob made = new_job(asked, std::move(plan), body, request, service.config, now);
   made.needs = lent_things(named, service, now);
-  const Job job = jobs.store().submit(made, now);
+  if (const auto entry = service.access.entry_called(request.key)) bound_by(*entry, made);
+  const Job job = kept(made, request.key, now, service);
   jobs.start();
   return {
       .status = 202,

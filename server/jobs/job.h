@@ -21,9 +21,19 @@ constexpr bool is_last(JobState state) { return state > JobState::running; }
 /// Times of jobs: of the system's clock, since 1970. Unit: ms.
 using TimeMs = std::int64_t;
 
+/// OwnerLimits: of the jobs of an owner, together; none: as many as there may be.
+struct OwnerLimits {
+  std::optional<std::int64_t> unfinished, bytes;
+};
+/// OwnerSums: what they are: how many are unfinished, and the bytes of requests and results.
+struct OwnerSums {
+  std::int64_t unfinished = 0, bytes = 0;
+};
+
 /// NewJob: one that is submitted, its faults checked and its parts counted.
 struct NewJob {
   std::string id, owner;
+  OwnerLimits limits = {};  ///< that it has to keep when it is submitted; not kept with it
   std::string key = {};     ///< Idempotency-Key; "": none
   std::string digest = {};  ///< of the body that asked for it
   std::string kind, name = {};
@@ -46,6 +56,10 @@ inline std::string owner_of(std::string_view key, std::string address) {
 /// The key that pays for its rays; "" where it has none.
 inline std::string key_of(const NewJob& job) {
   return job.owner.starts_with("key ") ? job.owner.substr(4) : "";
+}
+/// Who is counted as one: a key, or all together who have none.
+inline std::string account_of(const NewJob& job) {
+  return job.owner.starts_with("key ") ? job.owner : "anonymous";
 }
 
 /// Job: one that is kept. waiting + leased + done + dead = parts.

@@ -13,6 +13,25 @@ std::string job_problem(std::string_view type, const std::string& detail) {
                                {"detail", detail}});
 }
 
+std::optional<AccessRefusal> beyond_limits(const NewJob& job, const OwnerSums& sums,
+                                           std::int64_t bytes) {
+  const auto refusal = [](std::string_view member, const std::string& got, std::int64_t allowed,
+                          const char* advice) {
+    return AccessRefusal("quota", member,
+                         "got " + got + ", allowed: " + std::to_string(allowed) + " (" +
+                             std::string(member) + " of the key, TIA_KEYS_FILE); " + advice,
+                         {{"Retry-After", "10"}});
+  };
+  const OwnerLimits& may = job.limits;
+  if (may.unfinished && sums.unfinished >= *may.unfinished)
+    return refusal("jobs", std::to_string(sums.unfinished + 1) + " unfinished jobs",
+                   *may.unfinished, "wait for one to end, or cancel one");
+  if (may.bytes && sums.bytes + bytes > *may.bytes)
+    return refusal("kept_bytes", std::to_string(sums.bytes + bytes) + " bytes of jobs", *may.bytes,
+                   "delete jobs whose results you have");
+  return std::nullopt;
+}
+
 InputError by_options_of_jobs(const InputError& error) {
   constexpr std::string_view of_pictures = "TIA_MAX_RAYS", of_jobs = "TIA_MAX_JOB_RAYS";
   std::vector<Fault> faults = error.faults();

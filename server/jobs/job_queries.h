@@ -35,6 +35,19 @@ struct ResultQuery {
   }
 };
 
+/// JobsQuery: the parameters of GET /jobs.
+struct JobsQuery {
+  static constexpr std::string_view schema_name = "jobs_query";
+  static constexpr int page = 100;
+  int first = 0;
+
+  template <class Visitor>
+  static void fields(Visitor&& visit) {
+    visit("first", &JobsQuery::first,
+          Spec{.about = "the place in the list from which on they are told", .min = 0, .max = 1e6});
+  }
+};
+
 /// PartsQuery: the parameters of /jobs/{id}/parts.
 struct PartsQuery {
   static constexpr std::string_view schema_name = "job_parts_query";

@@ -24,6 +24,10 @@ std::int64_t kept_bytes(const NewJob& job) {
   return static_cast<std::int64_t>(job.request.size() + job.plan.size()) + own_job_bytes;
 }
 
+std::string limit_text(const std::optional<std::int64_t>& limit) {
+  return limit ? std::to_string(*limit) : "";
+}
+
 HttpError farm_full(const JobLimits& limits) {
   return {"storage-full", "jobs hold as much as they may: " + std::to_string(limits.bytes) +
                               " bytes (option TIA_MAX_JOBS_BYTES)"};
@@ -88,8 +92,13 @@ RedisReply RedisJobs::run(RedisScript& script, TimeMs now, const std::vector<std
 
 Job RedisJobs::submit(const NewJob& job, TimeMs now) {
   const std::string key_digest = job.key.empty() ? "" : sha256_hex(job.owner + '\n' + job.key);
-  std::vector<std::string> own{job.id, key_digest, job.digest, std::to_string(kept_bytes(job)),
-                               std::to_string(job.result_bytes)};
+  std::vector<std::string> own{job.id,
+                               key_digest,
+                               job.digest,
+                               std::to_string(kept_bytes(job)),
+                               std::to_string(job.result_bytes),
+                               limit_text(job.limits.unfinished),
+                               limit_text(job.limits.bytes)};
   const auto fields = redis_fields(job);
   own.insert(own.end(), fields.begin(), fields.end());
   if (options_.store) own.insert(own.end(), {"outside", "1"});
@@ -103,6 +112,10 @@ Job RedisJobs::submit(const NewJob& job, TimeMs now) {
                     "as many jobs are unfinished as may be: " +
                         std::to_string(options_.limits.unfinished) + " (option TIA_MAX_JOBS)",
                     {{"Retry-After", "10"}});
+  if (word == "quota")
+    if (const auto more = beyond_limits(job, {reply.items[1].count, reply.items[2].count},
+                                        kept_bytes(job) + job.result_bytes))
+      throw AccessRefusal(*more);
   if (word == "full") throw farm_full(options_.limits);
   auto kept = reply.items.size() == 2 ? find(reply.items[1].words) : std::nullopt;
   if (!kept) throw StorageError("Redis has lost a job that it has just kept");

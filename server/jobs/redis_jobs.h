@@ -33,7 +33,7 @@ struct FarmOptions {
 class RedisJobs : public JobStore {
  public:
   /// All its keys and channels begin so: one slot of a cluster, and the layout's number.
-  static constexpr std::string_view prefix = "{tia}:1:";
+  static constexpr std::string_view prefix = farm_prefix;
 
   /// Asks for nothing yet: Redis may come later.
   explicit RedisJobs(FarmOptions options);
@@ -41,6 +41,8 @@ class RedisJobs : public JobStore {
 
   Job submit(const NewJob& job, TimeMs now) override;
   std::optional<Job> find(const std::string& id) override;
+  std::vector<std::string> ids(int first, int most) override;
+  OwnerSums sums_of(const NewJob& job) override;
   std::vector<PartRow> parts(const std::string& id, std::optional<PartState> state, int first,
                              int most) override;
   std::optional<PartRow> part(const std::string& id, int n) override;

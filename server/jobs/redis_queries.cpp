@@ -18,6 +18,24 @@ std::optional<Job> RedisJobs::find(const std::string& id) {
   return reply.items.empty() ? std::nullopt : std::optional(job_of(reply));
 }
 
+std::vector<std::string> RedisJobs::ids(int first, int most) {
+  std::vector<std::string> found;
+  for (const char* set : {"open", "closed", "gone"})
+    for (RedisReply& id : redis_.call({"ZREVRANGE", std::string(prefix) + set, "0", "-1"}).items)
+      if (first-- <= 0 && static_cast<int>(found.size()) < most)
+        found.push_back(std::move(id.words));
+  return found;
+}
+
+OwnerSums RedisJobs::sums_of(const NewJob& job) {
+  const std::string account = account_of(job);
+  const auto sum = [&](const char* what) {
+    const RedisReply number = redis_.call({"HGET", std::string(prefix) + what, account});
+    return number.kind == RedisReply::text ? std::stoll(number.words) : 0;
+  };
+  return {sum("unfinished"), sum("held")};
+}
+
 std::vector<PartRow> RedisJobs::parts(const std::string& id, std::optional<PartState> state,
                                       int first, int most) {
   std::vector<PartRow> found;

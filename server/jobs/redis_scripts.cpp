@@ -7,9 +7,11 @@ std::string script_text(const std::string& own) {
   return std::string(redis_job_words) + redis_turn_words + redis_end_words + own;
 }
 
-// id, digest of its key or '', digest, bytes, bytes of results; then fields and values.
+// id, digest of its key or '', digest, bytes, bytes of results, its owner's limits of unfinished
+// jobs and of bytes or ''; then fields and values.
 constexpr const char* submit_text = R"lua(
 local id, key_digest, digest, bytes, more = unpack(ARGV, 11, 15)
+local own_jobs, own_most = tonumber(ARGV[16]), tonumber(ARGV[17])
 if call('EXISTS', key(id)) == 1 then return {'kept', id} end
 local known = key_digest ~= '' and call('HGET', P .. 'keys', key_digest)
 if known then
@@ -17,8 +19,17 @@ if known then
   return {'kept', known}
 end
 if call('ZCARD', P .. 'open') >= most_jobs then return {'busy'} end
-if not make_room(bytes + more) then return {'full', total_of('held')} end
-call('HSET', key(id), 'key_digest', key_digest, 'created', now, unpack(ARGV, 16))
+call('HSET', key(id), 'key_digest', key_digest, 'created', now, unpack(ARGV, 18))
+local unfinished, held = sum_of('unfinished', id), sum_of('held', id)
+if (own_jobs and unfinished >= own_jobs) or (own_most and held + bytes + more > own_most) then
+  call('DEL', key(id))
+  return {'quota', unfinished, held}
+end
+if not make_room(bytes + more) then
+  call('DEL', key(id))
+  return {'full', total_of('held')}
+end
+add_to('unfinished', id, 1)
 local parts = number(id, 'parts')
 call('HSET', key(id), 'waiting', parts)
 total('waiting', parts)

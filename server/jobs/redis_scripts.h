@@ -7,6 +7,7 @@
 //   open closed gone  sorted sets of jobs: unfinished by creation, finished and let go by when they
 //   deadlines         go on; those that have a deadline
 //   keys              hash: Idempotency-Key's digest -> job
+//   unfinished held   hashes: of each account its unfinished jobs and the bytes of all of them
 //   turns:V:PRIORITY  list of owners whose turn it is, and :OWNER of each its jobs, of version V
 //   q:V:QUEUE         stream of what is leased, group `workers`; queues: priorities, and joins
 //   joins:V           list of jobs whose parts are all there to be put together

@@ -46,9 +46,19 @@ local function move(id, n, from, to)
   if to == 'waiting' or to == 'leased' then total(to, 1) end
 end
 -- (What is taken away is written 0 - x: -0 is no whole number to Redis.)
+-- Sums of an account: of a key, or of all together who have none. Of none there is no word.
+local function account(id)
+  local owner = word(id, 'owner')
+  return string.sub(owner, 1, 4) == 'key ' and owner or 'anonymous'
+end
+local function sum_of(what, id) return tonumber(call('HGET', P .. what, account(id)) or 0) end
+local function add_to(what, id, more)
+  if call('HINCRBY', P .. what, account(id), more) <= 0 then call('HDEL', P .. what, account(id)) end
+end
 local function hold(id, more)
   add(id, 'held', more)
   total('held', more)
+  add_to('held', id, more)
 end
 local function set_state(id, state)
   local old = word(id, 'state')

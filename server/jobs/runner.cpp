@@ -130,11 +130,24 @@ void Runner::draw_claimed(const Claim& claim, const std::stop_token& stop) {
     reserve_memory(memory_for(memory_cost::text, job->request.size()), "what the job says", stop);
     const auto parts = parts_of(*job);
     const PartResult result = draw_part(*job, *parts, claim.n, at_, stop);
-    at_.store.finish(claim, result, now());
-    at_.metrics.count_part("done", static_cast<double>(result.ms) / 1000);
+    check_kept(*job, result.bytes.size());
+    const bool is_taken = at_.store.finish(claim, result, now());
+    const char* const came = claim.n < job->parts ? "done" : "joined";
+    at_.metrics.count_part(is_taken ? came : "late", static_cast<double>(result.ms) / 1000);
   } catch (...) {
     give_up(claim, std::current_exception());
   }
+}
+
+// How much results are is known only now; of those that are put together it is foreseen.
+// Errors: AccessRefusal (quota).
+void Runner::check_kept(Job job, std::size_t bytes) const {
+  const auto entry = at_.access.entry_called(key_of(job));
+  if (job.joins || !entry || !entry->kept_bytes) return;
+  job.limits.bytes = entry->kept_bytes;
+  const OwnerSums sums = at_.store.sums_of(job);
+  if (const auto more = beyond_limits(job, sums, static_cast<std::int64_t>(bytes)))
+    throw AccessRefusal(*more);
 }
 
 // A fault of what is asked for comes again whoever draws; all else may go well another time.
@@ -152,7 +165,7 @@ void Runner::give_up(const Claim& claim, const std::exception_ptr& failure) {
     at_.store.fail(claim.job, problem_document(failure, claim.job), now());
     at_.metrics.count_part("fault", 0);
   } catch (const HttpError& error) {
-    const bool is_fault = error.type() == "too-large";
+    const bool is_fault = error.type() == "too-large" || error.type() == "quota";
     if (is_fault) at_.store.fail(claim.job, problem_document(failure, claim.job), now());
     else at_.store.lose(claim, error.type() == "busy" ? Loss::given_back : Loss::failed, now());
     at_.metrics.count_part(is_fault ? "fault" : "lost", 0);

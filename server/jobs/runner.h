@@ -49,6 +49,7 @@ class Runner {
   void wait(const std::stop_token& ending);
   void draw(const Claim& claim, const std::stop_token& ending);
   void draw_claimed(const Claim& claim, const std::stop_token& stop);
+  void check_kept(Job job, std::size_t bytes) const;
   void give_up(const Claim& claim, const std::exception_ptr& failure);
   std::shared_ptr<const JobParts> parts_of(const Job& job);
   void plan_anew();

@@ -112,6 +112,9 @@ Job SqliteJobs::submit(const NewJob& job, TimeMs now) {
     if (number_of(*database_, "SELECT count(*) FROM jobs WHERE open = 1") >= limits_.unfinished)
       throw too_many(limits_.unfinished);
     const auto bytes = static_cast<std::int64_t>(job.request.size() + job.plan.size()) + own_bytes;
+    if (job.limits.unfinished || job.limits.bytes)
+      if (const auto more = beyond_limits(job, sums(account_of(job)), bytes + job.result_bytes))
+        throw AccessRefusal(*more);
     make_room(bytes + job.result_bytes);
     run_with(*database_,
              "INSERT INTO jobs (id, owner, key, digest, kind, name, priority, version, request, "
@@ -131,6 +134,31 @@ Job SqliteJobs::submit(const NewJob& job, TimeMs now) {
 
 std::optional<Job> SqliteJobs::find(const std::string& id) {
   return change([&] { return row(id); });
+}
+
+std::vector<std::string> SqliteJobs::ids(int first, int most) {
+  return change([&] {
+    std::vector<std::string> found;
+    auto rows = with_values(*database_,
+                            "SELECT id FROM jobs ORDER BY open DESC, CASE open WHEN 1 THEN created "
+                            "ELSE finished END DESC, id DESC LIMIT ? OFFSET ?",
+                            std::int64_t{most}, std::int64_t{first});
+    while (rows.next()) found.push_back(rows.text());
+    return found;
+  });
+}
+
+OwnerSums SqliteJobs::sums_of(const NewJob& job) {
+  return change([&] { return sums(account_of(job)); });
+}
+
+OwnerSums SqliteJobs::sums(const std::string& account) {
+  auto found = with_values(*database_,
+                           "SELECT coalesce(sum(open), 0), coalesce(sum(held), 0) FROM jobs WHERE "
+                           "CASE WHEN owner LIKE 'key %' THEN owner ELSE 'anonymous' END = ?",
+                           account);
+  found.next();
+  return {found.number(0), found.number(1)};
 }
 
 std::vector<PartRow> SqliteJobs::parts(const std::string& id, std::optional<PartState> state,

@@ -26,6 +26,8 @@ class SqliteJobs : public JobStore {
 
   Job submit(const NewJob& job, TimeMs now) override;
   std::optional<Job> find(const std::string& id) override;
+  std::vector<std::string> ids(int first, int most) override;
+  OwnerSums sums_of(const NewJob& job) override;
   std::vector<PartRow> parts(const std::string& id, std::optional<PartState> state, int first,
                              int most) override;
   std::optional<PartRow> part(const std::string& id, int n) override;
@@ -68,6 +70,7 @@ class SqliteJobs : public JobStore {
 
   // All below are called while the store is locked, within a transaction where they change it.
   std::optional<Job> row(const std::string& id);
+  OwnerSums sums(const std::string& account);
   std::optional<Claim> suspect();
   std::optional<std::string> next_job();
   int next_part(const Job& job);

@@ -38,9 +38,14 @@ class JobStore {
 
   /// Keeps a job, on the disk where there is one; the one that the same owner has under the same
   /// key where there is. Errors: InputError (conflict) where that one had another body; HttpError:
-  /// busy (as many are unfinished as may be), storage-full.
+  /// busy (as many are unfinished as may be), storage-full; AccessRefusal (quota), its own limits.
   virtual Job submit(const NewJob& job, TimeMs now) = 0;
   virtual std::optional<Job> find(const std::string& id) = 0;
+  /// Ids, from that place on and at most so many: unfinished jobs, then those that have ended, the
+  /// latest first.
+  virtual std::vector<std::string> ids(int first, int most) = 0;
+  /// What those of the same account come to.
+  virtual OwnerSums sums_of(const NewJob& job) = 0;
   /// From `first` on, at most so many; those in that state alone, where one is named.
   virtual std::vector<PartRow> parts(const std::string& id, std::optional<PartState> state,
                                      int first, int most) = 0;

@@ -106,8 +106,10 @@ struct Metrics::Families {
       family(prometheus::BuildGauge(), "tia_jobs", "Jobs that are kept, by state.", registry);
   prometheus::Family<Counter>& job_parts =
       family(prometheus::BuildCounter(), "tia_job_parts_total",
-             "Parts of jobs, by what came of them: done; lost: they are tried again; given_back: "
-             "nobody wanted them any more; fault: of what was asked for.",
+             "Parts of jobs, by what came of them: done; joined: all of a job's, to one; late: "
+             "their result was there already, or "
+             "not wanted any more; lost: they are tried again; given_back: nobody wanted them any "
+             "more; fault: of what was asked for.",
              registry);
   Histogram& job_part_seconds = family(prometheus::BuildHistogram(), "tia_job_part_seconds",
                                        "How long parts of jobs took that are done.", registry)

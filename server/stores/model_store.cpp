@@ -80,6 +80,12 @@ bool ModelStore::contains(const std::string& name) {
   return gallery_model(name) != nullptr || (is_model_id(name) && uploads_.contains(name));
 }
 
+bool ModelStore::remove(const std::string& id) {
+  if (!uploads_.remove(id)) return false;
+  read_.remove(id);
+  return true;
+}
+
 KnownModel ModelStore::find(const std::string& name, const Requester& requester) {
   if (const GalleryModel* model = gallery_model(name))
     return find_packed(model->id, model->bytes, requester);

@@ -74,6 +74,10 @@ class ModelStore {
   /// What came by that id, packed; null where nothing has. Errors: StorageError.
   std::shared_ptr<const std::string> packed(const std::string& id) { return uploads_.find(id); }
 
+  /// Takes away one that was kept; the gallery's stay. Returns: whether it was there.
+  /// Errors: StorageError.
+  bool remove(const std::string& id);
+
   ModelCounts counts() const { return {uploads_.count(), read_.count()}; }
   /// Lets go of what was read and nobody has asked for longest. Returns: how many bytes.
   std::int64_t give_way(std::int64_t bytes) { return read_.give_way(bytes); }

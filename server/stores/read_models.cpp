@@ -61,6 +61,14 @@ void ReadModels::add(const std::string& id, const KnownModel& known) {
   share_.book(bytes_);
 }
 
+void ReadModels::remove(const std::string& id) {
+  Models::Entries taken;
+  const std::lock_guard lock(mutex_);
+  if (!models_.take(id, taken)) return;
+  bytes_ -= taken.front().value.bytes;
+  share_.book(bytes_);
+}
+
 std::int64_t ReadModels::give_way(std::int64_t bytes) {
   Models::Entries surplus;
   const std::lock_guard lock(mutex_);

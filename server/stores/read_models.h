@@ -32,6 +32,8 @@ class ReadModels {
   KnownModel find(const std::string& id);
   /// Adds one, in place of those that nobody has asked for longest; unless it does not fit alone.
   void add(const std::string& id, const KnownModel& known);
+  /// Lets go of that one, if it is there.
+  void remove(const std::string& id);
   /// Lets go of those that nobody has asked for longest. Returns: how many bytes.
   std::int64_t give_way(std::int64_t bytes);
 

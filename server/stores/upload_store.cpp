@@ -63,6 +63,20 @@ std::shared_ptr<const std::string> UploadStore::find(const std::string& id) {
   return known == nullptr ? nullptr : *known;
 }
 
+bool UploadStore::remove(const std::string& id) {
+  if (!contains(id)) return false;
+  if (folder_) {
+    folder_->remove(id);
+    return true;
+  }
+  Uploads::Entries taken;
+  const std::lock_guard lock(mutex_);
+  if (!uploads_.take(id, taken)) return false;
+  bytes_ -= upload_entry_bytes + taken.front().value->size();
+  share_.book(bytes_);
+  return true;
+}
+
 std::size_t UploadStore::count() const {
   if (folder_) return folder_->count();
   const std::lock_guard lock(mutex_);

@@ -34,6 +34,9 @@ class UploadStore {
   /// Errors: as ModelFolder::find.
   std::shared_ptr<const std::string> find(const std::string& id);
 
+  /// Takes it away. Returns: whether it was there. Errors: as ModelFolder::remove.
+  bool remove(const std::string& id);
+
   std::size_t count() const;
 
  private:

@@ -1,10 +1,13 @@
 // The laws of jobs' state machine, on every store by the same text: random walks against a model,
 // turns, tries, what a crash leaves.
 #include <algorithm>
+#include <atomic>
 #include <map>
 #include <memory>
 #include <random>
+#include <thread>
 
+#include "server/access/access.h"
 #include "server/contract/problem.h"
 #include "server/jobs/sqlite_jobs.h"
 #include "tests/server/jobs/store_kinds.h"
@@ -33,6 +36,7 @@ struct Model {
   bool joins = false, is_gone = false;
   JobState state = JobState::queued;
   TimeMs finished = 0;
+  int told = 0;  // done, by the last event of progress
   Part join{};
 
   Part& at(int n) { return n < static_cast<int>(parts.size()) ? parts[std::size_t(n)] : join; }
@@ -84,8 +88,12 @@ void expect_same(JobStore& store, const std::string& id, Model& model,
   }
   if (model.joins)
     EXPECT_EQ(store.result(id, job->parts).has_value(), model.state == JobState::done);
-  for (const JobEvent& event : store.events(id, events[id], 100'000))
+  for (const JobEvent& event : store.events(id, events[id], 100'000)) {
     EXPECT_EQ(event.id, ++events[id]) << event.name;
+    if (event.name != "progress") continue;
+    const auto told = static_cast<int>(number_at(parse_json(event.data), "done"));
+    EXPECT_GE(told, std::exchange(model.told, told)) << "progress falls";
+  }
   EXPECT_EQ(job->events, events[id]);
 }
 
@@ -223,6 +231,56 @@ TEST_P(JobStoreOf, TakesNoMoreThanItMay) {
   store->submit(job("d", 1), now);
   EXPECT_THROW(store->finish(*store->claim("w", now), {.bytes = std::string(11'000, 'x')}, now),
                HttpError);
+}
+
+// However many come at once; each account for itself, of which all who have no key are one.
+TEST_P(JobStoreOf, TakesNoMoreOfAnOwnerThanItsLimits) {
+  std::atomic<int> refused = 0;
+  const auto submit = [&](const std::string& id, const std::string& owner) {
+    NewJob made = job(id, 1, owner);
+    made.limits = {3, 10'000};
+    try {
+      store->submit(made, now);
+    } catch (const AccessRefusal& refusal) {
+      EXPECT_EQ(refusal.type(), "quota");
+      ++refused;
+    }
+  };
+  for (const char* owner : {"key a", "key b", "10.0.0."}) {
+    refused = 0;
+    std::vector<std::jthread> clients;
+    for (int i = 0; i < 8; ++i)
+      clients.emplace_back([&, i] {
+        const bool is_key = owner[0] == 'k';
+        submit(owner + std::to_string(i), is_key ? owner : owner + std::to_string(i));
+      });
+    clients.clear();
+    EXPECT_EQ(refused, 5) << owner;
+    EXPECT_EQ(store->sums_of({.owner = owner}).unfinished, 3) << owner;
+  }
+  while (const auto claim = store->claim("w", now))
+    EXPECT_TRUE(store->finish(*claim, {.bytes = std::string(3000, 'x')}, now));
+  EXPECT_EQ(store->sums_of({.owner = "key a"}).unfinished, 0);
+  EXPECT_GT(store->sums_of({.owner = "key a"}).bytes, 9000);
+  refused = 0;
+  submit("more", "key a");
+  submit("other", "key c");
+  EXPECT_EQ(refused, 1) << "of its bytes";
+  for (const std::string& id : store->ids(0, 100)) {
+    store->cancel(id, now);
+    store->cancel(id, now);
+  }
+  for (const char* owner : {"key a", "key c", "10.0.0.1"})
+    EXPECT_EQ(store->sums_of({.owner = owner}).bytes, 0) << owner;
+}
+
+TEST_P(JobStoreOf, TellsUnfinishedOnesFirstAndTheLatestOfThem) {
+  for (const char* id : {"a", "b", "c", "d"}) store->submit(job(id, 1), ++now);
+  EXPECT_EQ(store->ids(0, 100), (std::vector<std::string>{"d", "c", "b", "a"}));
+  store->cancel("d", ++now);
+  store->cancel("b", ++now);
+  EXPECT_EQ(store->ids(0, 100), (std::vector<std::string>{"c", "a", "b", "d"}));
+  EXPECT_EQ(store->ids(1, 2), (std::vector<std::string>{"a", "b"}));
 }
 
 // Three are under way when the process ends, and again whenever the third one is drawn.
