@@ -2,6 +2,7 @@
 // killed.
 #include <httplib.h>
 
+#include <algorithm>
 #include <csignal>
 #include <cstdlib>
 #include <memory>
@@ -104,6 +105,59 @@ TEST(JobEvents, OfManyCostNoWorkerAndLeaveNothing) {
   for (auto& each : watching) EXPECT_THAT(each->until("0\r\n\r\n"), HasSubstr("cancelled"));
   watching.clear();
   EXPECT_TRUE(eventually([&] { return server.host().service().jobs.board().feeds() == 0; }));
+}
+
+// What all but five of a hundred requests take. Unit: ms.
+double usual_most_ms(httplib::Client& client) {
+  std::vector<double> took;
+  for (int i = 0; i < 100; ++i) {
+    const auto start = Clock::now();
+    EXPECT_EQ(client.Get("/healthz")->status, 200);
+    took.push_back(ms_since(start));
+  }
+  std::ranges::nth_element(took, took.begin() + 94);
+  return took[94];
+}
+
+// Of a process of its own, whose memory is told. On a busy machine all takes longer.
+TEST(JobEvents, OfFiveHundredTakeLittleMemoryAndDelayNobody) {
+  if (sanitized()) GTEST_SKIP() << "memory and times are another's";
+  constexpr int many = 500;
+  const Tia tia;
+  auto client = tia.client();
+  const auto accepted = client.Post("/jobs", long_job, "application/json");
+  ASSERT_TRUE(accepted && accepted->status == 202);
+  const std::string job = accepted->get_header_value("Location");
+  const double alone = usual_most_ms(client);
+  const long before = kilobytes(tia);
+  std::vector<std::unique_ptr<Wire>> watching;
+  for (int i = 0; i < many; ++i) {
+    watching.push_back(std::make_unique<Wire>(tia.port()));
+    watching.back()->send(get_request(job + "/events"));
+    EXPECT_THAT(watching.back()->until("queued"), StartsWith("HTTP/1.1 200"));
+  }
+  EXPECT_LE(kilobytes(tia) - before, 16 * many);
+  EXPECT_TRUE(eventually([&] { return usual_most_ms(client) <= std::max(5.0, 2 * alone); }));
+  client.Delete(job.c_str());
+}
+
+TEST(JobEvents, OfWhoDoesNotReadEndAndGoOnWhenItComesAgain) {
+  if (std::getenv("TIA_LONG_TESTS") == nullptr) GTEST_SKIP() << "it waits for ten seconds";
+  Server server;
+  server.host().service().jobs.cut_to(16);
+  const std::string id =
+      job_id(server.host(), R"({"kind":"render","request":{"width":640,"height":480}})");
+  const std::string target = "/jobs/" + id + "/events";
+  Wire wire(server.port(), 4096);
+  wire.send(get_request(target));
+  EXPECT_TRUE(
+      eventually([&] { return server.host().service().jobs.board().feeds() == 0; }, seconds(30)));
+  const std::vector<int> ids = ids_in(wire.rest());
+  ASSERT_FALSE(ids.empty());
+  EXPECT_LT(ids.size(), 1000U) << "what it did not read was not sent";
+  const Response rest = exchange(
+      server.port(), get_request(target, "Last-Event-ID: " + std::to_string(ids.back()) + "\r\n"));
+  EXPECT_THAT(rest.body, testing::EndsWith("event: state\ndata: {\"state\":\"done\"}\n\n"));
 }
 
 TEST(JobEvents, EndWhenTheServerGoesDown) {
