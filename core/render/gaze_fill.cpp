@@ -1,20 +1,22 @@
 #include "core/render/gaze_fill.h"
 
 #include "core/math/lanes.h"
-#include "core/math/quad.h"
 
 namespace tia {
 namespace {
 
 // Of two equal ones it is the same bits.
-Quad mix(const Quad& from, const Quad& to, float share) {
-  return from + Quad(static_cast<double>(share)) * (to - from);
+GazeSample mix(const GazeSample& from, const GazeSample& to, float share) {
+  GazeSample mixed;
+  for (std::size_t c = 0; c < mixed.numbers.size(); ++c)
+    mixed.numbers[c] = from.numbers[c] + share * (to.numbers[c] - from.numbers[c]);
+  return mixed;
 }
 
-Quad at_slot(const std::vector<GazeSample>& samples, std::int64_t slot) {
-  return Quad::load_unaligned(samples[static_cast<std::size_t>(slot)].numbers.data());
+const GazeSample& at_slot(const std::vector<GazeSample>& samples, std::int64_t slot) {
+  return samples[static_cast<std::size_t>(slot)];
 }
-Quad between_rays(const std::vector<GazeSample>& samples, const GazeCell& cell) {
+GazeSample between_rays(const std::vector<GazeSample>& samples, const GazeCell& cell) {
   const auto on_ring = [&](const GazeCell::Between& rays) {
     return mix(at_slot(samples, rays.from), at_slot(samples, rays.to), rays.share);
   };
@@ -54,6 +56,18 @@ struct PolarRow {
   }
 };
 
+/// FilledRow: a row's pixels, channel by channel in each, on their way to the tile's planes.
+using FilledRow = std::array<GazeSample, FilmTile::size>;
+void put(const FilledRow& row, int y, FilmTile& tile) {
+  const std::size_t at = FilmTile::index(0, y);
+  for (std::size_t x = 0; x < row.size(); ++x) {
+    tile.r[at + x] = row[x].numbers[0];
+    tile.g[at + x] = row[x].numbers[1];
+    tile.b[at + x] = row[x].numbers[2];
+    tile.alpha[at + x] = row[x].numbers[3];
+  }
+}
+
 }  // namespace
 
 void fill_from_rings(const GazeFilling& from, int x0, int y0, FilmTile& tile) {
@@ -63,6 +77,7 @@ void fill_from_rings(const GazeFilling& from, int x0, int y0, FilmTile& tile) {
   const bool near = overlap(from.fovea.box(), {x0 + tile.x, y0 + tile.y, x0 + tile.x + tile.width,
                                                y0 + tile.y + tile.height});
   PolarRow row;
+  FilledRow filled{};  // what is of the fovea is traced later
   GazeRings::Search search(from.rings);
   for (int y = 0; y < tile.height; ++y) {
     const int picture_y = y0 + tile.y + y;
@@ -71,14 +86,10 @@ void fill_from_rings(const GazeFilling& from, int x0, int y0, FilmTile& tile) {
       if (near && from.fovea.has(x0 + tile.x + x, picture_y, from.slope)) continue;
       const auto i = static_cast<std::size_t>(x);
       const GazeCell& cell = search({row.eccentricity[i], row.turn[i]});
-      const auto filled = doubles_of(from.nearest ? at_slot(from.samples, nearest_ray(cell))
-                                                  : between_rays(from.samples, cell));
-      const std::size_t at = FilmTile::index(x, y);
-      tile.r[at] = static_cast<float>(filled[0]);
-      tile.g[at] = static_cast<float>(filled[1]);
-      tile.b[at] = static_cast<float>(filled[2]);
-      tile.alpha[at] = static_cast<float>(filled[3]);
+      filled[i] = from.nearest ? at_slot(from.samples, nearest_ray(cell))
+                               : between_rays(from.samples, cell);
     }
+    put(filled, y, tile);
   }
 }
 

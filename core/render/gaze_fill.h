@@ -10,8 +10,8 @@
 namespace tia {
 
 /// GazeSample: what a ring's ray, or several beside it, have come to: light and alpha.
-struct alignas(32) GazeSample {
-  std::array<double, 4> numbers;
+struct alignas(16) GazeSample {
+  std::array<float, 4> numbers;
 };
 
 /// GazeFilling: what pixels are filled from.

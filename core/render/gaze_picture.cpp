@@ -84,8 +84,7 @@ void GazePicture::trace_band(std::size_t band, Tally& tally) {
     for (std::size_t i = begin; i < end; ++i) {
       const Shown& each = shown.pixels[i - begin];
       samples_[static_cast<std::size_t>(rays[i].slot)] = {
-          {static_cast<double>(each.light.x), static_cast<double>(each.light.y),
-           static_cast<double>(each.light.z), static_cast<double>(each.alpha)}};
+          {each.light.x, each.light.y, each.light.z, each.alpha}};
     }
   }
 }

@@ -102,12 +102,14 @@ class Marks {
   std::vector<std::vector<bool>> marks_;
 };
 
-// The slot of a ray: of the nearest one that is traced.
-std::int64_t slot_of(const GazeRing& ring, int ray) {
+// The arc of a ray: that which begins last before it, else the first. Domain: there is one.
+const Arc& arc_of(const GazeRing& ring, int ray) {
   auto arc = std::ranges::upper_bound(ring.arcs, ray, {}, &Arc::begin);
-  if (arc != ring.arcs.begin()) --arc;
-  if (arc == ring.arcs.end()) return 0;
-  return arc->slot + std::clamp(ray, arc->begin, arc->end - 1) - arc->begin;
+  return arc != ring.arcs.begin() ? *(arc - 1) : *arc;
+}
+// The slot of a ray: of the nearest one of its arc.
+std::int64_t slot_in(const Arc& arc, int ray) {
+  return arc.slot + std::clamp(ray, arc.begin, arc.end - 1) - arc.begin;
 }
 
 }  // namespace
@@ -201,7 +203,12 @@ std::size_t GazeRings::ring_below(float eccentricity) const {
 }
 
 std::pair<std::int64_t, std::int64_t> GazeRings::slots(std::size_t ring, const Step& at) const {
-  return {slot_of(rings_[ring], at.from), slot_of(rings_[ring], at.to)};
+  const GazeRing& of = rings_[ring];
+  if (of.arcs.empty()) return {0, 0};
+  const Arc& arc = arc_of(of, at.from);
+  const std::int64_t from = slot_in(arc, at.from);
+  if (at.from >= arc.begin && at.to > at.from && at.to < arc.end) return {from, from + 1};
+  return {from, slot_in(arc_of(of, at.to), at.to)};
 }
 
 GazeCount count_of(const GazeFovea& fovea, const GazeRings& rings, double slope) {

@@ -197,7 +197,7 @@ TEST(Gaze, ShowsARampOfAnglesAsItIs) {
         const double turn = ring.start + static_cast<double>(i) / ring.count;
         const Vec3d d = frame.place(ring.eccentricity, turn).direction;
         samples[static_cast<std::size_t>(arc.slot + i - arc.begin)] = {
-            {angle(d, to_gaze), aside(d), 0, 0}};
+            {static_cast<float>(angle(d, to_gaze)), static_cast<float>(aside(d)), 0, 0}};
       }
   const GazeFilling filling{frame, fovea, rings, samples, gaze.acuity.slope, false};
   FilmTile tile;
