@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/lights/spectrum.h"
-#include "core/math/deterministic.h"
+#include "core/math/octet.h"
 #include "core/math/powers.h"
 
 namespace tia {
@@ -22,9 +22,18 @@ constexpr double dust_albedo = 0.9;  // Source: Bruneton, Neyret, "Precomputed a
 
 // Ozone rises from 10 to 25 km and falls to 40 km. Source: Bruneton, "A qualitative and
 // quantitative evaluation of 8 clear sky models" (2017).
+template <class S>
+struct Densities {
+  S air, dust, ozone;
+};
+template <class S>
+Densities<S> densities_at(const S& height) {
+  const S off = height - S(25e3), ozone = S(1.0) - max_of(off, -off) / S(15e3);
+  return {exp_of(-height / S(air_height)), exp_of(-height / S(dust_height)), max_of(ozone, S(0.0))};
+}
 Depths density_at(double height) {
-  const double ozone = std::max(0.0, 1 - std::fabs(height - 25e3) / 15e3);
-  return {exp_of(-height / air_height), exp_of(-height / dust_height), ozone};
+  const auto [air, dust, ozone] = densities_at(height);
+  return {air, dust, ozone};
 }
 
 // ---- integrals --------------------------------------------------------------------------------
@@ -55,20 +64,27 @@ struct Quadrature {
 
 // How far it is to the air's end for whom the earth's middle is r away and the zenith's cosine c.
 double way_out(double r, double c) { return std::sqrt(top * top - r * r * (1 - c * c)) - r * c; }
-double distance_from_middle(double r, double c, double s) {
-  return std::sqrt(r * r + s * (s + 2 * r * c));
+template <class S>
+S distance_from_middle(double r, double c, const S& s) {
+  using std::sqrt;  // Octet brings its own
+  return sqrt(S(r * r) + s * (s + S(2 * r * c)));
 }
 
-// Up to the air's end. Domain: c >= 0, so that all thins out on the way; the third power has most
-// nodes where it is thickest.
+// Up to the air's end, eight nodes at once, which are added one by one. Domain: c >= 0, so that all
+// thins out on the way; the third power has most nodes where it is thickest.
 Depths depths_upwards(double r, double c) {
   static const Quadrature<32> nodes;
   const double length = way_out(r, c);
   Depths sum;
-  for (std::size_t i = 0; i < nodes.at.size(); ++i) {
-    const double x = nodes.at[i], s = length * x * x * x;
-    sum = sum + density_at(distance_from_middle(r, c, s) - earth) *
-                    (3 * length * x * x * nodes.weight[i]);
+  for (std::size_t i = 0; i < nodes.at.size(); i += Octet::size) {
+    const Octet x = Octet::load_unaligned(&nodes.at[i]), s = Octet(length) * x * x * x;
+    const auto density = densities_at(distance_from_middle(r, c, s) - Octet(earth));
+    const Octet share = Octet(3 * length) * x * x * Octet::load_unaligned(&nodes.weight[i]);
+    std::array<double, Octet::size> air, dust, ozone;
+    (density.air * share).store_unaligned(air.data());
+    (density.dust * share).store_unaligned(dust.data());
+    (density.ozone * share).store_unaligned(ozone.data());
+    for (std::size_t k = 0; k < Octet::size; ++k) sum = sum + Depths{air[k], dust[k], ozone[k]};
   }
   return sum;
 }
@@ -85,6 +101,19 @@ Vec3d visible(const Vec3d& c) {
   return {std::max(c.x, 0.0), std::max(c.y, 0.0), std::max(c.z, 0.0)};
 }
 
+// What is left of each wavelength's light, and more of which nothing counts; `dust_taken`: at sea
+// level, 1/m.
+using Transmittances = std::array<double, (wavelengths + 7) / 8 * 8>;
+Transmittances transmittances(const Depths& way, double dust_taken) {
+  const Spectrum& of = spectrum();
+  Transmittances left{};
+  for (std::size_t i = 0; i < wavelengths; ++i)
+    left[i] = -(way.air * of.air[i] + way.dust * dust_taken + way.ozone * of.ozone[i]);
+  for (std::size_t i = 0; i < left.size(); i += Octet::size)
+    exp_of(Octet::load_unaligned(&left[i])).store_unaligned(&left[i]);
+  return left;
+}
+
 }  // namespace
 
 Air::Air(double sun_elevation_degrees, double turbidity)
@@ -92,17 +121,11 @@ Air::Air(double sun_elevation_degrees, double turbidity)
       sin_sun_(sin_degrees(sun_elevation_degrees)),
       cos_sun_(cos_degrees(sun_elevation_degrees)) {}
 
-double Air::transmittance(const Depths& way, std::size_t i) const {
-  const Spectrum& of = spectrum();
-  return exp_of(-(way.air * of.air[i] + way.dust * dust_ + way.ozone * of.ozone[i]));
-}
-
 Vec3d Air::sun() const {
   if (sin_sun_ < 0) return {};
-  const Depths way = depths_of(earth, sin_sun_);
+  const Transmittances left = transmittances(depths_of(earth, sin_sun_), dust_);
   Vec3d sum{};
-  for (std::size_t i = 0; i < wavelengths; ++i)
-    sum = sum + spectrum().light[i] * transmittance(way, i);
+  for (std::size_t i = 0; i < wavelengths; ++i) sum = sum + spectrum().light[i] * left[i];
   return visible(sum);
 }
 
@@ -122,16 +145,17 @@ std::vector<Air::Node> Air::nodes(double sine) const {
 }
 
 Scattered Air::scattered(const std::vector<Node>& way, double cos_azimuth) const {
+  const Spectrum& of = spectrum();
   Scattered sum;
   for (const Node& node : way) {
     const double r = std::sqrt(node.x * node.x + node.y * node.y);
     const double c = (node.x * cos_azimuth * cos_sun_ + node.y * sin_sun_) / r;
     if (meets_earth(r, c)) continue;
-    const Depths from_sun = node.to_eye + depths_of(r, c);
+    const Transmittances left = transmittances(node.to_eye + depths_of(r, c), dust_);
     Vec3d air{}, dust{};
     for (std::size_t i = 0; i < wavelengths; ++i) {
-      const Vec3d light = spectrum().light[i] * transmittance(from_sun, i);
-      air = air + light * spectrum().air[i];
+      const Vec3d light = of.light[i] * left[i];
+      air = air + light * of.air[i];
       dust = dust + light;
     }
     sum = sum + Scattered{air * node.here.air, dust * (node.here.dust * dust_ * dust_albedo)};

@@ -49,7 +49,6 @@ class Air {
   Vec3d seen(const Scattered& scattered, double sine, double cos_azimuth) const;
 
  private:
-  double transmittance(const Depths& way, std::size_t wavelength) const;
   double dust_;  // what dust takes away at sea level, 1/m
   double sin_sun_, cos_sun_;
 };
