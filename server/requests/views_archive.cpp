@@ -37,15 +37,22 @@ Value window_value(const Vec3d& center, const Vec3d& right, const Vec3d& up) {
       {"center", write_value(center)}, {"right", write_value(right)}, {"up", write_value(up)}};
 }
 
+// Where an eye or a module is, from the middle of a wall's screen.
+void tell_screen(const View& view, const ModuleImage& wall, const Vec3d& eye, Value::Object& to) {
+  to.emplace_back("eye", write_value(view.origin + eye));
+  to.emplace_back("window", window_value(view.origin, view.right * wall.half_width,
+                                         view.up * wall.half_height));
+}
+
 // Where a view's eye is, and the window that it looks through.
 void tell_place(const View& view, double depth, Value::Object& to) {
-  if (const auto* image = std::get_if<ModuleImage>(&view.curved)) {
-    const Vec3d module = view.right * image->module + view.axis * image->behind;
-    to.emplace_back("eye", write_value(view.origin + module));
-    to.emplace_back("window", window_value(view.origin, view.right * image->half_width,
-                                           view.up * image->half_height));
-    return;
-  }
+  if (const auto* image = std::get_if<ModuleImage>(&view.curved))
+    return tell_screen(view, *image, view.right * image->module + view.axis * image->behind, to);
+  if (const auto* slice = std::get_if<ModuleSlice>(&view.curved))
+    return tell_screen(view, slice->wall,
+                       view.right * slice->viewer + view.up * slice->wall.eye_height -
+                           view.axis * slice->wall.distance,
+                       to);
   to.emplace_back("eye", write_value(view.origin));
   if (!view.is_flat()) return;
   const double scale = depth / dot(view.forward, view.axis);

@@ -104,7 +104,7 @@ class GoldenScene : public testing::TestWithParam<Stated> {};
 
 // Pictures of several views side by side are shown at a smaller size of each.
 std::string page_size_of(const std::string& scene) {
-  return scene == "quilt" || scene == "wall" ? "width=160&height=120&" : "";
+  return scene == "quilt" ? "width=160&height=120&" : scene == "wall" ? "width=64&height=48&" : "";
 }
 
 // Of the page's picture a window of the middle is compared: all of it would take long. So would the

@@ -80,20 +80,34 @@ std::shared_ptr<const ScreenWarp> kept(const Warp& warp, const std::array<double
 
 }  // namespace
 
+std::vector<double> Modules::places() const {
+  if (!modules.at.empty()) return modules.at;
+  std::vector<double> places;
+  for (int m = 0; m < modules.count; ++m)
+    places.push_back((m - (modules.count - 1) / 2.0) * *pitch);
+  return places;
+}
+
 ViewGrid Modules::grid(const DisplayFrame& frame) const {
   View view = frame.view;
   view.origin = frame.look_at.value_or(view.origin);
   view.right = frame.right;
   view.up = frame.up;
+  const std::vector<double> at = places();
+  ModuleImage image{0, behind, observer.distance, observer.height, screen[0] / 2, screen[1] / 2};
+  if (slice) {
+    view.curved = ModuleSlice{image, *slice, std::make_shared<const std::vector<double>>(at)};
+    return {1, 1, {{view, 0, 0, "slice"}}};
+  }
   std::vector<std::shared_ptr<const ScreenWarp>> warps;
   for (const Warp& each : warp) warps.push_back(kept(each, screen));
   const int across = columns.value_or(count());
   ViewGrid grid{across, (count() + across - 1) / across, {}};
   for (int i = 0; i < count(); ++i) {
-    ModuleImage image{place(i),      behind, observer.distance, observer.height, screen[0] / 2,
-                      screen[1] / 2, {}};
-    if (!warps.empty()) image.warp = warps[warps.size() == 1 ? 0 : static_cast<std::size_t>(i)];
-    view.curved = std::move(image);
+    const auto number = static_cast<std::size_t>(i);
+    image.module = at[number];
+    if (!warps.empty()) image.warp = warps[warps.size() == 1 ? 0 : number];
+    view.curved = image;
     grid.views.push_back({view, i % across, i / across, numbered_view(i, count())});
   }
   return grid;

@@ -74,7 +74,8 @@ struct Warp {
 };
 
 /// Modules: the display's frame has the screen in z = 0 around look_at, x right, y up, z towards
-/// the viewers; the modules stand on the line y = 0, z = -behind (ModuleImage). One view a module.
+/// the viewers; the modules stand on the line y = 0, z = -behind (ModuleImage). One view a module,
+/// or that of one viewer (ModuleSlice).
 struct Modules {
   static constexpr std::string_view type = "modules";
   static constexpr DisplayNeeds needs{.own_extent = true, .look_at = true};
@@ -85,6 +86,7 @@ struct Modules {
   Observers observer;
   std::optional<int> columns;
   std::vector<Warp> warp;
+  std::optional<double> slice;
 
   template <class Visitor>
   static void fields(Visitor&& visit) {
@@ -117,6 +119,12 @@ struct Modules {
                .max = ModuleRow::most});
     visit("warp", &Modules::warp,
           Spec{.about = "what calibration has found of the modules: one for all, or one for each"});
+    visit("slice", &Modules::slice,
+          Spec{.about = "where on their line a viewer is, to the right of the middle: one view, of "
+                        "what is seen from there, each column of the nearest module's; else all "
+                        "modules' images",
+               .min = -1e9,
+               .max = 1e9});
   }
   int count() const {
     return modules.at.empty() ? modules.count : static_cast<int>(modules.at.size());
@@ -127,10 +135,7 @@ struct Modules {
   bool operator==(const Modules&) const = default;
 
  private:
-  double place(int module) const {
-    if (!modules.at.empty()) return modules.at[static_cast<std::size_t>(module)];
-    return (module - (modules.count - 1) / 2.0) * *pitch;
-  }
+  std::vector<double> places() const;
 };
 
 }  // namespace tia

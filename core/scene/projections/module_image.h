@@ -39,7 +39,12 @@ struct ModuleImage {
   LocalRay<S> ray(const Raster<S>& at) const {
     S x = at.x * S(half_width), y = at.y * S(half_height);
     if (warp) shift(at, x, y);
-    const S slope = (x - S(module)) / S(behind), drop = (S(eye_height) - y) / S(distance);
+    return through(x, y, S(module));
+  }
+  /// Through a point of the screen, of the module there.
+  template <class S>
+  LocalRay<S> through(const S& x, const S& y, const S& from) const {
+    const S slope = (x - from) / S(behind), drop = (S(eye_height) - y) / S(distance);
     const Vec3<S> origin{x + slope * S(distance), S(eye_height), S(distance)};
     return {origin, normalize(Vec3<S>{-slope, -drop, S(-1.0)}), always<S>()};
   }

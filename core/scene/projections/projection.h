@@ -12,6 +12,7 @@
 #include "core/scene/projections/fisheye.h"
 #include "core/scene/projections/lenticular.h"
 #include "core/scene/projections/module_image.h"
+#include "core/scene/projections/module_slice.h"
 
 namespace tia {
 
@@ -22,7 +23,7 @@ struct FlatView {};
 
 /// CurvedView: the rays of a view, where they are no plane's: of projections, and of displays.
 using CurvedView = std::variant<FlatView, FisheyeView, EquirectangularView, CylindricalView,
-                                ModuleImage, LenticularView>;
+                                ModuleImage, ModuleSlice, LenticularView>;
 
 /// ProjectionRow: all there is to say of a projection but its rays.
 struct ProjectionRow {
