@@ -127,6 +127,12 @@ Value explanation_schema(Definitions& named) {
          "of all objects",
          false}};
     for (SchemaMember& each : paths_schema(named)) members.push_back(std::move(each));
+    members.push_back({"mix", list_schema(triple_schema()),
+                       "of a view that shares the pixel with others, as an eye's of an anaglyph: "
+                       "the rows that make red, green and blue of its colour; the sum is shown",
+                       false});
+    members.push_back({"others", list_schema(explanation_schema(named)),
+                       "what the other views see that share the pixel", false});
     return object_schema(std::move(members));
   });
 }

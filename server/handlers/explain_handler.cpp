@@ -68,8 +68,10 @@ struct Explaining {
   WhichPaths which() const { return {asked.sample, asked.paths.value_or(WhichPaths{}.count)}; }
   bool by_paths() const { return options.integrator == IntegratorName::path; }
   const WholePicture whole{};  // of which a pixel is asked for
-  int number = 0;              // the view that has it
+  int number = 0;              // the view that has it, and is told of
+  std::size_t bytes = 0;       // of all views that have been told of, at most
 
+  const GridView& seen() const { return whole.views.views[static_cast<std::size_t>(number)]; }
   View view(const Scene& of) const {
     const auto views = views_of(of.camera, asked.width, asked.height).views;
     return views.at(static_cast<std::size_t>(number)).view;
@@ -77,10 +79,15 @@ struct Explaining {
   int column() const { return *asked.x % asked.width; }
   int row() const { return *asked.y % asked.height; }
   // Tells the pixel as one of the whole.
-  void tell_view(ExplainedPixel& pixel) const {
+  void tell_view(Explanation& told) {
+    bytes += told.most_bytes;
+    if (bytes > longest_explanation)
+      throw InputError({FaultKind::limit, "/x", Value(*asked.x),
+                        "a pixel whose views are told of in at most " +
+                            std::to_string(longest_explanation) + " bytes together"});
+    ExplainedPixel& pixel = *told.pixel;
     if (!has_display(scene->camera) || scene->sheet) return;
-    const GridView& of = whole.views.views[static_cast<std::size_t>(number)];
-    pixel.view = ExplainedView{number, of.name, pixel.x, pixel.y};
+    pixel.view = ExplainedView{number, seen().name, pixel.x, pixel.y};
     pixel.x = *asked.x;
     pixel.y = *asked.y;
   }
@@ -105,14 +112,14 @@ Value::Object explained_ray(const Explaining& by) {
   return by.alone([&] { return explain(*by.scene, std::move(world), ray, by.options, stop); });
 }
 
-Value::Object explained_sample(const Explaining& by) {
+Value::Object explained_sample(Explaining& by) {
   const auto stratum = static_cast<std::size_t>(by.asked.sample) % by.exposure.strata.size();
   const KnownScene& scene = by.exposure.scenes[by.exposure.strata[stratum]];
   World world = by.context.geometries.compile(scene, by.workers);
   return by.alone([&] {
     Explanation told = explain(*scene, std::move(world), by.view(*scene), by.column(), by.row(),
                                by.asked.sample, by.options, by.workers.stop());
-    by.tell_view(*told.pixel);
+    by.tell_view(told);
     return told;
   });
 }
@@ -128,7 +135,7 @@ void check_same_objects(const Exposure& exposure) {
                         "told as of the same objects"});
 }
 
-Value::Object explained_paths(const Explaining& by) {
+Value::Object explained_paths(Explaining& by) {
   by.workers.alone([&] { check_same_objects(by.exposure); });
   const std::vector<World> worlds = worlds_of(by.exposure, by.context, by.workers);
   SeenWorlds seen;
@@ -141,9 +148,35 @@ Value::Object explained_paths(const Explaining& by) {
     PathExplanation told =
         explain_paths(*by.exposure.scenes[by.exposure.strata[first]], std::move(seen), by.column(),
                       by.row(), by.which(), by.options, by.workers.stop());
-    by.tell_view(*told.ray.pixel);
+    by.tell_view(told.ray);
     return told;
   });
+}
+
+Value mix_value(const Mix& mix) {
+  Value::Array rows;
+  for (const Vec3f& row : mix) rows.push_back(write_value(static_cast<Vec3d>(row)));
+  return rows;
+}
+
+Value::Object explained_of_view(Explaining& by) {
+  Value::Object told = by.by_paths() ? explained_paths(by) : explained_sample(by);
+  if (!by.scene->sheet && by.seen().mix) told.emplace_back("mix", mix_value(*by.seen().mix));
+  return told;
+}
+
+// The pixel of a view, and beside it those of the views that share its place, as the other eye's.
+Value::Object explained_pixel(Explaining& by) {
+  Value::Object told = explained_of_view(by);
+  if (by.scene->sheet || !by.seen().mix) return told;
+  const GridView& first = by.seen();
+  Value::Array others;
+  const int count = static_cast<int>(by.whole.views.views.size());
+  while (++by.number < count)
+    if (by.seen().column == first.column && by.seen().row == first.row)
+      others.emplace_back(explained_of_view(by));
+  if (!others.empty()) told.emplace_back("others", std::move(others));
+  return told;
 }
 
 // A sheet's pixels are told as of the scene's own camera, whose view is as large as each of them.
@@ -203,9 +236,7 @@ std::string explanation_of(const ExplainRequest& asked, const Service& service,
   check_options(asked, by.options);
   check_gaze(by, requester);
   by.options.blur_steps = by.exposure.blur_steps();
-  const Value::Object told = asked.ray       ? explained_ray(by)
-                             : by.by_paths() ? explained_paths(by)
-                                             : explained_sample(by);
+  const Value::Object told = asked.ray ? explained_ray(by) : explained_pixel(by);
   std::string text;
   workers.alone([&] { text = to_json(told); });
   return text;

@@ -50,6 +50,8 @@ TEST(Displays, HaveAsManyRaysAsPixelsOfTheirViews) {
       {quilt, 6 * 144},
       {quilt + R"(,"interlace":{"pitch":4})", 3 * 144},
       {wall, 5 * 144},
+      // From x = 0.1 columns are seen for which a module is there: |1.25 x - 0.025| <= 1.25.
+      {std::string(wall).replace(wall.find("\"screen\""), 0, "\"slice\":0.1,"), 8 * 12},
       {R"("look_at":[0,0,-5],"display":{"type":"two_plane","st":[2,2],
           "uv":{"columns":2,"rows":2,"spacing":0.1}})",
        4 * 144}};
@@ -151,6 +153,40 @@ TEST(Displays, ExplainTellsTheViewAndTheColourOfThePicture) {
     for (int c = 0; c < 3; ++c)
       EXPECT_EQ((*color.as<Value::Array>())[static_cast<std::size_t>(c)],
                 Value(picture.at(x, y, c)));
+  }
+}
+
+TEST(Displays, ExplainTellsAllViewsThatShareAPixelAndTheirMixIsThePictures) {
+  const std::string anaglyph =
+      R"("look_at":[0,0,-5],"display":{"type":"stereo","separation":0.4,"layout":"anaglyph")";
+  const auto numbers = [](const Value& triple) {
+    std::array<double, 3> each{};
+    for (std::size_t c = 0; c < 3; ++c) each[c] = *(*triple.as<Value::Array>())[c].as<double>();
+    return each;
+  };
+  for (const std::string& camera : {anaglyph + "}", anaglyph + R"(,"matrix":"dubois"})",
+                                    quilt + R"(,"interlace":{"pitch":2,"tilt":0.5})"}) {
+    const auto picture = pfm(size, camera);
+    const Response told =
+        host().post("/explain", "{\"x\":7,\"y\":5," + size + "," + scene(camera) + "}");
+    ASSERT_EQ(told.status, 200) << told.body;
+    const Value first = parse_json(told.body);
+    std::vector<const Value*> views{&first};
+    for (const Value& other : *at(first, "others").as<Value::Array>()) views.push_back(&other);
+    std::array<double, 3> sum{};
+    for (std::size_t i = 0; i < views.size(); ++i) {
+      EXPECT_EQ(at(at(*views[i], "view"), "number"), Value(static_cast<int>(i)));
+      const auto color = numbers(at(at(*views[i], "tree"), "color"));
+      for (std::size_t c = 0; c < 3; ++c) {
+        const auto row = numbers((*at(*views[i], "mix").as<Value::Array>())[c]);
+        for (std::size_t k = 0; k < 3; ++k) sum[c] += row[k] * color[k];
+      }
+    }
+    EXPECT_EQ(views.size(), camera.starts_with(anaglyph) ? 2U : 3U);
+    if (views.size() == 2)
+      EXPECT_NE(at(at(first, "tree"), "ray"), at(at(*views[1], "tree"), "ray")) << "an eye's each";
+    for (std::size_t c = 0; c < 3; ++c)
+      EXPECT_NEAR(sum[c], picture.at(7, 5, static_cast<int>(c)), 1e-6) << camera;
   }
 }
 
