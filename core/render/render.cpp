@@ -67,7 +67,7 @@ class Render {
   Rendered picture(const Develop& develop) {
     if (options_.gaze) return for_gaze(develop);
     if (denoised_ == nullptr) {
-      if (from_ == nullptr) show_preview();
+      if (from_ == nullptr || from_->samples() == 0) show_preview();
       return traced(develop);
     }
     const Rendered drawn = traced([&](const FilmTile& tile) { denoised_->put_alpha(tile); });
@@ -145,8 +145,8 @@ class Render {
     return RoundsOfTile(pixels_of(i));
   }
   void leave(std::vector<RoundsOfTile>&& all) const try {
-    const int samples = sampler_.before(whole_rounds(all, sampler_.rounds()));
-    if (options_.leave && may_be_left(options_, denoised_) && samples >= Sampler::first_round)
+    const auto has_begun = [](const RoundsOfTile& tile) { return tile.begun() > 0; };
+    if (options_.leave && may_be_left(options_, denoised_) && std::ranges::any_of(all, has_begun))
       options_.leave(std::make_shared<const KeptRounds>(std::move(all), sampler_));
   } catch (const std::bad_alloc&) {  // then nothing is kept
   }

@@ -38,8 +38,8 @@ struct Glimpse {
 
 class KeptRounds;
 using SharedRounds = std::shared_ptr<const KeptRounds>;
-/// Given the rounds of a render that is stopped, where all its pixels have had the samples of a
-/// first round (Sampler::first_round).
+/// Given the rounds of a render that is stopped, where any of its tiles has had one: those of the
+/// tiles that were under way are lost.
 using Leave = std::function<void(SharedRounds)>;
 
 /// Told between rounds, by the thread that renders, of what there is by then: at first of a coarse

@@ -92,6 +92,33 @@ TEST(Resume, ComesToTheBytesAndRaysOfOneThatWasNeverLeft) {
   }
 }
 
+// Each tile of a first round, of which some pixels have no sample yet, and each of the rounds of 1,
+// 2, 4 and 8 samples: of who asks soon again a scene comes to its end whose first 16 samples take
+// longer than a deadline.
+TEST(Resume, KeepsTheTilesOfTheFirstSamples) {
+  RenderOptions options = chance(64);
+  options.tile = 8;
+  const Picture alone = of_room(options, width, height);
+  const std::int64_t first = of_room(chance(1), width, height).rays.all();
+  for (const std::int64_t rays : {first / 3, 2 * first, 6 * first}) {
+    const SharedRounds left = left_after(rays, options);
+    ASSERT_TRUE(left);
+    EXPECT_EQ(left->samples() == 0, rays < first);
+    EXPECT_GT(left->rays().all(), rays / 2);
+    const GoneOn gone_on = from(left, options);
+    expect_never_left(gone_on, alone);
+    EXPECT_EQ(gone_on.drawn.before, left->rays());
+    RenderOptions watched = options;
+    int previews = 0;
+    watched.watch = [&](const Glimpse& glimpse) {
+      previews += glimpse.is_preview;
+      glimpse.show([](const FilmTile&) {});
+    };
+    EXPECT_EQ(bits_of(from(left, watched).image), bits_of(alone.image));
+    EXPECT_GE(previews, rays < first ? 1 : 0) << "there is nothing else to show yet";
+  }
+}
+
 // Left again and again, each time a few tiles further.
 TEST(Resume, MayBeLeftAgain) {
   const RenderOptions options = chance(64);
@@ -149,7 +176,7 @@ TEST(Resume, PassesOverWhatIsNotOfItsRounds) {
     EXPECT_EQ(gone_on.drawn.before.all(), 0) << options.samples;
     expect_never_left(gone_on, of_room(options, width, height));
   }
-  EXPECT_EQ(left_after(rays / 8, chance(64)), nullptr) << "before all pixels had 16 samples";
+  EXPECT_EQ(left_after(0, chance(64)), nullptr) << "before any tile had a sample";
 }
 
 }  // namespace
