@@ -190,21 +190,30 @@ CLI::App* add_simulate(CLI::App& app, Asked& asked) {
   return simulate;
 }
 
-CLI::App* add_radio(CLI::App& app, Asked& asked) {
+CLI::App* add_question(CLI::App& radio, const char* name, const char* about, const char* files,
+                       Asked& asked) {
+  CLI::App* command = radio.add_subcommand(name, about)->fallthrough();
+  add_scene(*command, asked);
+  const std::string words = std::string("a file with the parameters of /radio/") + name;
+  command->add_option("question", asked.question, words + " but the scene, as JSON")
+      ->required()
+      ->type_name("");
+  command->add_option("-o,--output", asked.file, files)->required()->type_name("");
+  return command;
+}
+
+/// RadioCommands: what waves are followed for.
+struct RadioCommands {
+  const CLI::App *paths, *map;
+};
+RadioCommands add_radio(CLI::App& app, Asked& asked) {
   CLI::App* radio = app.add_subcommand("radio", "follow radio waves in a scene")->fallthrough();
-  CLI::App* paths =
-      radio->add_subcommand("paths", "the ways between antennas, as JSON")->fallthrough();
-  add_scene(*paths, asked);
-  paths
-      ->add_option("question", asked.question,
-                   "a file with the parameters of /radio/paths but the scene, as JSON")
-      ->required()
-      ->type_name("");
-  paths->add_option("-o,--output", asked.file, "NAME.json, or - for standard output")
-      ->required()
-      ->type_name("");
+  const CLI::App* paths = add_question(*radio, "paths", "the ways between antennas, as JSON",
+                                       "NAME.json, or - for standard output", asked);
+  const CLI::App* map = add_question(*radio, "map", "what is received where",
+                                     "NAME.png, NAME.pfm, NAME.json, or - for a PNG", asked);
   radio->require_subcommand(1);
-  return radio;
+  return {paths, map};
 }
 
 CLI::App* add_model(CLI::App& app, Asked& asked) {
@@ -301,7 +310,7 @@ int run(int argc, char** argv) {
   const CLI::App* render = add_render(app, asked);
   const CLI::App* film = add_film(app, asked);
   const CLI::App* simulate = add_simulate(app, asked);
-  const CLI::App* radio = add_radio(app, asked);
+  const RadioCommands radio = add_radio(app, asked);
   const CLI::App* still = add_still(app, asked);
   const CLI::App* model = add_model(app, asked);
   const JobCommands jobs = add_job(app, asked);
@@ -336,7 +345,9 @@ int run(int argc, char** argv) {
   else if (film->parsed())
     film_to_file(asked.scene, asked.file, asked.parameters, asked.watching.shows_progress, config);
   else if (simulate->parsed()) simulate_to_file(asked.scene, asked.file, config);
-  else if (radio->parsed()) radio_paths_to_file(asked.scene, asked.question, asked.file, config);
+  else if (radio.paths->parsed())
+    radio_paths_to_file(asked.scene, asked.question, asked.file, config);
+  else if (radio.map->parsed()) radio_map_to_file(asked.scene, asked.question, asked.file, config);
   else if (still->parsed())
     still_to_file(asked.model_files, asked.file, asked.parameters, asked.plain, config);
   else if (sign->parsed()) print_signed_url(asked.url, asked.sign_for_s, config);

@@ -1,4 +1,4 @@
-// `tia radio paths SCENE QUESTION -o FILE`: the ways of radio waves found without a server.
+// `tia radio paths|map SCENE QUESTION -o FILE`: radio waves followed without a server.
 #pragma once
 
 #include <string>
@@ -12,5 +12,9 @@ namespace tia::server {
 /// Errors: InputError; std::runtime_error for files.
 void radio_paths_to_file(const std::string& scene, const std::string& question,
                          const std::string& file, const Config& config);
+
+/// The same of POST /radio/map: a PNG, or what the file's ending or the question's format says.
+void radio_map_to_file(const std::string& scene, const std::string& question,
+                       const std::string& file, const Config& config);
 
 }  // namespace tia::server

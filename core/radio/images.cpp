@@ -22,6 +22,8 @@ class ImageTree {
   void straight() { receive(); }
   void from_first(int facet) { mirror(facet, search_.from, {}); }
   PathsTo take() { return std::move(found_); }
+  /// Its nodes, instead of paths.
+  void list_nodes(std::vector<ImageNode>& into) { list_ = &into; }
 
  private:
   void mirror(int i, const Vec3d& source, const RadioBeam& beam) {
@@ -37,11 +39,13 @@ class ImageTree {
     facets_.push_back(i);
     images_.push_back(facet.face.mirror(source));
     receive();
-    if (facets_.size() < static_cast<std::size_t>(search_.max_reflections)) {
+    const bool goes_on = facets_.size() < static_cast<std::size_t>(search_.max_reflections);
+    if (goes_on || list_ != nullptr) {
       const Vec3d image = images_.back();
       const RadioBeam next =
           search_.pruned ? mirrored_beam(beam, facet, side, image, seen) : RadioBeam{};
-      for (const int each : reached(next))
+      if (list_ != nullptr) list_->push_back({facets_, next});
+      for (const int each : goes_on ? reached(next) : std::vector<int>{})
         if (each != i) mirror(each, image, next);
     }
     facets_.pop_back();
@@ -100,7 +104,23 @@ class ImageTree {
   std::vector<Vec3d> images_;
   PathsTo found_;
   std::size_t kept_ = 0;
+  std::vector<ImageNode>* list_ = nullptr;
 };
+
+// The parts of a tree: what comes straight, and shares of the first facets.
+constexpr std::size_t first_facets = 16;  // of a share
+std::size_t shares_of(const RadioWorld& world, const PathSearch& search) {
+  const std::size_t firsts = search.max_reflections > 0 ? world.facets().size() : 0;
+  return 1 + (firsts + first_facets - 1) / first_facets;
+}
+void grow(ImageTree& tree, std::size_t share, const RadioWorld& world, const Workers& workers) {
+  if (share == 0) return tree.straight();
+  const std::size_t first = (share - 1) * first_facets;
+  for (std::size_t i = first; i < std::min(first + first_facets, world.facets().size()); ++i) {
+    workers.end_if_asked();
+    tree.from_first(static_cast<int>(i));
+  }
+}
 
 bool same_points(const RadioPath& a, const RadioPath& b, double slack) {
   if (a.interactions.size() != b.interactions.size()) return false;
@@ -146,20 +166,11 @@ std::int64_t sort_paths(std::vector<RadioPath>& paths, double slack) {
 }
 
 PathsTo paths_by_images(const RadioWorld& world, const PathSearch& search, const Workers& workers) {
-  // A task for every first facet, and one for what comes straight.
-  const std::size_t firsts = search.max_reflections > 0 ? world.facets().size() : 0;
-  constexpr std::size_t share = 16;
-  const std::size_t tasks = 1 + (firsts + share - 1) / share;
-  std::vector<PathsTo> parts(tasks);
+  std::vector<PathsTo> parts(shares_of(world, search));
   std::atomic<std::int64_t> nodes{0};
-  workers.for_each(static_cast<int>(tasks), [&](int task) {
+  workers.for_each(static_cast<int>(parts.size()), [&](int task) {
     ImageTree tree(world, search, nodes);
-    if (task == 0) tree.straight();
-    const std::size_t first = task == 0 ? firsts : static_cast<std::size_t>(task - 1) * share;
-    for (std::size_t i = first; i < std::min(first + share, firsts); ++i) {
-      workers.end_if_asked();
-      tree.from_first(static_cast<int>(i));
-    }
+    grow(tree, static_cast<std::size_t>(task), world, workers);
     parts[static_cast<std::size_t>(task)] = tree.take();
   });
   PathsTo all;
@@ -172,6 +183,41 @@ PathsTo paths_by_images(const RadioWorld& world, const PathSearch& search, const
   }
   for (auto& paths : all.by_receiver) all.counts.doubles += sort_paths(paths, world.slack());
   return all;
+}
+
+std::vector<ImageNode> image_nodes(const RadioWorld& world, const PathSearch& search,
+                                   const Workers& workers, PathCounts& counts) {
+  std::vector<std::vector<ImageNode>> parts(shares_of(world, search));
+  std::atomic<std::int64_t> nodes{0};
+  workers.for_each(static_cast<int>(parts.size()), [&](int task) {
+    ImageTree tree(world, search, nodes);
+    std::vector<ImageNode>& part = parts[static_cast<std::size_t>(task)];
+    tree.list_nodes(part);
+    if (task == 0) part.push_back({});
+    grow(tree, static_cast<std::size_t>(task), world, workers);
+  });
+  std::vector<ImageNode> all;
+  for (std::vector<ImageNode>& part : parts)
+    std::move(part.begin(), part.end(), std::back_inserter(all));
+  counts.images += static_cast<std::int64_t>(all.size()) - 1;
+  return all;
+}
+
+std::optional<ImageNode> image_node(const RadioWorld& world, const Vec3d& from,
+                                    const std::vector<int>& facets, double slack) {
+  ImageNode node{facets, {}};
+  Vec3d source = from;
+  for (const int i : facets) {
+    const Facet& facet = world.facet(i);
+    const int side = side_of(world, facet, source);
+    if (side == 0) return std::nullopt;
+    std::vector<Vec3d> seen;
+    if (!facet.endless && (seen = clipped(facet.hull, node.beam, slack)).empty())
+      return std::nullopt;
+    source = facet.face.mirror(source);
+    node.beam = mirrored_beam(node.beam, facet, side, source, seen);
+  }
+  return node;
 }
 
 }  // namespace tia

@@ -6,6 +6,7 @@
 #include <functional>
 #include <vector>
 
+#include "core/radio/radio_beam.h"
 #include "core/radio/radio_path.h"
 #include "core/radio/radio_world.h"
 
@@ -39,6 +40,20 @@ struct PathsTo {
 /// 75 (1984). Cost: images: as many as the tree has nodes.
 /// Errors: InputError (limit) of more images than most_images; Stopped.
 PathsTo paths_by_images(const RadioWorld& world, const PathSearch& search, const Workers& workers);
+
+/// ImageNode: a sequence of facets, and where what was mirrored in them goes.
+struct ImageNode {
+  std::vector<int> facets;
+  RadioBeam beam;
+};
+/// The nodes of a search's tree, in the order in which paths_by_images tries them. Adds their count
+/// to `counts`. Errors: the same.
+std::vector<ImageNode> image_nodes(const RadioWorld& world, const PathSearch& search,
+                                   const Workers& workers, PathCounts& counts);
+/// The same of sequences that rays took; of one that sees nothing there is none. `slack`: how far
+/// beside its faces each still goes.
+std::optional<ImageNode> image_node(const RadioWorld& world, const Vec3d& from,
+                                    const std::vector<int>& facets, double slack);
 
 /// What a search for more images is refused with.
 InputError too_many_images(const PathSearch& search);

@@ -56,7 +56,11 @@ void set_gain(RadioPath& path, const RadioBodies& all, const LinkWave& link,
     for (std::size_t i = 0; i < path.interactions.size(); ++i) {
       const RadioInteraction& at = path.interactions[i];
       const bool last = i + 1 == path.interactions.size();
-      const Vec3d out = way_between(at.point, last ? path.to : path.interactions[i + 1].point);
+      // Straight on through a wall, also where the next one touches it: their points are the same.
+      const Vec3d out =
+          at.kind == RadioKind::transmission
+              ? in
+              : way_between(at.point, last ? path.to : path.interactions[i + 1].point);
       const RadioBody& body = all.bodies[static_cast<std::size_t>(at.body)];
       if (at.kind == RadioKind::diffraction)
         field =

@@ -1,9 +1,9 @@
-// What the paths of a pair come to together.
+#include "core/radio/radio_total.h"
+
 #include <algorithm>
 #include <cmath>
 
 #include "core/radio/decibels.h"
-#include "core/radio/radio_paths.h"
 
 namespace tia {
 namespace {

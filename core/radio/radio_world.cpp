@@ -187,8 +187,9 @@ int RadioWorld::body_around(const Vec3d& p) const {
     if (std::fabs(height) <= slack_ && holds(static_cast<int>(i), p)) return is.body;
     if (is.endless && is.closed && height < 0) return is.body;
   }
-  // An odd number of crossings on the way out, along a direction that runs in no usual plane.
-  const Vec3d way = normalize(Vec3d{0.3618, 0.7431, 0.5628});
+  // An odd number of crossings on the way out. The direction's parts are in no ratio of small whole
+  // numbers, as the distances of edges from points of a grid are, so that it meets no edge.
+  const Vec3d way = normalize(Vec3d{0.3618033988749895, 0.7431448254773942, 0.5632455532033676});
   std::map<int, int> times;
   for (const Crossed& each : crossings({p, p + way * reach_from(p)}))
     if (each.facet < 0 || !facet(each.facet).endless) ++times[each.body];

@@ -39,6 +39,18 @@ void QueryReader::add_to_group(Value value) {
   object_.emplace_back(name, Value::Object{{rest(), std::move(value)}});
 }
 
+void QueryReader::add_again(Value value) {
+  for (auto& [name, is] : object_) {
+    if (name != name_) continue;
+    auto* all = is.as<Value::Array>();
+    auto* more = value.as<Value::Array>();
+    if (all == nullptr || more == nullptr) break;
+    all->insert(all->end(), more->begin(), more->end());
+    return;
+  }
+  add(std::move(value));
+}
+
 void QueryReader::add_once(Value::Object& object, const Place& at, const std::string& name,
                            Value value) {
   if (find(object, name) != nullptr)

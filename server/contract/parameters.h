@@ -22,6 +22,8 @@ class QueryReader {
   std::string group() const { return name_.substr(0, dot()); }
   std::string rest() const { return name_.substr(dot() == 0 ? 0 : dot() + 1); }
 
+  /// Adds to the list of that name, or begins it.
+  void add_again(Value value);
   void add(Value value) { add_once(object_, Place{}, name_, std::move(value)); }
   /// Adds it to the object of its group.
   void add_to_group(Value value);
@@ -46,6 +48,8 @@ Value query_object(std::string_view query) {
   while (reader.next()) {
     if (auto value = field_of_group_from_text<T>(reader.group(), reader.rest(), reader.text()))
       reader.add_to_group(std::move(*value));
+    else if (comes_again<T>(reader.name()))
+      reader.add_again(field_from_text<T>(reader.name(), reader.text()));
     else reader.add(field_from_text<T>(reader.name(), reader.text()));
   }
   return reader.take();

@@ -15,6 +15,10 @@ template <class T>
 struct InQuery : TextForm<T> {};
 template <class T>
 struct InQuery<std::optional<T>> : InQuery<T> {};
+template <>
+struct InQuery<std::vector<Vec3d>> : TextForm<std::vector<Vec3d>> {};
+template <Described T>
+struct InQuery<std::vector<T>> : TextForm<std::vector<T>> {};
 template <class T>
 struct InQuery<std::vector<T>> {
   static Value::Object in_query(Value::Object schema) { return list_in_query(std::move(schema)); }

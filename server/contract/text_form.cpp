@@ -56,6 +56,18 @@ Value list_from_text(std::string_view text) {
   return value && value->as<Value::Array>() != nullptr ? *value : Value(text);
 }
 
+Value places_from_text(std::string_view text) {
+  Value read = list_from_text(text);
+  const auto* list = read.as<Value::Array>();
+  if (list == nullptr) return read;
+  if (!list->empty() && list->front().as<Value::Array>() != nullptr) return read;
+  return Value::Array{std::move(read)};
+}
+
+Value json_list_from_text(std::string_view text, const Place& at) {
+  return text.starts_with('[') ? json_from_text(text, at) : Value(text);
+}
+
 Value words_from_text(std::string_view text) {
   Value::Array words;
   if (trimmed(text).empty()) return words;
@@ -77,6 +89,14 @@ Value json_or_name_from_text(std::string_view text, const Place& at) {
 
 Value::Object list_in_query(Value::Object schema) {
   return {{"style", "form"}, {"explode", false}, {"schema", std::move(schema)}};
+}
+
+Value::Object places_in_query(const Value::Object& schema) {
+  const Value place =
+      Value::Object{{"type", "string"}, {"pattern", "^-?[0-9][^,]*,-?[0-9][^,]*,-?[0-9][^,]*$"}};
+  Value::Object list{{"type", "array"}, {"items", place}};
+  if (const Value* standard = find(schema, "default")) list.emplace_back("default", *standard);
+  return {{"style", "form"}, {"explode", true}, {"schema", std::move(list)}};
 }
 
 Value::Object json_in_query(Value::Object schema) {

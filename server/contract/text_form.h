@@ -23,6 +23,10 @@ Value truth_from_text(std::string_view text);
 Value list_from_text(std::string_view text);
 /// "a, b" or ["a","b"] as an array of strings; "" as an empty one.
 Value words_from_text(std::string_view text);
+/// "x,y,z" or "[[x,y,z],…]" as an array of such, any other as a string.
+Value places_from_text(std::string_view text);
+/// "[…]" as the JSON that it is, any other as a string. Errors: InputError, pointers below `at`.
+Value json_list_from_text(std::string_view text, const Place& at);
 /// "{…}" as the JSON that it is, "z:…" as the JSON that is packed in it (packed_text.h), any other
 /// as a string. Errors: InputError, pointers below `at`.
 Value json_or_name_from_text(std::string_view text, const Place& at);
@@ -30,6 +34,7 @@ Value json_or_name_from_text(std::string_view text, const Place& at);
 /// an object as JSON, and what is a name or an object as either, or as packed JSON.
 Value::Object list_in_query(Value::Object schema);
 Value::Object json_in_query(Value::Object schema);
+Value::Object places_in_query(const Value::Object& schema);
 Value::Object json_or_name_in_query(Value::Object schema);
 /// The text that gives this value: strings as they are, lists of them with commas.
 std::string text_of(const Value& value);
@@ -76,6 +81,22 @@ struct TextForm<std::vector<T>> {
     return "a list with commas between, each " + Codec<T>::allowed(spec);
   }
 };
+/// Places, one each time that the parameter comes, or a JSON array of them.
+template <>
+struct TextForm<std::vector<Vec3d>> {
+  static Value read(std::string_view text, const Place&) { return places_from_text(text); }
+  static std::string allowed(const Spec& spec) { return TextForm<Vec3d>::allowed(spec); }
+  static Value::Object in_query(Value::Object schema) { return places_in_query(schema); }
+};
+/// Objects, as a JSON array.
+template <Described T>
+struct TextForm<std::vector<T>> {
+  static Value read(std::string_view text, const Place& at) {
+    return json_list_from_text(text, at);
+  }
+  static std::string allowed(const Spec&) { return "a JSON array of objects"; }
+  static Value::Object in_query(Value::Object schema) { return json_in_query(std::move(schema)); }
+};
 template <class T>
 struct TextForm<std::variant<std::string, T>> {
   static Value read(std::string_view text, const Place& at) {
@@ -113,6 +134,16 @@ Value field_from_text(std::string_view name, std::string_view text) {
   FieldFromText visitor{name, text, text};
   T::fields(visitor);
   return visitor.value;
+}
+
+/// Whether that field may come several times in a query, each time with one element of its list.
+template <class T>
+bool comes_again(std::string_view name) {
+  bool again = false;
+  T::fields([&]<class Base, class Member>(std::string_view field, Member Base::*, const Spec&) {
+    if (field == name) again = std::same_as<Member, std::vector<Vec3d>>;
+  });
+  return again;
 }
 
 /// Visitor: the same of a field inside a group, an object of its own.

@@ -14,6 +14,8 @@
 #include "server/requests/explain_request.h"
 #include "server/requests/exposure.h"
 #include "server/requests/gaze_request.h"
+#include "server/requests/map_request.h"
+#include "server/requests/radio_request.h"
 #include "server/requests/whole_picture.h"
 
 namespace tia::server {
@@ -34,8 +36,10 @@ void ExplainRequest::check(const Place& at, Faults& faults) const {
                   range_text({.unit = "pixels", .min = 0, .max = size - 1.0}, true) +
                       ", of a pixel with x and y; or a ray"});
   };
-  coordinate("x", x, width);
-  coordinate("y", y, height);
+  coordinate("x", x, radio ? static_cast<int>(most_px) : width);
+  coordinate("y", y, radio ? static_cast<int>(most_px) : height);
+  if (radio && ray)
+    faults.add({FaultKind::conflict, at.at("ray").pointer(), write_value(*ray), "ray or radio"});
 }
 
 namespace {
@@ -242,6 +246,29 @@ std::string explanation_of(const ExplainRequest& asked, const Service& service,
   return text;
 }
 
+// A cell of a map of radio waves is told as the paths to its centre.
+std::string explained_cell(const ExplainRequest& asked, const Service& service,
+                           const Requester& requester, Flow& flow) {
+  const RenderContext& context = service.rendering;
+  const KnownScene scene = found_scene(asked, context, requester).plain;
+  const MapGrid grid = grid_of(*scene, *asked.radio, map_limits(context.limits));
+  Faults faults;
+  const auto coordinate = [&](const char* name, int is, int size) {
+    if (is >= size)
+      faults.add({FaultKind::out_of_range, Place{}.at(name).pointer(), Value(is),
+                  range_text({.unit = "cells", .min = 0, .max = size - 1.0}, true)});
+  };
+  coordinate("x", *asked.x, grid.width);
+  coordinate("y", *asked.y, grid.height);
+  faults.raise();
+  const RadioQuestion question = paths_question(*asked.radio, grid, *asked.x, *asked.y);
+  const Workers workers = context.pool.workers(context.pool.threads(), requester.stop, &flow);
+  const RadioAnswer told = radio_paths(*scene, question, radio_limits(context.limits), workers);
+  std::string text;
+  workers.alone([&] { text = to_json(radio_paths_json(question, told)); });
+  return text;
+}
+
 ExplainRequest asked_of_body(const Request& request, Service& service) {
   return read_body(request, service, [&] {
     const char* const what = "the parameters as a JSON object, such as {\"x\":320,\"y\":240}";
@@ -257,7 +284,8 @@ Response explained(const ExplainRequest& asked, const Request& request, Service&
   Flow flow{requester.number()};
   flow.became_long = [&] { ticket.turn_heavy(); };
   return {.content_type = "application/json",
-          .body = explanation_of(asked, service, requester, flow),
+          .body = asked.radio ? explained_cell(asked, service, requester, flow)
+                              : explanation_of(asked, service, requester, flow),
           .headers = {{"Cache-Control", "no-cache"}}};
 }
 
@@ -272,11 +300,15 @@ Response post_explain(const Request& request, const std::string&, Service& servi
   return explained(asked_of_body(request, service), request, service);
 }
 
+Value explained_schema(Definitions& named) {
+  return Value::Object{{"anyOf", Value::Array{explanation_schema(named), radio_paths_schema()}}};
+}
+
 Answer explanation() {
   return ok(
       "the hits along the ray, and all that makes its colour: the tree of its rays, or of "
-      "path the paths of its light and the ways by which it came",
-      media::json, explanation_schema, {"Cache-Control"});
+      "path the paths of its light and the ways by which it came; of radio what /radio/paths tells",
+      media::json, explained_schema, {"Cache-Control"});
 }
 
 std::vector<Content> explain_body() {

@@ -25,6 +25,7 @@ std::vector<Route> compare_routes();
 std::vector<Route> scene_routes();
 std::vector<Route> simulate_routes();
 std::vector<Route> radio_routes();
+std::vector<Route> map_routes();
 std::vector<Route> gallery_model_routes();
 std::vector<Route> model_routes();
 std::vector<Route> still_routes();

@@ -10,8 +10,9 @@ const std::vector<Route>& routes() {
     std::vector<Route> all;
     for (const auto group :
          {render_routes, film_routes, live_routes, picture_routes, verify_routes, explain_routes,
-          compare_routes, scene_routes, simulate_routes, radio_routes, gallery_model_routes,
-          model_routes, still_routes, job_routes, operation_routes, document_routes, page_routes}) {
+          compare_routes, scene_routes, simulate_routes, radio_routes, map_routes,
+          gallery_model_routes, model_routes, still_routes, job_routes, operation_routes,
+          document_routes, page_routes}) {
       const std::vector<Route> rows = group();
       all.insert(all.end(), rows.begin(), rows.end());
     }

@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "core/radio/map_question.h"
 #include "server/requests/view_request.h"
 
 namespace tia::server {
@@ -30,6 +31,7 @@ struct ExplainRequest : TraceRequest {
   int sample = 0;
   std::optional<int> paths;
   std::optional<FreeRay> ray;
+  std::optional<RadioMapQuestion> radio;
 
   template <class Visitor>
   static void fields(Visitor&& visit) {
@@ -46,6 +48,10 @@ struct ExplainRequest : TraceRequest {
                .min = 0,
                .max = most_paths});
     visit("ray", &E::ray, Spec{.about = "a ray of its own instead of a pixel's"});
+    visit(
+        "radio", &E::radio,
+        Spec{.about = "a map of /radio/map, without its scene: x and y are a cell's, of which the "
+                      "answer is that of /radio/paths at its centre"});
   }
   /// Neither a pixel nor a ray, or both; a pixel outside the picture.
   void check(const Place& at, Faults& faults) const;
