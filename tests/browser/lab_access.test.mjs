@@ -24,6 +24,11 @@ const SIGHTS = {
     await page.locator('.film summary').click();
     await page.locator('.film option[value=zip]').waitFor({ state: 'attached' });
   },
+  radio: async (page) => {
+    await page.locator('.radio-list tbody tr').first().waitFor();
+    await page.locator('.radio-legend .ticks span').first().waitFor();
+    await page.locator('.radio-charts summary').click();
+  },
   numbers: (page) => page.locator('.chart rect').first().waitFor({ state: 'attached' }),
   take: async (page) => {
     await page.locator('input[name=samples]').fill('0');

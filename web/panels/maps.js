@@ -24,7 +24,7 @@ const DRAWN = { width: 480, height: 360, samples: 1, threshold: 0, crop: null };
 export function mountMaps(studio) {
   const maps = ['top', 'side'].map((name) => new PlanMap(studio, name));
   document.getElementById('maps').replaceChildren(...maps.map(({ figure }) => figure));
-  for (const event of ['world', 'show', 'source', 'rays', 'ways'])
+  for (const event of ['world', 'show', 'source', 'rays', 'ways', 'radio'])
     studio.model.onFrame(event, () => maps.forEach((map) => map.follow(event)));
 }
 
@@ -38,6 +38,7 @@ class PlanMap {
   #handles = svg('g');
   #plan = null;
   #region = null;
+  #near; // points shown instead of camera and lamp
   #drawn = ''; // what the backdrop shows
   #drawing = null;
   #aimed = null; // the last camera that a handle has moved, and what it looks `at`
@@ -57,7 +58,8 @@ class PlanMap {
     const { pivot, light, camera } = this.#studio;
     if (!pivot) return;
     const held = [...this.#held.values()].some((handle) => handle.held);
-    if (event === 'world' && !held) this.#settle(pivot, light, camera);
+    const { near } = this.#studio;
+    if ((event === 'world' || near !== this.#near) && !held) this.#settle(pivot, light, camera, (this.#near = near));
     if (!this.#plan) return;
     this.#placeHandles(pivot, light, camera);
     this.#drawSight(camera);
@@ -65,12 +67,12 @@ class PlanMap {
     if (event === 'world' || event === 'ways') this.#studio.drawWays?.(this.#ways, (point) => this.#at(point));
   }
 
-  #settle(pivot, light, camera) {
+  #settle(pivot, light, camera, instead) {
     this.#plan = plansOf(camera).find(({ name }) => name === this.#name);
     const away = distanceOf(pivot, camera.location);
     const near = light && distanceOf(pivot, light) < FAR * away;
     const around = [-away, away].flatMap((by) => [0, 1, 2].map((i) => pivot.with(i, pivot[i] + by * ROOM)));
-    this.#region = regionOf(this.#plan, [...around, camera.location, ...(near ? [light] : [])]);
+    this.#region = regionOf(this.#plan, [...around, ...(instead ?? [camera.location, ...(near ? [light] : [])])]);
     // What is above the eye and what it looks at is left away: ceilings, walls on this side.
     const start = regionOf(this.#plan, [pivot, camera.location]).center;
     this.#region.center = this.#plan.into.map((axis, i) => (axis ? start : this.#region.center)[i]);
@@ -141,8 +143,11 @@ class PlanMap {
     this.#handle('target', this.#within(this.#target), t('maps.moveTarget', { map }), this.#cameraMover(aimMoved));
     if (light) this.#handle('lamp', this.#within(light), t('maps.moveLamp', { map }), this.#lampMover());
     else this.#drop('lamp');
-    this.#studio.placeArrows?.({ map, names: [...this.#held.keys()], at: (point) => this.#within(point),
-      handle: (...all) => this.#handle(...all), drop: (name) => this.#held.get(name).held || this.#drop(name) });
+    const plan = { ...this.#plan, region: this.#region, height: HEIGHT, sheet: this.#rays.parentNode, map, names: [...this.#held.keys()],
+      at: (point) => this.#within(point),
+      handle: (...all) => this.#handle(...all), drop: (name) => this.#held.get(name)?.held || this.#drop(name) };
+    this.#studio.placeArrows?.(plan);
+    this.#studio.placeRadio?.(plan);
   }
 
   #lampMover() {

@@ -461,6 +461,7 @@ export default {
   timeline: { tab: 'Timeline' },
   jobs: { tab: 'Large' },
   views: { tab: 'Views' },
+  radio: { tab: 'Radio' },
   numbers: {
     tab: 'Numbers',
     server: 'Time in the server',

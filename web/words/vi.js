@@ -461,6 +461,7 @@ export default {
   timeline: { tab: 'Thời gian' },
   jobs: { tab: 'Ảnh lớn' },
   views: { tab: 'Cách nhìn' },
+  radio: { tab: 'Vô tuyến' },
   numbers: {
     tab: 'Con số',
     server: 'Thời gian ở máy chủ',
