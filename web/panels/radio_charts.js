@@ -7,7 +7,7 @@ import { element, svg } from './element.js';
 import { DASHES } from './radio_waves.js';
 
 const SIZE = [380, 200];
-const BOX = { left: 44, right: 370, top: 22, bottom: 160 };
+const BOX = { left: 44, right: 362, top: 22, bottom: 160 };
 const DEEPEST_DB = 70; // below the highest point
 const TOLD = 21; // numbers of the response in its table
 

@@ -5,7 +5,7 @@ import { add } from '../space/vec.js';
 import { t } from '../words/words.js';
 import { svg } from './element.js';
 import { radioLegend, valueWords } from './radio_legend.js';
-import { drawnWaves } from './radio_waves.js';
+import { antennaNames, drawnWaves } from './radio_waves.js';
 
 const NARROW = 0.6; // times as wide as in the picture
 const said = document.getElementById('said');
@@ -102,7 +102,8 @@ export function radioPlans(studio, radio, list) {
     for (const [name, layer] of layers) {
       const { region, height } = layer.plan;
       const place = (from, to) => ({ a: placeIn(layer.plan, region, height, from), b: placeIn(layer.plan, region, height, to) });
-      layer.waves.replaceChildren(...(radio.open && radio.found ? drawnWaves(radio.found.paths, list.current, place, NARROW) : []));
+      layer.waves.replaceChildren(...(radio.open && radio.found ? drawnWaves(radio.found.paths, list.current, place, NARROW) : []),
+        ...(radio.open ? antennaNames(radio.antennas, (at) => layer.plan.at(at), height / 18) : []));
       if (name === 'top') drawMap(layer);
     }
   }

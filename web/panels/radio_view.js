@@ -7,7 +7,7 @@ import { t } from '../words/words.js';
 import { svg } from './element.js';
 import { bindHandle } from './handle.js';
 import { seen } from './rays.js';
-import { drawnWaves } from './radio_waves.js';
+import { antennaNames, drawnWaves } from './radio_waves.js';
 
 const WIDE = 480; // of the layer that handles are in
 const FARTHEST = 8; // times as far as it was: a hand that points at the horizon means nothing nearer
@@ -22,8 +22,9 @@ export function radioView(studio, radio, list) {
   function draw() {
     const { view, pivot, model } = studio;
     const there = radio.open && pivot;
-    waves.replaceChildren(...(there && radio.found ? drawnWaves(radio.found.paths, list.current, (from, to) => seen(view, from, to)) : []));
     const window = windowOf(model.request);
+    waves.replaceChildren(...(there && radio.found ? drawnWaves(radio.found.paths, list.current, (from, to) => seen(view, from, to)) : []),
+      ...(there ? antennaNames(radio.antennas, (at) => project(view, at), window.height / 30) : []));
     const high = (WIDE * window.height) / window.width;
     sheet.setAttribute('viewBox', `0 0 ${WIDE} ${high}`);
     const all = there ? radio.antennas : [];

@@ -18,7 +18,7 @@ export function drawnWaves(paths, current, place, by = 1) {
   const last = [...byGain.filter((path) => path !== current), ...byGain.filter((path) => path === current)];
   return last.map((path) => {
     const kind = kindOf(path);
-    const width = by * widthOf(path.gain_db, strongest);
+    const width = by * Math.max(widthOf(path.gain_db, strongest), path === current ? THICK / 2 : 0);
     const pieces = path.points.slice(1).map((to, i) => place(path.points[i], to)).filter(Boolean);
     const line = ({ a, b }, name, wide, dash) => svg('line', { class: name, x1: a[0], y1: a[1], x2: b[0], y2: b[1],
       'stroke-width': wide, 'stroke-dasharray': dash });
@@ -33,4 +33,10 @@ export function waveSample(kind, width = 3) {
   return svg('svg', { class: `sample wave wave-${kind}`, viewBox: '0 0 32 10', width: 32, height: 10, 'aria-hidden': 'true' },
     svg('line', { class: 'edge', 'stroke-width': width + 1.5, ...at }),
     svg('line', { class: 'core', 'stroke-width': width, 'stroke-dasharray': DASHES[kind], ...at }));
+}
+
+/** The names of antennas beside their marks, `size` high; `place(position)` says where, or null. */
+export function antennaNames(antennas, place, size) {
+  return antennas.map(({ name, position }) => [name, place(position)]).filter(([, at]) => at)
+    .map(([name, [x, y]]) => svg('text', { class: 'antenna', x, y: y - size, 'font-size': size, 'text-anchor': 'middle' }, name));
 }

@@ -102,8 +102,9 @@ export class Radio {
     const { pivot, camera } = this.#studio;
     const number = 1 + Math.max(...all.map((one) => one.number));
     const position = add(all.at(-1).position, scale(plansOf(camera)[0].across, distanceOf(pivot, camera.location) / 10));
-    this.antennas.push(antenna(kind, number, tidyVector(position)));
-    this.choose(kind, this.antennas.at(-1).name);
+    const one = antenna(kind, number, tidyVector(position));
+    this.antennas = KINDS.flatMap((each) => [...this.#all(each), ...(each === kind ? [one] : [])]);
+    this.choose(kind, one.name);
   }
 
   remove(gone) {
