@@ -367,6 +367,71 @@ test('the page draws ways as the server does: keys of every kind, eased and repe
     }
 });
 
+test('a formula comes to what the server says, and where it is none to nothing', async () => {
+  const formulas = ['2^-t^2*3 - -t', '-(t-1)^2/4+max(t,1)', 'a*sin(pi*t/2)+min(cos(t),.5e0)', 'sqrt(t+1)-abs(floor(-t))',
+    'exp(-t)*log(2+t)-atan2(t,1+t)', 'tan(t/4)+asin(t/9)+acos(t/9)+atan(t)', 'sinh(t/2)-cosh(t/3)*tanh(t)', '2^3^(t/4)'];
+  const track = (target, formula) => ({ target, formula, parameters: { a: 1.5 } });
+  const tracks = formulas.map((one, i) => track(`/objects/${i}/center/0`, one));
+  const objects = formulas.map(() => ({ type: 'sphere', center: [0, 0, 0], radius: 1 }));
+  const scene = { objects, animation: { duration: 4, tracks } };
+  const answer = await fetch(`${on.tia.base}/scenes`, { method: 'POST', body: JSON.stringify(scene) });
+  const { id } = await answer.json();
+  for (const at of [0, 0.7, 2.3, 4]) {
+    const now = JSON.parse(await on.tia.get(`/scenes/${id}?time=${at}`));
+    tracks.forEach((one, i) => {
+      const [x] = now.objects[i].center;
+      assert.ok(Math.abs(trackValue(one, at) - x) <= 1e-12 * Math.max(1, Math.abs(x)), `${formulas[i]} at ${at}: ${x}`);
+    });
+  }
+  for (const none of ['', 't t', '2**3', 'sin', 'sin(t', 't)', 'b', 'sqrt(-1-t)', 'max(t)'])
+    assert.equal(trackValue(track('', none), 1), null, none);
+  assert.deepEqual(trackValue(track('', ['t', '0', 'a*t']), 2), [2, 0, 3]);
+});
+
+const BALL = { camera: { location: [0, 1, 9], look_at: [0, 0, 0] }, lights: [{ type: 'point', position: [3, 5, 4] }],
+  objects: [{ name: 'ball', type: 'sphere', center: [0, 0, 0], radius: 1 }] };
+const sceneAt = (scene) => `/?scene=${encodeURIComponent(JSON.stringify(scene))}&${SIZE}`;
+
+test('what the form has changed just now is given keys: a radius that grows, a light that fades', () =>
+  on.open(async (page) => {
+    const change = async (part, name, value) => {
+      await page.locator('#tab-scene').click();
+      await page.locator('#scene-part').selectOption(part);
+      await page.locator(`[data-field=${name}] .scene-number`).fill(value);
+      await page.locator('#tab-timeline').click();
+    };
+    const keyNow = async (name, at) => {
+      await until(() => page.locator('.add-form option:checked').evaluate((it) => it.textContent).then((it) => it === name), name);
+      await button(page, `Add a key at ${at} s`).click();
+    };
+    await change('/objects/0', 'radius', '1.5');
+    await keyNow('ball: radius', 0);
+    await time(page).focus();
+    await page.keyboard.press('End');
+    await hasTime(page, 5);
+    await change('/objects/0', 'radius', '3');
+    await keyNow('ball: radius', 5);
+    await change('/lights/0', 'intensity', '0.5');
+    await page.locator('.add-form option:checked').evaluate((it) => it.value).then((it) => assert.equal(it, '/lights/0/intensity'));
+    await button(page, 'Add a key at 5 s').click();
+    await hasTracks(page, [
+      { target: '/objects/ball/radius', keys: [[0, 1.5], [5, 3]], interpolation: 'smooth' },
+      { target: '/lights/0/intensity', keys: [[5, 0.5]], interpolation: 'smooth' }]);
+    await showsItsAddress(page);
+  }, { at: sceneAt(BALL), panel: 'timeline' }));
+
+test('the way of a formula is drawn like that of keys', () =>
+  on.open(async (page) => {
+    const way = page.locator('#overlay .way-object .core');
+    await way.waitFor({ state: 'attached' });
+    const points = (await way.getAttribute('d')).match(/-?[\d.]+ -?[\d.]+/g).map((one) => one.split(' ').map(Number));
+    assert.equal(points.length, 97);
+    const middle = points.slice(1).reduce(([x, y], [a, b]) => [x + a / 96, y + b / 96], [0, 0]);
+    const far = points.map(([x, y]) => Math.hypot(x - middle[0], y - middle[1]));
+    assert.ok(Math.max(...far) / Math.min(...far) < 1.05, 'a circle that faces the eye');
+  }, { at: sceneAt({ ...BALL, camera: { location: [0, 0, 30], look_at: [0, 0, 0] }, animation: { duration: 4, tracks: [
+    { target: '/objects/ball/center', formula: ['2*cos(pi*t/2)', '2*sin(pi*t/2)', '0'] }] } }), panel: 'timeline' }));
+
 test('a circle keeps height and distance; straight above there is none', () => {
   for (const [x, y, z] of circle([1, 2, 3], [4, 9, 7], 12))
     assert.ok(Math.abs(y - 9) < 1e-3 && Math.abs(Math.hypot(x - 1, z - 3) - 5) < 1e-3);

@@ -1,9 +1,10 @@
-// What is given keys: chosen by name, or moved just now.
+// What is given keys: chosen by name, or moved or changed just now.
 
+import { changedPlace } from '../state/keys.js';
 import { MOST_OBJECTS } from '../studio/timeline.js';
 import { t } from '../words/words.js';
 import { element } from './element.js';
-import { secondsWords } from './timeline_words.js';
+import { secondsWords, trackName } from './timeline_words.js';
 
 /** The form as { node, draw() }; `tell(words)` says what it comes to. */
 export function addForm(studio, timeline, tell) {
@@ -24,7 +25,7 @@ export function addForm(studio, timeline, tell) {
   }
 
   function draw() {
-    const { things } = timeline;
+    const things = timeline.things.map(({ place, ...one }) => ({ ...one, ...(place && { name: trackName(timeline.scene, place) }) }));
     const all = JSON.stringify(things);
     if (what.dataset.all !== all) {
       what.dataset.all = all;
@@ -44,20 +45,24 @@ export function addForm(studio, timeline, tell) {
 /** What is told of a key that has come. */
 export const added = (timeline) => t('timeline.added', { at: secondsWords(timeline.time) });
 
-// What somebody has moved is what they mean.
+// What somebody has moved, or else changed, is what they mean.
 function follow(studio, timeline) {
   const { model } = studio;
   let before = null; // of the same scene
   const look = () => {
-    const now = { title: model.source?.title, places: placesOf(studio) };
+    const now = { title: model.source?.title, places: placesOf(studio), scene: shortened(model.source) };
     const same = before !== null && before.title === now.title;
     const moved = same && Object.keys(now.places).find((id) => id in before.places && now.places[id] !== before.places[id]);
+    const changed = same && !moved && changedPlace(before.scene, now.scene);
     if (moved) timeline.thing = moved;
+    else if (changed) timeline.mean(changed);
     before = now;
   };
   look();
   for (const event of ['want', 'source']) model.on(event, look);
 }
+
+const shortened = (scene) => scene && { ...scene, ...(scene.objects && { objects: scene.objects.slice(0, MOST_OBJECTS) }) };
 
 // Where hands have put things, a text for each of them.
 function placesOf({ model, held: { values: held } }) {

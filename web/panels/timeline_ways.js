@@ -48,12 +48,12 @@ export function drawWays(studio, timeline, bodies) {
 function waysOf({ scene, animation: { duration } }) {
   return tracksOf(scene).flatMap((track) => {
     const place = placeOf(scene, track.target);
-    if (!track.keys || !POINTS.test(place) || trackValue(track, 0) === null) return [];
+    if (!POINTS.test(place) || trackValue(track, 0)?.length !== 3) return [];
     const base = baseOf(scene, place);
-    const at = (time) => add(base, trackValue(track, time));
+    const at = (time) => add(base, trackValue(track, time) ?? [NaN, NaN, NaN]);
     const points = Array.from({ length: STEPS + 1 }, (_, i) => at((i * duration) / STEPS));
     const kind = place === lampPlace(scene) ? 'lamp' : place.startsWith('/camera') ? 'camera' : 'object';
-    const keys = track.keys.length > 60 ? [] : track.keys.map(([time]) => at(time));
+    const keys = !track.keys || track.keys.length > 60 ? [] : track.keys.map(([time]) => at(time));
     return [{ kind, points, keys, at }];
   });
 }
@@ -96,17 +96,20 @@ function baseOf(scene, place) {
   return (list === 'objects' && part === 'transform' && valueAt(scene, `/objects/${index}/center`)) || [0, 0, 0];
 }
 
+// Where a formula is not defined there is no point.
+const there = (point, place) => (point.every(Number.isFinite) ? place(point) : null);
+
 // Pieces: what is behind the eye is in none.
 function drawn({ kind, points, keys, at }, place, size, time) {
   let d = '';
   let open = false;
   for (const point of points) {
-    const to = place(point);
+    const to = there(point, place);
     if (to) d += `${open ? 'L' : 'M'}${to.map((value) => value.toFixed(2)).join(' ')}`;
     open = Boolean(to);
   }
   const dot = (point, r, name) => {
-    const to = place(point);
+    const to = there(point, place);
     return to && svg('circle', { class: name, cx: to[0].toFixed(2), cy: to[1].toFixed(2), r });
   };
   const lit = kind === 'lamp'; // which has a mark of its own

@@ -1,10 +1,13 @@
-// A track's value between its keys, to draw its way: the server's arithmetic (core/scene/animation_curves),
-// in double. Formulas are the server's alone.
+// A track's value between its keys or by its formula, to draw its way: the server's arithmetic
+// (core/scene/animation_curves), in double.
 
+import { formula } from './formula.js';
 import { tidyVector, turn, add, subtract, length } from './vec.js';
 
-/** The value of a track of numbers at `time`; null of a formula and of what is no number. */
-export function trackValue({ keys, interpolation = 'linear', repeat = 'once' }, time) {
+/** The value of a track of numbers at `time`; null of what is no number then. */
+export function trackValue(track, time) {
+  if (track.formula !== undefined) return formulaValue(track, time);
+  const { keys, interpolation = 'linear', repeat = 'once' } = track;
   if (!keys?.length || !listOf(keys[0][1]).every(Number.isFinite)) return null;
   const at = among(keys, repeat, time);
   const after = keys.findIndex(([t]) => t > at);
@@ -17,6 +20,17 @@ export function trackValue({ keys, interpolation = 'linear', repeat = 'once' }, 
     : interpolation === 'smooth' ? smooth(around(keys, repeat, i), share)
     : from.value.map((p, n) => p + (to.value[n] - p) * share);
   return Array.isArray(keys[i][1]) ? numbers : numbers[0];
+}
+
+const read = new Map(); // formulas, by their texts
+
+function formulaValue({ formula: texts, parameters = {} }, time) {
+  const numbers = listOf(texts).map((text) => {
+    if (!read.has(text)) read.set(text, formula(String(text)));
+    return read.get(text)?.({ ...parameters, t: time });
+  });
+  if (!numbers.every(Number.isFinite)) return null;
+  return Array.isArray(texts) ? numbers : numbers[0];
 }
 
 const listOf = (value) => (Array.isArray(value) ? value : [value]);

@@ -1,6 +1,7 @@
 // Keys of tracks, edited: each edit is what changes in the scene, as [[JSON Pointer, value]].
 // A key is [t, value], [t, value, ease], or of a bezier [t, value, in, out].
 
+import { token } from './scene_reader.js';
 import { durationOf, tracksOf, trackAt } from './tracks.js';
 
 /** What a scene without one gets. */
@@ -9,6 +10,26 @@ export const USUAL = { duration: 5, fps: 24 };
 /** An animation with what is left out at its default. */
 export const wholeAnimation = (scene) =>
   ({ ...USUAL, tracks: [], ...scene?.animation, duration: durationOf(scene) || USUAL.duration });
+
+const NOT_MOVED = ['animation', 'physics', 'keys', 'title', 'description'];
+const MOST_NUMBERS = 16; // of a list that is one value
+
+/** The place of the first number, or list of numbers, that is another one in the scene `after`; null where none is. */
+export function changedPlace(before, after, at = '') {
+  if (typeof after === 'number' || isNumbers(after)) {
+    const same = String(before) === String(after);
+    return same || (before !== undefined && typeof before !== typeof after) ? null : at;
+  }
+  if (typeof after !== 'object' || after === null || typeof before !== 'object' || before === null) return null;
+  if (Array.isArray(after) && after.length !== before.length) return null;
+  for (const [name, value] of Object.entries(after)) {
+    const place = at === '' && NOT_MOVED.includes(name) ? null : changedPlace(before[name], value, `${at}/${token(name)}`);
+    if (place !== null) return place;
+  }
+  return null;
+}
+
+const isNumbers = (value) => Array.isArray(value) && value.length > 0 && value.length <= MOST_NUMBERS && value.every(Number.isFinite);
 
 const keysAt = (track) => `/animation/tracks/${track}/keys`;
 

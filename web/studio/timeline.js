@@ -5,17 +5,19 @@ import { circle, trackValue } from '../space/track.js';
 import { tidyVector } from '../space/vec.js';
 import { keyed, movedKey, wholeAnimation, withoutKey, withoutTrack } from '../state/keys.js';
 import { mergePatch } from '../state/merge_patch.js';
-import { token, valueAt } from '../state/scene_text.js';
+import { token, tokens, valueAt } from '../state/scene_text.js';
 import { durationOf, lampPlace, momentIn, placeOf, trackAt, tracksOf } from '../state/tracks.js';
 
 /** How many objects are offered by name. */
 export const MOST_OBJECTS = 50;
 const KEYS_AROUND = 8; // of a circle
+const MOST_CHANGED = 5;
 
 /** Timeline: `chosen`, the key that is edited, { track, key }, or null. Whoever asks hears of `timeline`. */
 export class Timeline {
   chosen = null;
-  thing = 'lamp'; // what was moved last: 'lamp', 'camera' or 'object-N'
+  thing = 'lamp'; // what was moved last: 'lamp', 'camera', 'object-N', or a place of the scene
+  #changed = []; // places that were, the last one first
   #studio;
   #time = 0; // while nothing moves
 
@@ -160,17 +162,25 @@ export class Timeline {
 
   // ---- what can be given keys ---------------------------------------------------------------------
 
-  /** [{ id, name }], name null for lamp and camera. */
+  /** What is meant from now on is what stands at a place of the scene. */
+  mean(place) {
+    this.thing = place;
+    this.#changed = [place, ...this.#changed.filter((one) => one !== place)].slice(0, MOST_CHANGED);
+  }
+
+  /** [{ id, name }], name null for lamp and camera, or { id, place }. */
   get things() {
     const objects = (this.scene?.objects ?? []).slice(0, MOST_OBJECTS);
     return ['lamp', 'camera'].map((id) => ({ id, name: null }))
-      .concat(objects.map(({ name, type }, i) => ({ id: `object-${i}`, name: name ?? `${type} ${i + 1}` })));
+      .concat(objects.map(({ name, type }, i) => ({ id: `object-${i}`, name: name ?? `${type} ${i + 1}` })),
+        this.#changed.filter((place) => valueAt(this.scene, place) !== undefined).map((place) => ({ id: place, place })));
   }
 
   // { places: [{ place, target, value }], before: edits that they need, patch: of the request }
   #meant(thing) {
     if (thing === 'lamp') return this.#lampMeant();
     if (thing === 'camera') return this.#cameraMeant();
+    if (thing.startsWith('/')) return this.#placeMeant(thing);
     return this.#objectMeant(Number(thing.slice(7)));
   }
 
@@ -189,10 +199,21 @@ export class Timeline {
 
   #cameraMeant() {
     const { camera, model } = this.#studio;
-    const names = ['location', camera.look_at ? 'look_at' : camera.direction ? 'direction' : null].filter(Boolean);
-    const places = names.map((name) => ({ place: `/camera/${name}`, target: `/camera/${name}`, value: tidyVector(camera[name], 6) }));
     const wanted = model.request.camera;
+    const numbers = Object.keys(wanted ?? {}).filter((name) => typeof camera[name] === 'number');
+    const names = ['location', camera.look_at ? 'look_at' : camera.direction ? 'direction' : null, ...numbers].filter(Boolean);
+    const places = names.map((name) => ({ place: `/camera/${name}`, target: `/camera/${name}`,
+      value: numbers.includes(name) ? camera[name] : tidyVector(camera[name], 6) }));
     return wanted ? { places, before: [['/camera', mergePatch(this.scene.camera ?? {}, wanted)]], patch: { camera: null } } : { places };
+  }
+
+  // A number, or a list of them, as it is written now.
+  #placeMeant(place) {
+    const value = valueAt(this.scene, place);
+    if (value === undefined) return { places: [] };
+    const [list, index, ...rest] = tokens(place);
+    const target = list === 'objects' ? ['', list, this.#nameOf(Number(index)), ...rest.map(token)].join('/') : place;
+    return { places: [{ place, target, value }] };
   }
 
   #objectMeant(index) {
