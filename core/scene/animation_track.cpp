@@ -132,6 +132,10 @@ std::optional<Value> formula_value(const Track& track, double seconds) {
 
 }  // namespace
 
+double own_time(const Animation& animation, const Track& track, double seconds) {
+  return track.repeat != KeyRepeat::once ? seconds : std::clamp(seconds, 0.0, animation.duration);
+}
+
 std::optional<Value> value_at(const Track& track, TrackTarget target, double seconds) {
   if (track.formula) return formula_value(track, seconds);
   return keyed_value(track, target, seconds);

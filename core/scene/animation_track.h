@@ -14,4 +14,9 @@ enum class TrackTarget { numbers, color, quaternion };
 /// Domain: a track without faults that has keys or a formula.
 std::optional<Value> value_at(const Track& track, TrackTarget target, double seconds);
 
+/// The time at which a track is asked for at a time of its animation: the same where it repeats,
+/// whose end so goes on as its beginning; else none before the animation's beginning or after its
+/// end.
+double own_time(const Animation& animation, const Track& track, double seconds);
+
 }  // namespace tia

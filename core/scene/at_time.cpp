@@ -48,6 +48,9 @@ class Resolution {
     return animation_ + "/tracks/" + std::to_string(track);
   }
   bool is_key_light(std::size_t track) const { return tracks_[track].target == key_light_place; }
+  double time_of(std::size_t track) const {
+    return own_time(*scene_.animation, tracks_[track], seconds_);
+  }
   std::string when() const { return "at " + number_text(seconds_) + " s "; }
 
   // ---- targets ----
@@ -134,7 +137,7 @@ class Resolution {
   Absence absent_at_that_time() const {
     std::vector<TargetPath> paths;
     for (const Moved& each : moved_)
-      if (tracks_[each.track].visible && !tracks_[each.track].is_visible(seconds_))
+      if (tracks_[each.track].visible && !tracks_[each.track].is_visible(time_of(each.track)))
         paths.push_back(each.path);
     return Absence(std::move(paths));
   }
@@ -147,7 +150,7 @@ class Resolution {
 
   std::optional<Value> value_of(const Moved& moved) {
     const Track& track = tracks_[moved.track];
-    auto value = value_at(track, kind_of_target(moved.path), seconds_);
+    auto value = value_at(track, kind_of_target(moved.path), time_of(moved.track));
     if (!value)
       faults_.add({FaultKind::out_of_range, place_of(moved.track) + "/formula",
                    write_value(*track.formula), when() + "a finite number for " + track.target});
@@ -227,12 +230,6 @@ bool moves_objects(const Animation& animation) {
 Scene at_time(const Scene& scene, double seconds, const Middles& middles, const Place& at,
               const std::stop_token& stop) {
   return Resolution(scene, seconds, at, stop)(middles);
-}
-
-void check_animation(const Scene& scene, const std::stop_token& stop) {
-  if (!scene.animation) return;
-  const bool moves = moves_key_light(*scene.animation);
-  at_time(scene, 0, moves ? middles_of(scene, stop) : Middles{}, {}, stop);
 }
 
 }  // namespace tia

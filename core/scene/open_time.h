@@ -8,8 +8,8 @@
 namespace tia {
 
 /// The middles of `steps` equal strata of the time for which the shutter is open around a frame's,
-/// ascending: seconds + shutter/fps ((i + 0.5)/steps - 0.5), none before the beginning or after the
-/// end. Space/units: seconds.
+/// ascending: seconds + shutter/fps ((i + 0.5)/steps - 0.5); none before the beginning or after the
+/// end, unless a track repeats, which goes on there (own_time). Space/units: seconds.
 std::vector<double> stratum_times(const Animation& animation, double seconds, int steps);
 
 /// The scene of whose strata a frame is the mean: the moving one, where what the frame has but

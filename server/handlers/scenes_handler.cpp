@@ -2,7 +2,7 @@
 #include "core/input/nearest_listed.h"
 #include "core/input/object_schema.h"
 #include "core/motion/simulate.h"
-#include "core/scene/at_time.h"
+#include "core/scene/animation_check.h"
 #include "core/scene/keys.h"
 #include "core/scene/read_scene.h"
 #include "server/contract/answers.h"

@@ -1,6 +1,7 @@
 // What may be wrong with an animation: as it is read, and at a time.
 #include <gtest/gtest.h>
 
+#include "core/scene/animation_check.h"
 #include "core/scene/at_time.h"
 #include "tests/core/faults.h"
 #include "tests/core/support.h"
@@ -143,9 +144,26 @@ TEST(AnimationFaults, ComeAtOnceAndNameTheTrackWhateverIsNotThere) {
 TEST(AnimationFaults, AreThoseOfTheTimeThatIsAskedFor) {
   const Scene scene =
       read_scene(moving(R"({"target":"/objects/ball/radius","formula":"1-t"})", with_ball));
-  EXPECT_NO_THROW(check_animation(scene));
   EXPECT_NO_THROW(at_time(scene, 0.5, {}));
   EXPECT_THROW(at_time(scene, 1, {}), InputError);
+}
+
+// The first moment at which each track has one: a frame's, a key's own, or an interval's end.
+TEST(AnimationFaults, AreFoundAtEveryMomentOfAnAnimationAllTracksAtOnce) {
+  const std::string tracks =
+      R"x({"target":"/objects/ball/radius","interpolation":"step","keys":[[0,1],[1.2,-1],[1.3,1]]},
+          {"target":"/background","formula":"sqrt(1.25-t)"},
+          {"target":"/camera/fov_degrees","keys":[[0,20],[1.41,20],[1.42,200],[1.43,20]]},
+          {"target":"/objects/2/min/0","formula":"-t"})x";
+  const std::string comes_and_goes = R"(,{"target":"/objects/2","visible":[[0,1]]})";
+  for (const std::string& more : {std::string(), comes_and_goes}) {
+    const Scene scene = read_scene(moving(tracks + more, with_ball));
+    expect_faults(test::faults_of([&] { check_animation(scene); }),
+                  {{out_of_range, "/animation/tracks/0", "-1", "at 1.2 s at /objects/0/radius"},
+                   {out_of_range, "/animation/tracks/1/formula", "\"sqrt(1.25-t)\"",
+                    "at 1.2916666666666667 s a finite number for /background"},
+                   {out_of_range, "/animation/tracks/2", "200", "at 1.42 s at /camera/fov"}});
+  }
 }
 
 }  // namespace

@@ -26,6 +26,26 @@ TEST(OpenTime, EndsWithTheAnimation) {
   EXPECT_EQ(stratum_times(with_shutter(1, 1, 2), 2, 4), (std::vector<double>{1.625, 1.875, 2, 2}));
 }
 
+// A wheel of one turn in four seconds: its first frame is open from before the beginning, where it
+// is as it was before the end, whatever else holds there.
+TEST(OpenTime, GoesOnBeyondTheJoinOfALoop) {
+  const Scene wheel = read_scene(R"x({"animation":{"duration":4,"fps":1,"shutter":1,"tracks":[
+    {"target":"/options/exposure","keys":[[0,0],[4,16]],"repeat":"loop"},
+    {"target":"/background","keys":[[0,0],[4,1]]},
+    {"target":"/ambient_light","formula":"sqrt(t)"}]}})x");
+  const auto at_frame = [&](double seconds, std::size_t stratum) {
+    const auto times = stratum_times(*wheel.animation, seconds, 4);
+    return at_time(wheel, times[stratum], {});
+  };
+  const double first[] = {14.5, 15.5, 0.5, 1.5};  // 4 a second, at -0.375, -0.125, 0.125, 0.375 s
+  for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(at_frame(0, i).options.exposure, first[i]);
+  EXPECT_EQ(at_frame(0, 0).background.r, 0);
+  EXPECT_EQ(at_frame(0, 0).ambient_light.r, 0);
+  EXPECT_EQ(at_frame(4, 2).options.exposure, 0.5);
+  EXPECT_EQ(at_frame(4, 2).background.r, 1);
+  EXPECT_TRUE(moves_within(*wheel.animation, {-0.25, -0.125}));
+}
+
 const char* const exposed_frame_scene = R"({"animation":{"duration":4,"shutter":1,"tracks":[
     {"target":"/background","keys":[[0,0],[4,1]]},
     {"target":"/options/exposure","keys":[[0,0],[4,4]]},
