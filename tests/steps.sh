@@ -55,15 +55,14 @@ build() {
 }
 
 # ahead PRESET...: begins to build those of them whose steps are to come, of the time that processors
-# have while a step waits for browsers or limits of time. Their own steps build what is left, and
-# tell what is wrong.
+# have while a step waits for browsers or limits of time, until one builds again. Their own steps
+# build what is left, and tell what is wrong.
 ahead() {
   local preset presets=()
   for preset in "$@"; do
     if [[ " ${chosen[*]} " = *" $preset "* ]]; then presets+=("$preset"); fi
   done
-  [ ${#presets[@]} -gt 0 ] || return 0
-  await_ahead
+  if [ ${#presets[@]} = 0 ] || [ -n "$being_built" ]; then return 0; fi
   set -m  # for a process group of its own
   build_behind "${presets[@]}" > /dev/null 2>&1 &
   set +m
@@ -197,7 +196,10 @@ step_core() {
   googletest release core_tests
   node_tests models
 }
-step_server() { googletest release server_tests "$waiting" "$measuring"; }
+step_server() {
+  ahead portable asan
+  googletest release server_tests "$waiting" "$measuring"
+}
 waiting='Timeouts.*:Body.*:Drain.*:*Ending.*:Connections.*:Serve.*'  # for limits of time to pass
 measuring='SoakOverload.*:StreamsInTime.*'  # how soon the program answers
 step_memory() { googletest release memory_tests; }

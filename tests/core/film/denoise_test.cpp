@@ -41,7 +41,7 @@ TEST(Denoise, LeavesALightThatIsTheSameEverywhere) {
 // Every pixel has a light of its own, by 0.3 more or less, which no feature tells: the picture is
 // not made notably worse, be noise none, less than that, or as much.
 TEST(Denoise, LeavesDetailThatIsNoNoise) {
-  for (const double noise : {0.0, 0.1, 0.2, 0.3}) {
+  for (const double noise : test::cases({0.0, 0.1, 0.2, 0.3})) {
     Chance chance;
     HalfBuffers halves = blank();
     std::vector<double> lights(halves.a.size());
@@ -62,7 +62,7 @@ TEST(Denoise, LeavesDetailThatIsNoNoise) {
 TEST(Denoise, TakesOffBrightSamplesThatHalvesShareByChance) {
   constexpr double share = 0.05;
   const Field truth = [](double, double) { return 1; };
-  for (const int of_half : {2, 8}) {
+  for (const int of_half : test::cases({2, 8})) {
     Chance chance;
     HalfBuffers halves = blank();
     for (PixelPlanes* half : {&halves.a, &halves.b}) {
@@ -161,7 +161,7 @@ TEST(Denoise, CutsTheErrorUnderASquareLight) {
   const Field truth = [&](double x, double y) {
     return under_square(place(x, width), place(y, height), h, side);
   };
-  for (const int samples : {4, 16}) {
+  for (const int samples : test::cases({4, 16})) {
     const double cut = samples == 4 ? 4 : 3;
     Chance chance;
     HalfBuffers halves = blank();
@@ -191,7 +191,7 @@ TEST(Denoise, KeepsEdgesThatFeaturesTell) {
   const auto step = [](double low, double high) {
     return [=](double x, double) { return x < 35 ? low : high; };
   };
-  for (const int plane : {3, 6, 10}) {
+  for (const int plane : test::cases({3, 6, 10}, 2)) {
     Chance chance;
     HalfBuffers halves = blank();
     SCOPED_TRACE(plane);

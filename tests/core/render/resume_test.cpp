@@ -3,6 +3,7 @@
 
 #include "core/render/kept_rounds.h"
 #include "tests/core/render/chance.h"
+#include "tests/sanitizer.h"
 
 namespace tia {
 namespace {
@@ -59,7 +60,7 @@ TEST(Resume, ComesToTheBytesAndRaysOfOneThatWasNeverLeft) {
   for (const double noise : {0.0, 0.02}) {
     const Picture alone = of_room(chance(100, noise), width, height);
     const Picture more = of_room(chance(256, noise), width, height);
-    for (const int threads : {1, 7}) {
+    for (const int threads : test::cases({1, 7})) {
       const std::int64_t least = of_room(chance(16), width, height).rays.all();
       const std::int64_t further = alone.rays.all() - least;
       const std::int64_t rays =

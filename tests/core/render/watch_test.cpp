@@ -151,7 +151,7 @@ TEST(Watch, SeesPreviewsOfChanceWithLessNoise) {
 // Of other numbers of samples than powers of two, too.
 TEST(Watch, ChangesNothingOfADenoisedPicture) {
   for (const auto& [samples, noise] : {std::pair{2, 0.0}, {11, 0.0}, {48, 0.03}})
-    for (const int threads : {1, 7}) {
+    for (const int threads : test::cases({1, 7})) {
       RenderOptions options = denoised(chance(samples, noise));
       const Picture alone = of_room(options, 40, 30);
       options.threads = threads;

@@ -11,7 +11,7 @@ TEST(Streams, EndWithThePlainPictureForAnyThreads) {
   Server server;
   const int samples = rounds(64, 4);
   int seed = 100;
-  for (const char* threads : {"&threads=1", "&threads=7"})
+  for (const char* threads : cases({"&threads=1", "&threads=7"}))
     for (const char* of : {"", "&noise=0.05", "&integrator=whitted", "&max_rays=2000000",
                            "&denoise=true", "&denoise=true&noise=0.05"}) {
       const std::string target = room(++seed, samples, of) + threads;
