@@ -15,10 +15,11 @@ void MemberReader::add_missing(std::string_view name, const Spec& spec,
               std::string(spec.about) + ": " + allowed});
 }
 
-std::optional<std::size_t> MemberReader::kind(const std::vector<std::string_view>& names,
-                                              const Spec& spec) {
+std::optional<std::size_t> MemberReader::kind(std::span<const KindType> kinds, const Spec& spec) {
   const Value* const type = member("type");
   if (type == nullptr && !spec.required) return 0;
+  std::vector<std::string_view> names;
+  for (const KindType& kind : kinds) names.push_back(kind.name);
   if (type == nullptr) {
     add_missing("type", spec, "one of " + listed(names));
   } else {
@@ -39,7 +40,7 @@ void MemberReader::finish() const {
     if (std::find(known.begin(), known.end(), name) != known.end()) continue;
     unknown_word(Value(name), at.at(name), known, faults);
   }
-  if (faults.count() == before && check_kind) check_kind();
+  if (faults.count() == before && check_kind != nullptr) check_kind(kind_read, at, faults);
 }
 
 void ObjectSchema::add(std::string_view name, const Value& schema, const Spec& spec,
@@ -80,6 +81,108 @@ Value ObjectSchema::finish() const {
   Value::Object schema{
       {"type", "object"}, {"properties", properties}, {"additionalProperties", false}};
   if (!required.empty()) schema.emplace_back("required", required);
+  return schema;
+}
+
+// ---- walking the fields -----------------------------------------------------------------------
+
+namespace {
+
+class FieldsRead final : public FieldSink {
+ public:
+  explicit FieldsRead(MemberReader& from) : FieldSink(false), from_(from) {}
+
+  void field(std::string_view name, const Spec& spec, const MemberType& type, void* value,
+             const void*) override {
+    if (const Value* given = from_.member(name))
+      type.read(*given, from_.at.at(name), spec, from_.faults, value);
+    else if (spec.required) from_.add_missing(name, spec, type.allowed(spec));
+  }
+  void one_of(const Spec& spec, const UnionType& type, void* variant) override {
+    const auto chosen = from_.kind(type.kinds, spec);
+    if (!chosen) return;
+    const KindType& kind = type.kinds[*chosen];
+    const std::size_t before = from_.faults.count();
+    void* const owner = kind.emplace(variant);
+    kind.fields->walk(*this, owner);
+    if (from_.faults.count() != before) return;
+    from_.check_kind = kind.fields->check;
+    from_.kind_read = owner;
+  }
+
+ private:
+  MemberReader& from_;
+};
+
+class FieldsWrite final : public FieldSink {
+ public:
+  explicit FieldsWrite(Value::Object& object) : FieldSink(true), object_(object) {}
+
+  void field(std::string_view name, const Spec& spec, const MemberType& type, void* value,
+             const void* standard) override {
+    if (spec.required || !type.equal(value, standard))
+      object_.emplace_back(name, type.write(value));
+  }
+  void one_of(const Spec& spec, const UnionType& type, void* variant) override {
+    const std::size_t index = type.index(variant);
+    const KindType& kind = type.kinds[index];
+    if (spec.required || index != 0) object_.emplace_back("type", kind.name);
+    kind.fields->walk(*this, kind.held(variant));
+  }
+
+ private:
+  Value::Object& object_;
+};
+
+// Of owners by default: walked with null.
+class FieldsSchema final : public FieldSink {
+ public:
+  FieldsSchema(ObjectSchema& schema, Definitions& named)
+      : FieldSink(true), schema_(schema), named_(named) {}
+
+  void field(std::string_view name, const Spec& spec, const MemberType& type, void*,
+             const void* standard) override {
+    std::optional<Value> value;
+    if (!type.optional) value = type.write(standard);
+    schema_.add(name, type.schema(spec, named_), spec, value);
+  }
+  void one_of(const Spec& spec, const UnionType& type, void*) override {
+    for (const KindType& kind : type.kinds)
+      schema_.add_kind(kind.name, fields_schema(*kind.fields, named_),
+                       spec.required || &kind != type.kinds.data());
+  }
+
+ private:
+  ObjectSchema& schema_;
+  Definitions& named_;
+};
+
+}  // namespace
+
+void read_fields(const OwnerType& type, const Value& v, const Place& at, Faults& faults,
+                 void* owner) {
+  const auto* object = v.as<Value::Object>();
+  if (object == nullptr) return wrong_type(v, at, "an object", faults);
+  const std::size_t before = faults.count();
+  MemberReader from{*object, at, faults};
+  FieldsRead reader(from);
+  type.walk(reader, owner);
+  from.finish();
+  if (type.check != nullptr && faults.count() == before) type.check(owner, at, faults);
+  if (type.check_links != nullptr) type.check_links(owner, at, faults);
+}
+
+Value write_fields(const OwnerType& type, const void* owner) {
+  Value::Object object;
+  FieldsWrite writer(object);
+  type.walk(writer, const_cast<void*>(owner));  // which the writer only looks at
+  return object;
+}
+
+ObjectSchema fields_schema(const OwnerType& type, Definitions& named) {
+  ObjectSchema schema;
+  FieldsSchema maker(schema, named);
+  type.walk(maker, nullptr);
   return schema;
 }
 

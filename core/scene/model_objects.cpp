@@ -11,7 +11,7 @@
 namespace tia {
 namespace {
 
-TransformSteps steps_of(const Affine& map) {
+TransformSteps steps_by(const Affine& map) {
   if (map == Affine{}) return {};
   const auto row = [](double x, double y, double z, double w) {
     return std::array<double, 4>{x, y, z, w};
@@ -67,7 +67,7 @@ class Making {
   Object placed(const ModelPiece& piece, const Affine& map, ModelBudget& budget) const {
     Mesh mesh = piece.mesh;
     if (instead_of(piece) != nullptr) mesh.colors = {};
-    if (is_usable(map)) return {piece.name, std::move(mesh), steps_of(map), {}};
+    if (is_usable(map)) return {piece.name, std::move(mesh), steps_by(map), {}};
     if (!budget.take(0, static_cast<std::int64_t>(mesh.vertices() + mesh.triangles()))) return {};
     return {piece.name, moved(mesh, map), {}, {}};
   }

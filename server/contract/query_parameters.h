@@ -1,6 +1,7 @@
 // The parameters of a query as OpenAPI describes them, from the fields of a request.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -24,6 +25,12 @@ struct InQuery<std::vector<T>> {
   static Value::Object in_query(Value::Object schema) { return list_in_query(std::move(schema)); }
 };
 
+/// The parameter called `name`, by the schema of its JSON and how that stands in a query.
+/// `standard` is what holds without it.
+Value::Object query_parameter(const std::string& name, const Spec& spec, const Value& schema,
+                              const std::optional<Value>& standard,
+                              Value::Object (*in_query)(Value::Object));
+
 /// Visitor: makes a parameter of every field, and of the fields of a group, "ray.origin", too.
 struct QueryParameters {
   Definitions& named;
@@ -33,13 +40,10 @@ struct QueryParameters {
   template <class Base, class Member>
   void operator()(std::string_view field, Member Base::*member, const Spec& spec) {
     const std::string name = group + std::string(field);
-    Value::Object schema = *schema_of<Member>(spec, named).template as<Value::Object>();
-    if constexpr (!detail::is_optional<Member>)
-      if (!spec.required) schema.emplace_back("default", write_value(Base{}.*member));
-    Value::Object parameter{{"name", name}, {"in", "query"}, {"description", about_text(spec)}};
-    for (auto& each : InQuery<Member>::in_query(std::move(schema)))
-      parameter.push_back(std::move(each));
-    list.push_back(std::move(parameter));
+    std::optional<Value> standard;
+    if constexpr (!detail::is_optional<Member>) standard = write_value(Base{}.*member);
+    list.push_back(query_parameter(name, spec, schema_of<Member>(spec, named), standard,
+                                   InQuery<Member>::in_query));
     if constexpr (detail::is_optional<Member>)
       if constexpr (Described<typename Member::value_type>) {
         QueryParameters inner{named, name + "."};

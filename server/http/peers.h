@@ -74,6 +74,7 @@ struct Codec<T> {
     else faults.add({FaultKind::out_of_range, at.pointer(), v, allowed(spec)});
   }
   static Value write(const T& v) { return v.text; }
+  static Value schema(const Spec& spec) { return detail::text_schema(spec); }
   static std::string allowed(const Spec&) { return T::form; }
 };
 

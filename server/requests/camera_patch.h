@@ -10,6 +10,7 @@ namespace tia::server {
 struct CameraPatch {
   static constexpr std::string_view schema_name = "camera_patch";
   Value::Object members;
+  bool operator==(const CameraPatch&) const = default;
 };
 
 }  // namespace tia::server
@@ -21,6 +22,7 @@ template <>
 struct Codec<server::CameraPatch> {
   static void read(const Value& v, const Place& at, const Spec& spec, Faults& faults,
                    server::CameraPatch& out);
+  static Value write(const server::CameraPatch& v) { return v.members; }
   static Value schema(const Spec& spec, Definitions& named);
   static std::string allowed(const Spec&) { return "an object of the camera's fields"; }
 };

@@ -110,6 +110,13 @@ Scene sensor_scene(const DrakeForm& form, IntegratorName integrator, const std::
 
 }  // namespace
 
+bool drake_form_tells(std::string_view parameter) {
+  for (const std::string_view told : {"scene", "key", "light", "camera", "width", "height", "crop",
+                                      "format", "depth_range", "time", "frame"})
+    if (parameter == told) return true;
+  return false;
+}
+
 void DrakeForm::check(const Place& at, Faults& faults) const {
   const auto fault = [&](FaultKind kind, const char* field, std::optional<Value> got,
                          const char* allowed) {

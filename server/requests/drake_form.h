@@ -99,6 +99,9 @@ struct DrakeQuery : PictureRequest {
   static void fields(Visitor&& visit);
 };
 
+/// Whether it is the form that says what this parameter of /render does.
+bool drake_form_tells(std::string_view parameter);
+
 /// Visitor: hands fields on but for those that the form says.
 template <class Visitor>
 struct DrakeQueryFields {
@@ -106,9 +109,7 @@ struct DrakeQueryFields {
 
   template <class Base, class Member>
   void operator()(std::string_view name, Member Base::*member, const Spec& spec) const {
-    for (const std::string_view told : {"scene", "key", "light", "camera", "width", "height",
-                                        "crop", "format", "depth_range", "time", "frame"})
-      if (name == told) return;
+    if (drake_form_tells(name)) return;
     Member DrakeQuery::*const own = member;
     visit(name, own, spec);
   }

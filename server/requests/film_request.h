@@ -71,17 +71,17 @@ struct FilmRequest : PictureRequest {
   void check(const Place& at, Faults& faults) const;
 };
 
-/// Visitor: hands on the parameters of /render that frames have, too: a film chooses its moments,
-/// its frames are PNGs, and are the same whoever draws them.
+/// Whether frames have that parameter of /render, too: a film chooses its moments, its frames are
+/// PNGs, and are the same whoever draws them.
+bool frames_have(std::string_view parameter);
+
+/// Visitor: hands on the parameters that frames have.
 template <class Visitor>
 struct FrameFields {
   Visitor& visit;
   template <class Base, class Member>
   void operator()(std::string_view name, Member Base::*member, const Spec& spec) const {
-    for (const std::string_view other : {"time", "frame", "format", "budget_ms", "max_rays",
-                                         "frame_ms", "depth_range", "aov", "depth"})
-      if (name == other) return;
-    visit(name, member, spec);
+    if (frames_have(name)) visit(name, member, spec);
   }
 };
 

@@ -86,6 +86,21 @@ Scene unread_still(const StillParameters& asked, const SharedModel& model,
 
 }  // namespace
 
+std::optional<Spec> still_parameter(StillPart of, std::string_view name, const Spec& spec) {
+  if (of == StillPart::moment) return std::nullopt;  // a model's own time is PlacedModel's
+  if (name == "blur_steps") return std::nullopt;     // a still does not move
+  if (of == StillPart::model && (name == "id" || name == "ambient")) return std::nullopt;
+  for (const std::string_view other : {"scene", "key", "light", "camera"})
+    if (of == StillPart::view && name == other) return std::nullopt;
+  Spec as_told = spec;
+  if (name == "integrator") as_told.about = "how light is gathered; else path";
+  if (name == "samples")
+    as_told.about =
+        "rays a pixel; 1 goes through its centre; else 64 by path, 16 by whitted and thesis, and "
+        "with noise up to 4096";
+  return as_told;
+}
+
 void StillParameters::check(const Place& at, Faults& faults) const {
   StillRequest::check(at, faults);
   PictureRequest::check(at, faults);

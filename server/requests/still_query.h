@@ -62,6 +62,20 @@ struct StillParameters : PlacedModel, StillRequest, PictureRequest {
   IntegratorName integrator_in_effect() const { return integrator.value_or(IntegratorName::path); }
 };
 
+/// Whose a field of StillParameters is.
+enum class StillPart { model, moment, view, other };
+template <class Owner>
+inline constexpr StillPart still_part = StillPart::other;
+template <>
+inline constexpr StillPart still_part<PlacedModel> = StillPart::model;
+template <>
+inline constexpr StillPart still_part<Moment> = StillPart::moment;
+template <>
+inline constexpr StillPart still_part<ViewRequest> = StillPart::view;
+
+/// What a still's parameter means, by what it means elsewhere; nothing where a still has none.
+std::optional<Spec> still_parameter(StillPart of, std::string_view name, const Spec& spec);
+
 /// Visitor: hands fields on as StillParameters' own, for its defaults hold; but not all.
 template <class Visitor>
 struct StillFields {
@@ -69,20 +83,9 @@ struct StillFields {
 
   template <class Base, class Member>
   void operator()(std::string_view name, Member Base::*member, const Spec& spec) const {
-    constexpr bool placed = std::is_same_v<Base, PlacedModel>;
-    if (std::is_same_v<Base, Moment>) return;  // a model's own time is PlacedModel's
-    if (name == "blur_steps") return;          // a still does not move
-    if (placed && (name == "id" || name == "ambient")) return;
-    for (const std::string_view other : {"scene", "key", "light", "camera"})
-      if (std::is_same_v<Base, ViewRequest> && name == other) return;
     Member StillParameters::*const own = member;
-    Spec as_told = spec;
-    if (name == "integrator") as_told.about = "how light is gathered; else path";
-    if (name == "samples")
-      as_told.about =
-          "rays a pixel; 1 goes through its centre; else 64 by path, 16 by whitted and thesis, and "
-          "with noise up to 4096";
-    visit(name, own, as_told);
+    if (const auto as_told = still_parameter(still_part<Base>, name, spec))
+      visit(name, own, *as_told);
   }
 };
 

@@ -14,6 +14,7 @@ namespace tia::server {
 /// ScenePatch: what replaces parts of a scene, a JSON merge patch (RFC 7396).
 struct ScenePatch {
   Value::Object members;
+  bool operator==(const ScenePatch&) const = default;
 };
 
 }  // namespace tia::server
@@ -25,6 +26,7 @@ template <>
 struct Codec<server::ScenePatch> {
   static void read(const Value& v, const Place& at, const Spec& spec, Faults& faults,
                    server::ScenePatch& out);
+  static Value write(const server::ScenePatch& v) { return v.members; }
   static Value schema(const Spec&, Definitions&) { return Value::Object{{"type", "object"}}; }
   static std::string allowed(const Spec&) { return "an object, a JSON merge patch of the scene"; }
 };

@@ -1,7 +1,9 @@
 // What a request says of the scene and of the eye: the parameters that /render and /explain share.
 #pragma once
 
+#include <any>
 #include <array>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -117,13 +119,15 @@ struct TraceRequest : ViewRequest {
   }
 };
 
+/// Replaces an option by what is asked for: `place` points to a T or to an optional one, else to
+/// what no request replaces.
+template <class Asked>
+void replace_option(const std::any&, const Asked&) {}
 template <class T>
-void replace(T& option, const std::optional<T>& asked) {
-  if (asked) option = *asked;
-}
-template <class T>
-void replace(std::optional<T>& option, const std::optional<T>& asked) {
-  if (asked) option = asked;
+void replace_option(const std::any& place, const std::optional<T>& asked) {
+  if (!asked) return;
+  if (auto* const option = std::any_cast<T*>(&place)) **option = *asked;
+  else if (auto* const may_be = std::any_cast<std::optional<T>*>(&place)) **may_be = asked;
 }
 
 /// How features are shown: what are no colours in one way, colours encoded and no more.
@@ -147,11 +151,13 @@ SceneOptions options_in_effect(SceneOptions options, const Request& asked) {
   if (asked.threshold.value_or(0) > 0) options.noise = std::nullopt;
   if constexpr (requires { asked.noise; })
     if (asked.noise.value_or(0) > 0) options.threshold = std::nullopt;
+  std::map<std::string_view, std::any> places;  // of the options, by name
   SceneOptions::fields([&](std::string_view name, auto option, const Spec&) {
-    Request::fields([&](std::string_view parameter, auto member, const Spec&) {
-      if constexpr (requires { replace(options.*option, asked.*member); })
-        if (name == parameter) replace(options.*option, asked.*member);
-    });
+    places.emplace(name, &(options.*option));
+  });
+  Request::fields([&](std::string_view parameter, auto member, const Spec&) {
+    const auto place = places.find(parameter);
+    if (place != places.end()) replace_option(place->second, asked.*member);
   });
   if (!averages(options.integrator)) options.samples = options.threshold = std::nullopt;
   if (options.noise == 0) options.noise = std::nullopt;
