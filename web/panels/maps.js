@@ -16,7 +16,7 @@ import { drawnRay } from './rays.js';
 const [WIDTH, HEIGHT] = [240, 180];
 const MOST = 12; // objects that a hand can take
 const LARGEST = 0.4; // of the plan: what fills more is a floor or a wall
-const ROOM = 0.3; // around what the camera looks at, of its distance
+const [ROOM, ROOMIER] = [0.3, 0.4]; // around what the camera looks at, of its distance
 const FAR = 2.5; // times as far as the eye: a lamp out there stands at the plan's edge
 const COARSE = { width: WIDTH / 3, height: HEIGHT / 3 };
 const DRAWN = { width: 480, height: 360, samples: 1, threshold: 0, crop: null };
@@ -71,7 +71,7 @@ class PlanMap {
     this.#plan = plansOf(camera).find(({ name }) => name === this.#name);
     const away = distanceOf(pivot, camera.location);
     const near = light && distanceOf(pivot, light) < FAR * away;
-    const around = [-away, away].flatMap((by) => [0, 1, 2].map((i) => pivot.with(i, pivot[i] + by * ROOM)));
+    const around = [-away, away].flatMap((by) => [0, 1, 2].map((i) => pivot.with(i, pivot[i] + by * (instead ? ROOMIER : ROOM))));
     this.#region = regionOf(this.#plan, [...around, ...(instead ?? [camera.location, ...(near ? [light] : [])])]);
     // What is above the eye and what it looks at is left away: ceilings, walls on this side.
     const start = regionOf(this.#plan, [pivot, camera.location]).center;
