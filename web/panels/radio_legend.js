@@ -52,7 +52,6 @@ function bands({ low, high, step, colorOf }) {
 }
 
 function ticksIn(map, scale, radio) {
-  const servers = map.quantity === 'best_server';
-  const all = servers ? Array.from({ length: scale.high }, (_, i) => i) : ticksOf(scale.low, scale.high, TICKS);
-  return all.map((tick) => element('span', { style: { left: `${100 * scale.shareOf(tick + (servers ? 0.5 : 0))}%` } }, valueWords(map, tick, radio)));
+  const all = map.quantity === 'best_server' ? Array.from({ length: scale.high }, (_, i) => i) : ticksOf(scale.low, scale.high, TICKS);
+  return all.map((tick) => element('span', { style: { left: `${100 * scale.shareOf(tick)}%` } }, valueWords(map, tick, radio)));
 }

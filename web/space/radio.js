@@ -38,7 +38,7 @@ export function scaleOf({ quantity, values }) {
   const all = values.flat().filter((value) => value !== null).sort((a, b) => a - b);
   if (!all.length) return null;
   const most = all.at(-1);
-  if (quantity === 'best_server') return scaled(0, most + 1, 1, (value) => APART[Math.round(value) % APART.length]);
+  if (quantity === 'best_server') return scaled(0, most + 1, 1, (value) => APART[Math.round(value) % APART.length], 0.5);
   const least = quantity === 'delay_spread' ? 0 : all[round(all.length * DARKEST)];
   const step = quantity === 'delay_spread' ? niceStep(most - least, 12) || 1e-9 : DECIBELS;
   const low = round(least / step) * step;
@@ -46,8 +46,8 @@ export function scaleOf({ quantity, values }) {
   return scaled(low, high, step, (value) => viridis((round(value / step) * step - low) / Math.max(high - low - step, step)));
 }
 
-function scaled(low, high, step, colorOf) {
-  return { low, high, step, colorOf, shareOf: (value) => Math.max(0, Math.min(1, (value - low) / (high - low))) };
+function scaled(low, high, step, colorOf, inside = 0) {
+  return { low, high, step, colorOf, shareOf: (value) => Math.max(0, Math.min(1, (value + inside - low) / (high - low))) };
 }
 
 /** A step of 1, 2 or 5 times a power of ten of which at most `most` fit into `length`; 0 where there is none. */
