@@ -92,19 +92,21 @@ void by_sequences(const MapSearch& search, const PathSearch& from, const Workers
 }
 
 // Else each is one of so many receivers, whose rays are shot once for all of them.
-void by_rays(const MapSearch& search, PathSearch from, const Workers& workers, PathCounts& counts,
-             CellTotals& totals) {
-  constexpr int large = 32;
+void by_rays(const MapSearch& search, const PathSearch& from, const Workers& workers,
+             PathCounts& counts, CellTotals& totals) {
+  constexpr int large = 16;
   const Tiles tiles(search.grid, large);
-  for (int number = 0; number < tiles.count(); ++number) {
+  std::vector<PathCounts> parts(static_cast<std::size_t>(tiles.count()));
+  workers.for_each(tiles.count(), [&](int number) {
     const Tile cells = tiles.at(number, search.inside);
-    if (cells.numbers.empty()) continue;
-    from.to = cells.centers;
-    from.most_images = search.limits.max_images - counts.images;
-    PathsTo found = paths_from(search.world, search.question, from, workers);
-    counts += found.counts;
-    workers.alone([&] { totals.settle(cells, found.by_receiver); });
-  }
+    if (cells.numbers.empty()) return;
+    PathSearch own = from;
+    own.to = cells.centers;
+    PathsTo found = paths_from(search.world, search.question, own, Workers(workers.stop()));
+    parts[static_cast<std::size_t>(number)] = found.counts;
+    totals.settle(cells, found.by_receiver);
+  });
+  for (const PathCounts& each : parts) counts += each;
 }
 
 }  // namespace

@@ -79,7 +79,7 @@ Response mapped(const AskedMap& asked, Stopwatch watch, const Request& request, 
   const std::string etag = etag_of(recipe);
   Headers headers{
       {"ETag", etag},
-      {"Cache-Control", asked.map.v ? "public, max-age=31536000, immutable" : "no-cache"}};
+      {"Cache-Control", asked.map.wanted ? "public, max-age=31536000, immutable" : "no-cache"}};
   if (asked.accepted) add_vary(headers, "Accept");
   const std::string type(map_formats[static_cast<std::size_t>(asked.map.format)].media_type);
   if (request.method != "POST" && has_already(request, etag)) {
@@ -141,7 +141,7 @@ std::vector<Route> map_routes() {
                         {"ETag", "Cache-Control", "Cache-Status"}}},
            .chooses = true,
            .query = query_parameters<RadioMapRequest>,
-           .examples = {"/radio/map?scene=whitted&tx=7,4,-2&frequency_hz=5e9&area=-2,-8,8,2&cell=2&rays=1000"}},
+           .examples = {"/radio/map?scene=flat&tx=2.6,1.6,2.4&frequency_hz=5e9&cell=1&rays=1000"}},
           {.method = "POST",
            .path = "/radio/map",
            .name = "post_radio_map",

@@ -46,8 +46,8 @@ void DrawnMap::check(const Place& at, Faults& faults) const {
 
 void RadioMapRequest::check(const Place& at, Faults& faults) const {
   DrawnMap::check(at, faults);
-  if (v && *v != version() && *v != full_version())
-    faults.add({FaultKind::out_of_range, at.at("v").pointer(), Value(*v),
+  if (wanted && *wanted != version() && *wanted != full_version())
+    faults.add({FaultKind::out_of_range, at.at("version").pointer(), Value(*wanted),
                 full_version() + ", which this server draws; or none, for whatever it draws"});
 }
 

@@ -72,7 +72,7 @@ struct DrawnMap : RadioMapQuestion {
 struct RadioMapRequest : DrawnMap {
   static constexpr std::string_view schema_name = "radio_map_request";
   std::variant<std::string, Scene> scene;
-  std::optional<std::string> v;
+  std::optional<std::string> wanted;  ///< the version
 
   template <class Visitor>
   static void fields(Visitor&& visit) {
@@ -82,7 +82,7 @@ struct RadioMapRequest : DrawnMap {
                         "one that moves, the time 0",
                .required = true});
     DrawnMap::fields(visit);
-    visit("v", &R::v,
+    visit("version", &R::wanted,
           Spec{.about = "the version whose bytes are wanted, as /version tells it: caches may keep "
                         "the map for good"});
   }

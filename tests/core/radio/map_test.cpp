@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstring>
 
 #include "core/film/palette.h"
@@ -16,10 +17,12 @@ namespace tia {
 namespace {
 
 using test::box_text;
-using test::number_text;
+using test::link;
+using test::paths_of;
 using test::point_in;
 using test::radio_scene;
 using test::Random;
+using test::triple;
 
 // The places of a map do not care for a NaN's bits.
 bool same(double a, double b) {
@@ -105,6 +108,49 @@ TEST(RadioMap, EachCellIsThePathsAtItsCenterByWayOfABall) {
   expect_paths_at_centers(scene, question, map, 3);
 }
 
+// On a grid, whose points see edges of bodies in simple directions, too.
+TEST(RadioMap, CellsInBodiesAreThoseInTheirBoxes) {
+  Random random(3);
+  std::string text;
+  std::vector<std::array<double, 4>> boxes;
+  for (int i = 0; i < 8; ++i) {
+    const auto tenth = [&](double from, double to) {
+      return std::round(random.in(from, to) * 10) / 10;
+    };
+    const double x = tenth(0, 4), z = tenth(0, 4), wide = tenth(0.3, 2), deep = tenth(0.3, 2);
+    boxes.push_back({x, z, x + wide, z + deep});
+    text += (i > 0 ? "," : "") + box_text({x, 0, z}, {x + wide, 2.0 + i, z + deep});
+  }
+  RadioMapQuestion question = map_of({-1, 1.5, -1}, RadioMethod::image);
+  question.area = {{0, 0, 6, 6}};
+  question.cell = 0.1;
+  question.max_reflections = 0;
+  const RadioMap map = radio_map(radio_scene(text), question);
+  for (int i = 0; i < 3600; ++i) {
+    const Vec3d p = map.grid.center(i % 60, i / 60);
+    const bool is = std::any_of(boxes.begin(), boxes.end(), [&](const auto& b) {
+      return b[0] < p.x && p.x < b[2] && b[1] < p.z && p.z < b[3];
+    });
+    ASSERT_EQ(map.inside[static_cast<std::size_t>(i)] != 0, is) << triple(p);
+  }
+}
+
+// The points where one is left and the other entered are the same, which tell no direction.
+TEST(RadioMap, WallsThatTouchAreGoneThroughOneByOne) {
+  const auto gain = [](const std::string& boxes) {
+    RadioQuestion question = link({0, 1, 0}, {9, 1, 0}, RadioMethod::image, 2.4e9);
+    question.max_transmissions = 2;
+    return paths_of(radio_scene(boxes, glass), question).at(0).gain[0][0];
+  };
+  const std::string first = box_text({3, -9, -9}, {3.1, 9, 9}),
+                    second = box_text({3.1, -9, -9}, {3.2, 9, 9});
+  const Complex none = gain(""), one = gain(first), both = gain(first + "," + second);
+  const Complex expected = one / none * one;
+  EXPECT_NEAR(both.re, expected.re, 1e-15);
+  EXPECT_NEAR(both.im, expected.im, 1e-15);
+  EXPECT_GT(norm_of(both), 0.05 * norm_of(none));
+}
+
 // Friis, "A note on a simple transmission formula" (1946): (lambda / 4 pi d)^2.
 TEST(RadioMap, QuantitiesInFreeSpaceAreFriis) {
   const Scene empty = radio_scene("");
@@ -141,7 +187,7 @@ TEST(RadioMap, QuantitiesInFreeSpaceAreFriis) {
     EXPECT_NEAR(power.values[i],
                 10 * std::log10(std::pow(10, dbm[0] / 10) + std::pow(10, dbm[1] / 10)), 1e-9);
     EXPECT_NEAR(sinr.values[i], dbm[server] - 10 * std::log10(other + 1e-7), 1e-9);
-    EXPECT_EQ(spread.values[i], 0);
+    EXPECT_LT(spread.values[i], 1e-20);  // of one path: what its delay is rounded by
   }
   EXPECT_EQ(unit_of(MapQuantity::power), "dBm");
 }

@@ -103,7 +103,7 @@ TEST(RadioMapRoute, SaysWhatIsWrongAtItsPlace) {
   EXPECT_EQ(pointer(R"(,"transmitters":[{"position":[3,1,3]}])"), "/transmitters/0/position");
   EXPECT_EQ(pointer(one + R"(,"max_reflections":11)"), "/max_reflections");
   EXPECT_EQ(pointer(one + R"(,"range":[3,3])"), "/range");
-  EXPECT_EQ(pointer(one + R"(,"v":"0.0.1")"), "/v");
+  EXPECT_EQ(pointer(one + R"(,"version":"0.0.1")"), "/version");
   EXPECT_EQ(pointer(one + R"(,"quantity":"gian")"), "/quantity");
   EXPECT_EQ(pointer(one, "\"flot\""), "/scene");
   EXPECT_EQ(pointer(one + R"(,"method":"image")", "\"thesis\""), "/method");
