@@ -1,5 +1,5 @@
 // The command line: subcommands `serve` (default), `worker`, `render`, `film`, `simulate`, `radio`,
-// `still`, `model`, `job`, `key` and `sign`. Bad use exits with 2.
+// `scene`, `still`, `model`, `job`, `key` and `sign`. Bad use exits with 2.
 #include <CLI/CLI.hpp>
 #include <csignal>
 #include <iostream>
@@ -19,6 +19,7 @@
 #include "server/requests/film_request.h"
 #include "server/requests/picture_request.h"
 #include "server/requests/still_query.h"
+#include "server/scene_command.h"
 #include "server/serve_command.h"
 #include "server/simulate_command.h"
 #include "server/still_command.h"
@@ -216,6 +217,19 @@ RadioCommands add_radio(CLI::App& app, Asked& asked) {
   return {paths, map};
 }
 
+CLI::App* add_scenes(CLI::App& app, Asked& asked) {
+  CLI::App* scenes = app.add_subcommand("scene", "make scenes")->fallthrough();
+  CLI::App* buildings =
+      scenes->add_subcommand("from-geojson", "blocks of polygons with heights, in metres")
+          ->fallthrough();
+  buildings->add_option("file", asked.question, "GeoJSON")->required()->type_name("");
+  buildings->add_option("-o,--output", asked.file, "NAME.json, or - for standard output")
+      ->required()
+      ->type_name("");
+  scenes->require_subcommand(1);
+  return buildings;
+}
+
 CLI::App* add_model(CLI::App& app, Asked& asked) {
   CLI::App* model = app.add_subcommand("model", "tell what is in a model's file, as JSON");
   add_model_files(*model, asked);
@@ -311,6 +325,7 @@ int run(int argc, char** argv) {
   const CLI::App* film = add_film(app, asked);
   const CLI::App* simulate = add_simulate(app, asked);
   const RadioCommands radio = add_radio(app, asked);
+  const CLI::App* buildings = add_scenes(app, asked);
   const CLI::App* still = add_still(app, asked);
   const CLI::App* model = add_model(app, asked);
   const JobCommands jobs = add_job(app, asked);
@@ -348,6 +363,7 @@ int run(int argc, char** argv) {
   else if (radio.paths->parsed())
     radio_paths_to_file(asked.scene, asked.question, asked.file, config);
   else if (radio.map->parsed()) radio_map_to_file(asked.scene, asked.question, asked.file, config);
+  else if (buildings->parsed()) footprints_to_file(asked.question, asked.file);
   else if (still->parsed())
     still_to_file(asked.model_files, asked.file, asked.parameters, asked.plain, config);
   else if (sign->parsed()) print_signed_url(asked.url, asked.sign_for_s, config);

@@ -65,6 +65,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Path{"Jobs", "/jobs", "POST, OPTIONS", 405, 422},
                     Path{"JobLoad", "/jobs/load", "GET, HEAD, DELETE, OPTIONS"},
                     Path{"RadioPaths", "/radio/paths", "POST, OPTIONS", 405, 422},
+                    Path{"RadioMap", "/radio/map", "GET, HEAD, POST, OPTIONS", 422, 422},
                     Path{"Scene", "/scenes/thesis", "GET, HEAD, DELETE, OPTIONS"},
                     Path{"Schema", "/schema/scene.json", "GET, HEAD, OPTIONS"},
                     Path{"Health", "/healthz", "GET, HEAD, OPTIONS"},
