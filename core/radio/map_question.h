@@ -31,6 +31,7 @@ struct SenderFields {
     if (name == "receivers" || name == "channel") return;
     if (name == "transmitters") {
       spec.required = false;
+      spec.min_items = 0;
       spec.about = "what sends, at most 1024; or tx";
     }
     visit(name, member, spec);

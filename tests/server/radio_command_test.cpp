@@ -1,4 +1,4 @@
-// `tia radio paths`: what the server answers, in a file.
+// `tia radio paths|map`: what the server answers, in a file.
 #include <httplib.h>
 
 #include <fstream>
@@ -29,6 +29,20 @@ TEST(RadioCommand, WritesWhatTheServerAnswers) {
   const Finished wrong = run({"radio", "paths", scene, question, "-o", "-"});
   EXPECT_EQ(wrong.status, 2);
   EXPECT_THAT(wrong.err, HasSubstr("/frequency_hz"));
+}
+
+TEST(RadioCommand, WritesTheMapThatTheServerAnswers) {
+  Folder folder;
+  const std::string question = folder.file("question.json");
+  const std::string asked = R"("tx":[[2.6,1.6,2.4]],"frequency_hz":5e9,"cell":1,"rays":1000})";
+  std::ofstream(question) << "{" << asked;
+  const Finished end = run({"radio", "map", "flat", question, "-o", "-"});
+  ASSERT_EQ(end.status, 0) << end.err;
+  Tia tia;
+  const auto served =
+      tia.client().Post("/radio/map", R"({"scene":"flat",)" + asked, "application/json");
+  ASSERT_TRUE(served);
+  EXPECT_TRUE(end.out == served->body);
 }
 
 }  // namespace
