@@ -46,9 +46,10 @@ local function close(id, state)
   call('ZREM', P .. 'open', id)
   add_to('unfinished', id, -1)
   call('ZREM', P .. 'deadlines', id)
-  call('ZADD', P .. 'closed', now + keep_ms, id)
+  local expires = now + (tonumber(word(id, 'keep_ms')) or keep_ms)  -- as who took it has said
+  call('ZADD', P .. 'closed', expires, id)
   set_state(id, state)
-  call('HSET', key(id), 'finished', now, 'expires', now + keep_ms)
+  call('HSET', key(id), 'finished', now, 'expires', expires)
   local joins, parts = word(id, 'joins') == '1', word(id, 'parts')
   if state ~= 'done' then
     drop_results(id)

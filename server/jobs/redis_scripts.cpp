@@ -35,6 +35,7 @@ call('HSET', key(id), 'waiting', parts)
 total('waiting', parts)
 hold(id, bytes)
 call('ZADD', P .. 'open', now, id)
+call('HSET', key(id), 'keep_ms', keep_ms)
 if key_digest ~= '' then call('HSET', P .. 'keys', key_digest, id) end
 if number(id, 'deadline') > 0 then call('ZADD', P .. 'deadlines', number(id, 'deadline'), id) end
 set_state(id, 'queued')

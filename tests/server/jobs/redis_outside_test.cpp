@@ -222,6 +222,13 @@ TEST_F(Outside, WhatClientsHaveSentIsLentOnceAndAsLongAsAJobNeedsIt) {
   EXPECT_THROW(worker->lent("models/a"), StorageError);
 }
 
+TEST_F(Outside, ResultsAreKeptAsLongAsWhoTookTheJobSaysWhoeverEndsIt) {
+  store->submit(job(1), now);
+  RedisJobs other({.redis = shared_redis().options(), .limits = {.keep_ms = 5}, .name = "other"});
+  other.finish(*other.claim("", now), result("bytes"), now);
+  EXPECT_EQ(store->find("job")->expires, now + keep_ms);
+}
+
 TEST_F(Outside, RaysOfKeysJobsAreChargedOnceToWhoAsks) {
   NewJob made = job(3);
   made.owner = "key alice";
