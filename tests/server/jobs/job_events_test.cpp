@@ -150,8 +150,9 @@ TEST(JobEvents, OfWhoDoesNotReadEndAndGoOnWhenItComesAgain) {
   const std::string target = "/jobs/" + id + "/events";
   Wire wire(server.port(), 4096);
   wire.send(get_request(target));
-  EXPECT_TRUE(
-      eventually([&] { return server.host().service().jobs.board().feeds() == 0; }, seconds(30)));
+  const Board& board = server.host().service().jobs.board();
+  ASSERT_TRUE(eventually([&] { return board.feeds() == 1; }));
+  EXPECT_TRUE(eventually([&] { return board.feeds() == 0; }, seconds(60)));
   const std::vector<int> ids = ids_in(wire.rest());
   ASSERT_FALSE(ids.empty());
   EXPECT_LT(ids.size(), 1000U) << "what it did not read was not sent";
