@@ -3,14 +3,12 @@
 
 import argparse
 import json
-import re
 import shutil
 import socket
 import statistics
 import subprocess
 import tempfile
 import time
-from pathlib import Path
 
 from load import ROOT, SMALL, Server, latencies, p95, row, timed
 from streams import user_seconds
@@ -169,11 +167,11 @@ def bare(count, many):
     """Pictures a second of so many bare processes of one thread at once."""
     start = time.perf_counter()
     processes = [subprocess.Popen(
-        [ROOT / "build/release/tia", "render", "--scene", "cornell-light", "--width", "320",
-         "--height", "240", "--samples", str(16 * many), "--threads", "1", "-o", "/dev/null"],
+        [ROOT / "build/release/tia", "render", "cornell-light", "--width", "320", "--height", "240",
+         "--samples", str(16 * many), "--threads", "1", "-o", "-"],
         stdout=subprocess.DEVNULL) for _ in range(count)]
     for process in processes:
-        process.wait()
+        assert process.wait() == 0
     return count * many / (time.perf_counter() - start)
 
 
