@@ -6,6 +6,7 @@
 #include "server/contract/problem.h"
 #include "server/handlers/handlers.h"
 #include "server/jobs/jobs.h"
+#include "server/requests/film_request.h"
 
 namespace tia::server {
 namespace {
@@ -87,23 +88,32 @@ Response get_metrics(const Request&, const std::string&, Service& service) {
           .headers = {{"Cache-Control", "no-store"}}};
 }
 
-Response get_version(const Request&, const std::string&, Service&) {
-  const Value::Object build{{"name", "tia"},
-                            {"version", version()},
-                            {"bytes", full_version()},
-                            {"compiler", compiler},
-                            {"lanes", lanes<Wide>}};
+// mp4 takes a program that not every server has.
+Value::Array film_formats_of(const Service& service) {
+  Value::Array names;
+  for (const FilmFormatRow& row : film_formats)
+    if (row.format != FilmFormat::mp4 || !service.rendering.ffmpeg.program.empty())
+      names.emplace_back(row.name);
+  return names;
+}
+
+Response get_version(const Request&, const std::string&, Service& service) {
+  const Value::Object build{{"name", "tia"},           {"version", version()},
+                            {"bytes", full_version()}, {"compiler", compiler},
+                            {"lanes", lanes<Wide>},    {"films", film_formats_of(service)}};
   return {.content_type = "application/json", .body = to_json(build)};
 }
 
 Value version_schema(Definitions& named) {
   return schema_called("build", named, [] {
     const Value text = plain_schema<std::string>();
-    return object_schema({{"name", text},
-                          {"version", text},
-                          {"bytes", text, "the same bytes come from builds of which this is equal"},
-                          {"compiler", text},
-                          {"lanes", count_schema(1), "rays that are traced at once"}});
+    return object_schema(
+        {{"name", text},
+         {"version", text},
+         {"bytes", text, "the same bytes come from builds of which this is equal"},
+         {"compiler", text},
+         {"lanes", count_schema(1), "rays that are traced at once"},
+         {"films", plain_schema<std::vector<std::string>>(), "the formats that /film gives here"}});
   });
 }
 

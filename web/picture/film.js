@@ -9,10 +9,10 @@ const MARKS = { apng: 'fcTL', zip: 'PK\x03\x04', webp: 'ANMF' };
 const NOT_OF_FILMS = ['time', 'frame', 'pixel', 'budget_ms', 'max_rays'];
 const LIVE = ['mjpeg'];
 
-/** The formats of files that this server gives, by its own description. */
+/** The formats of files that this server gives. */
 export async function filmFormats() {
-  const { components } = await fetchJson('openapi.json');
-  return components.schemas.film_request.properties.format.enum.filter((name) => !LIVE.includes(name));
+  const { films } = await fetchJson('version');
+  return films.filter((name) => !LIVE.includes(name));
 }
 
 /**

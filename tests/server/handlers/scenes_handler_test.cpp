@@ -67,6 +67,17 @@ TEST(Version, NamesTheVersionAndAllThatTheBytesDependOn) {
   EXPECT_NE(full_version().find("libdeflate"), std::string::npos);
 }
 
+TEST(Version, NamesTheFormatsOfFilmsThatThisServerGives) {
+  const auto films = [](const std::string& ffmpeg) {
+    Config config;
+    config.ffmpeg = ffmpeg;
+    Host own(config);
+    return to_json(at(json_of(own.get("/version")), "films"));
+  };
+  EXPECT_EQ(films(""), R"(["apng","webp","webm","zip","mjpeg"])");
+  EXPECT_EQ(films("/usr/bin/ffmpeg"), R"(["apng","webp","webm","zip","mjpeg","mp4"])");
+}
+
 TEST(Health, IsOkAndNeverStored) {
   const Response response = host().get("/healthz");
   EXPECT_EQ(text_at(json_of(response), "status"), "ok");
