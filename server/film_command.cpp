@@ -76,9 +76,9 @@ void film_to_file(const std::string& scene, const std::string& file,
   if (!film.moves) std::cerr << "tia: the scene does not move: the film is one frame\n";
   const FrameCount count(film.frames);
   FileToBe to(file);
-  const Crew crew{[&](Plan& plan, const Shot& shot) {
+  const Crew crew{[&](FilmFrames& frames, Plan& plan, const Shot& shot) {
                     auto picture =
-                        std::make_shared<const Picture>(draw(plan, workshop.context(), {}));
+                        std::make_shared<const Picture>(frames.draw(plan, workshop.context(), {}));
                     if (shows_progress) count.has_drawn(shot.first + shot.frames);
                     return picture;
                   },

@@ -45,7 +45,7 @@ class Filming {
   const FilmPlan film;
 
  private:
-  SharedPicture drawn(Plan& plan, const Shot& shot, Flow& flow);
+  SharedPicture drawn(FilmFrames& frames, Plan& plan, const Shot& shot, Flow& flow);
   std::size_t pixels() const {
     return static_cast<std::size_t>(film.width) * static_cast<std::size_t>(film.height);
   }
@@ -59,13 +59,13 @@ std::int64_t Filming::encoder_bytes() const {
 
 // Once for all who ask for the frame later, but not together with who asks now: they may wait for
 // the place that this has.
-SharedPicture Filming::drawn(Plan& plan, const Shot& shot, Flow& flow) {
+SharedPicture Filming::drawn(FilmFrames& frames, Plan& plan, const Shot& shot, Flow& flow) {
   if (!plan.takes_codes)
     if (const auto found = service.pictures.find(shot.etag)) return found->picture;
   plan.options.flow = &flow;
   if (encoder_bytes() == 0) settle_memory();
   const auto attempt = [&] {
-    Picture picture = draw(plan, service.rendering, requester.stop);
+    Picture picture = frames.draw(plan, service.rendering, requester.stop);
     service.costs.learn(plan.cost_key, plan.rays(), picture.trace_seconds, true);
     service.metrics.count(picture.rays, picture.timing);
     service.access.charge(requester.key, picture.rays.all());
@@ -91,7 +91,9 @@ void Filming::operator()(const SendPart& send) {
   Flow flow{requester.number()};
   flow.is_long = true;
   const Crew crew{
-      [&](Plan& plan, const Shot& shot) { return drawn(plan, shot, flow); },
+      [&](FilmFrames& frames, Plan& plan, const Shot& shot) {
+        return drawn(frames, plan, shot, flow);
+      },
       [&](const std::function<void()>& work) {
         encoders.spend([&] { service.rendering.pool.alone(work, requester.stop, &flow); });
       },

@@ -4,6 +4,8 @@
 #include <chrono>
 #include <utility>
 
+#include "server/requests/film_frames.h"
+
 namespace tia::server {
 namespace {
 
@@ -38,10 +40,11 @@ class Playing {
 void play(FilmRequest& asked, const FilmPlan& film, const RenderContext& context,
           const Requester& requester, LivePictures& pictures) {
   Playing playing(film);
+  FilmFrames frames(asked, film.scene);
   for (bool has_begun = false;;) {
     const auto begun = Clock::now();
     const Shot& shot = playing.shot();
-    Plan plan = frame_plan_of(asked, film, shot.first, context, requester);
+    Plan plan = frames.plan_at(film.seconds_of(shot.first), context, requester);
     const auto jpeg = pictures.draw(plan);
     const auto took = Clock::now() - begun;
     if (!std::exchange(has_begun, true)) playing.begin();

@@ -168,7 +168,9 @@ Plan plan_of(const PictureRequest& asked, const FoundScene& found, const RenderC
 
 Picture draw(const Plan& plan, const RenderContext& context, const std::stop_token& stop,
              const Onlooker* onlooker) {
-  return Studio(plan, context, stop, onlooker).picture();
+  return Studio(plan, context, stop, onlooker).picture([&](const Workers& workers) {
+    return worlds_of(plan.exposure, context, workers);
+  });
 }
 
 }  // namespace tia::server

@@ -6,6 +6,7 @@
 #include "core/input/json.h"
 #include "core/video/vp9.h"
 #include "core/video/webp_animation.h"
+#include "server/requests/film_frames.h"
 #include "server/requests/recipe.h"
 #include "server/stores/digest.h"
 
@@ -136,19 +137,6 @@ std::int64_t FilmPlan::ms_until(int frame) const {
   return static_cast<std::int64_t>(std::floor(1000 * (frame / fps) + 0.5));
 }
 
-Plan frame_plan_of(FilmRequest& asked, const FilmPlan& film, int frame,
-                   const RenderContext& context, const Requester& requester) {
-  FoundScene found{film.scene, {}, 0};
-  if (film.moves) {
-    const double seconds = film.seconds_of(frame);
-    asked.time = seconds;
-    found = {scene_at(film.scene, seconds, asked.along, context, requester), film.scene, seconds};
-  }
-  Plan plan = plan_of(asked, found, context, requester);
-  plan.takes_codes = row_of(asked.film_format).takes_codes;
-  return plan;
-}
-
 FilmPlan film_plan_of(FilmRequest& asked, const RenderContext& context,
                       const Requester& requester) {
   FilmPlan film;
@@ -161,9 +149,10 @@ FilmPlan film_plan_of(FilmRequest& asked, const RenderContext& context,
     check_still(asked);
     film.fps = asked.fps.value_or(film.fps);
   }
+  FilmFrames frames(asked, film.scene);
   for (int frame = 0; frame < film.frames; ++frame) {
     end_if_asked(requester.stop);
-    const Plan plan = frame_plan_of(asked, film, frame, context, requester);
+    const Plan plan = frames.plan_at(film.seconds_of(frame), context, requester);
     check_same(plan, film, frame);
     if (frame == 0) check_format(asked, film, context);
     std::string etag = etag_of(plan.recipe);

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "server/requests/draw.h"
 #include "server/requests/film_request.h"
+#include "server/requests/render_context.h"
 
 namespace tia::server {
 
@@ -39,9 +39,5 @@ struct FilmPlan {
 /// InputError: more frames than `max_frames`, more rays together than `max_rays`, no frame, a frame
 /// of another size or kind than the first.
 FilmPlan film_plan_of(FilmRequest& asked, const RenderContext& context, const Requester& requester);
-
-/// The plan of a frame. It refers to the request, which is set to the frame's time.
-Plan frame_plan_of(FilmRequest& asked, const FilmPlan& film, int frame,
-                   const RenderContext& context, const Requester& requester);
 
 }  // namespace tia::server

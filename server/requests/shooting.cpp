@@ -18,10 +18,11 @@ void shoot(FilmRequest& asked, const FilmPlan& film, const RenderContext& contex
     if (!piece.empty()) crew.take(piece);
   };
   hand_on([&] { return encoder->begin(); });
+  FilmFrames frames(asked, film.scene);
   for (const Shot& shot : film.shots) {
     end_if_asked(requester.stop);
-    Plan plan = frame_plan_of(asked, film, shot.first, context, requester);
-    const auto picture = crew.draw(plan, shot);
+    Plan plan = frames.plan_at(film.seconds_of(shot.first), context, requester);
+    const auto picture = crew.draw(frames, plan, shot);
     hand_on([&] { return encoder->add(*picture, shot); });
   }
   hand_on([&] { return encoder->end(); });

@@ -5,6 +5,7 @@
 #include <memory>
 #include <string_view>
 
+#include "server/requests/film_frames.h"
 #include "server/requests/film_plan.h"
 #include "server/stores/picture.h"
 
@@ -12,8 +13,9 @@ namespace tia::server {
 
 /// Crew: who draws a film's pictures and takes its file.
 struct Crew {
-  /// The picture of that plan, whose tag is the shot's.
-  std::function<std::shared_ptr<const Picture>(Plan& plan, const Shot& shot)> draw;
+  /// The picture of that plan, one of the frames', whose tag is the shot's.
+  using Draw = std::shared_ptr<const Picture>(FilmFrames& frames, Plan& plan, const Shot& shot);
+  std::function<Draw> draw;
   /// Does what takes one thread's time when it is its turn.
   std::function<void(const std::function<void()>& work)> alone;
   /// Takes the file's next piece, which is not empty; may wait.

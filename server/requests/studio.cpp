@@ -199,9 +199,9 @@ void Studio::draw_on_a_film(const Worlds& worlds, Picture& picture) {
   draw_on(DisplayFilm(width, height, plan_.display), worlds, picture);
 }
 
-Picture Studio::picture() {
+Picture Studio::picture(const CompileWorlds& compile_worlds) {
   Picture picture;
-  const Worlds worlds = worlds_of(plan_.exposure, context_, workers_);
+  const Worlds worlds = compile_worlds(workers_);
   reserve_memory(memory_of(plan_, onlooker_ != nullptr), "this picture", stop_);
   picture.degenerate = worlds.front().degenerate;
   if (plan_.options.integrator == IntegratorName::path)

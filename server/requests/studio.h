@@ -1,6 +1,7 @@
 // Where pictures are drawn: a plan, its world, the films that tiles go to, the file.
 #pragma once
 
+#include <functional>
 #include <stop_token>
 #include <string>
 #include <vector>
@@ -21,11 +22,12 @@ class Studio {
   Studio(const Plan& plan, const RenderContext& context, const std::stop_token& stop,
          const Onlooker* onlooker);
 
-  /// The picture. Errors: as draw().
-  Picture picture();
+  using Worlds = std::vector<World>;  // of the exposure's scenes
+  using CompileWorlds = std::function<Worlds(const Workers&)>;
+  /// The picture, of the worlds that are compiled for it. Errors: as draw().
+  Picture picture(const CompileWorlds& compile_worlds);
 
  private:
-  using Worlds = std::vector<World>;  // of the exposure's scenes
   void draw_on_a_film(const Worlds& worlds, Picture& picture);
   template <class Film>
   void draw_on(Film film, const Worlds& worlds, Picture& picture);

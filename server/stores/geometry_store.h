@@ -17,9 +17,9 @@ namespace tia::server {
 
 /// GeometryStore. A mesh is in it as long as a geometry that has it is, once however many have it.
 ///
-/// There is no refit: what is built anew when objects move is the index over the objects, which
-/// costs little beside the meshes', and comes out as if nothing had been there before, so that
-/// pictures never depend on what was asked for earlier.
+/// What is built anew when objects move is the index over the objects, which costs little beside
+/// the meshes', and comes out as if nothing had been there before: pictures never depend on what
+/// was asked for earlier. A film changes one of its own instead (film_frames.h).
 class GeometryStore {
  public:
   /// Of 0 bytes it keeps nothing.

@@ -2,11 +2,12 @@
 // balls of which some move: the plain scene of its time, and what its objects compile to.
 #include <benchmark/benchmark.h>
 
-#include "core/accel/world/geometry.h"
+#include "core/accel/world/refit_geometry.h"
 #include "core/input/described.h"
 #include "core/input/json.h"
 #include "core/motion/exact.h"
 #include "core/scene/at_time.h"
+#include "core/scene/moving_part.h"
 
 namespace tia::bench {
 namespace {
@@ -86,6 +87,22 @@ BENCHMARK(moving_index)
     ->ArgName("balls")
     ->RangeMultiplier(10)
     ->Range(100, 100'000)
+    ->Unit(benchmark::kMillisecond);
+
+// Of 10^5 balls few: the moment, and what the moment before compiled to changed into its own.
+void moving_refit(benchmark::State& state) {
+  const Scene moving = moving_balls(100'000, state.range(0));
+  Moments moments(moving);
+  Geometry geometry = geometry_of(moving);
+  double seconds = 0;
+  for ([[maybe_unused]] auto _ : state)
+    if (!refit(geometry, moments.at(seconds += 1e-3, {}, {}), moments.moved()))
+      state.SkipWithError("has to be built anew");
+}
+BENCHMARK(moving_refit)
+    ->ArgName("movers")
+    ->RangeMultiplier(10)
+    ->Range(1, 1000)
     ->Unit(benchmark::kMillisecond);
 
 }  // namespace

@@ -16,6 +16,11 @@ class Compiler {
     }
   }
 
+  PlacedObjects place() {
+    for (const Object& object : scene_.objects) add(object, {});
+    return {std::move(geometry_), builder_.boxes()};
+  }
+
   Geometry compile() {
     for (const Object& object : scene_.objects) add(object, {});
     list_unasked();
@@ -239,6 +244,10 @@ class Compiler {
 
 Geometry geometry_of(const Scene& scene, const Workers& workers, const MeshSource& mesh) {
   return Compiler(scene, workers, mesh).compile();
+}
+
+PlacedObjects placed_objects(const Scene& scene, const Workers& workers) {
+  return Compiler(scene, workers, indexed).place();
 }
 
 }  // namespace tia

@@ -53,6 +53,8 @@ class GeometryBuilder {
   void settle();
   /// Builds the trees.
   void finish();
+  /// The boxes of the world's items.
+  const std::vector<Aabb>& boxes() { return boxes_[0]; }
 
  private:
   void put(Item item, const Aabb& box, int space);
@@ -73,5 +75,14 @@ class GeometryBuilder {
   std::int64_t copies_ = 0;                 // of what is in small grids, one by one in trees
   std::map<int, std::vector<Aabb>> boxes_;  // one an item, space by space
 };
+
+/// PlacedObjects: a scene's objects in its own coordinates, without an index. `boxes` are those of
+/// the world's items.
+struct PlacedObjects {
+  Geometry geometry;
+  std::vector<Aabb> boxes;
+};
+/// Domain, errors: as geometry_of.
+PlacedObjects placed_objects(const Scene& scene, const Workers& workers);
 
 }  // namespace tia

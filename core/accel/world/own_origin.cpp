@@ -6,6 +6,8 @@
 namespace tia {
 namespace {
 
+constexpr double near = 64;  // so many sizes away, float keeps 18 of a size's 24 bits
+
 double greatest(const Vec3d& v) {
   return std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)});
 }
@@ -22,7 +24,6 @@ void Crowd::measure(const Vec3d& center, double say, double size) {
 }
 
 Vec3d Crowd::origin() const {
-  constexpr double near = 64;  // so many sizes away, float keeps 18 of a size's 24 bits
   const Vec3d middle = this->middle();
   const double size = sizes_ / says_, away = greatest(middle);
   if (!(away > near * size && away < 1e300)) return {};  // NaN, where there is nothing
@@ -30,6 +31,10 @@ Vec3d Crowd::origin() const {
   const double step = std::exp2(std::ilogb(size));
   const auto stepped = [&](double x) { return std::round(x / step) * step; };
   return {stepped(middle.x), stepped(middle.y), stepped(middle.z)};
+}
+
+bool Crowd::is_surely_near() const {
+  return greatest(middle()) <= near / 2 * (sizes_ / says_);  // NaN, where there is nothing
 }
 
 namespace {
@@ -128,6 +133,25 @@ class Settling {
 
 void settle(Geometry& geometry, std::map<int, std::vector<Aabb>>& boxes) {
   Settling(geometry, boxes).settle();
+}
+
+bool surely_keeps_origin(const Geometry& geometry) {
+  const Space& world = geometry.spaces.front();
+  const auto for_each = [&](const auto& visit) {
+    for (const std::uint32_t i : world.balls.balls) {
+      const Sphere& ball = geometry.balls[i].sphere;
+      if (ball.radius != 0) visit(ball.center, 2 * std::fabs(ball.radius));
+    }
+    for (const Box32& box : world.boxes) {
+      const Aabb own{Vec3d(box.min), Vec3d(box.max)};
+      const double size = greatest(own.size());
+      if (own.bounded() && size > 0) visit(own.center(), size);
+    }
+  };
+  Crowd crowd;
+  for_each([&](const Vec3d& center, double size) { crowd.add(center, 1 / size); });
+  for_each([&](const Vec3d& center, double size) { crowd.measure(center, 1 / size, size); });
+  return crowd.is_surely_near();
 }
 
 }  // namespace tia

@@ -26,6 +26,8 @@ class Crowd {
   /// Returns: a point whose components are multiples of a power of two near the mean size, so that
   /// subtracting it from coordinates with few digits is exact; 0 where the old origin is near.
   Vec3d origin() const;
+  /// Whether that is 0 even if all sizes were half as large.
+  bool is_surely_near() const;
 
  private:
   Vec3d middle() const { return sum_ * (1 / says_); }
@@ -38,5 +40,9 @@ class Crowd {
 /// geometry.origin. `boxes` are the items' boxes, space by space, and are moved as well. Domain: a
 /// geometry without indices. Cost: O(number of things).
 void settle(Geometry& geometry, std::map<int, std::vector<Aabb>>& boxes);
+
+/// Whether settle() would not have moved the world's origin, had it the boxes that these are
+/// rounded from. Domain: a geometry whose world's origin is the scene's.
+bool surely_keeps_origin(const Geometry& geometry);
 
 }  // namespace tia

@@ -5,9 +5,10 @@
 
 #include "core/film/png.h"
 #include "core/scene/read_scene.h"
+#include "server/stores/objects_parts.h"
 #include "tests/core/film/files.h"
 #include "tests/core/schema/corpus.h"
-#include "tests/server/support.h"
+#include "tests/server/stores/geometry_support.h"
 
 namespace tia::test {
 namespace {
@@ -169,6 +170,26 @@ TEST(SceneDigest, TellsOneStepOfATransformFromAnother) {
   EXPECT_TRUE(expect_told_apart(scenes[0], scenes[1]));
   EXPECT_TRUE(expect_told_apart(scenes[1], scenes[2]));
   EXPECT_TRUE(expect_told_apart(scenes[2], scenes[0]));
+}
+
+// 600 balls stand in three parts: what is named of the parts that changed is what is named of all.
+TEST(SceneDigest, OfAFewMovedObjectsIsThatOfTheWholeScene) {
+  Random random(7);
+  Scene scene;
+  for (int i = 0; i < 600; ++i)
+    scene.objects.push_back(object_of(Sphere{{random.in(-1, 1), 0, 0}, 1}));
+  scene.objects[3].shape = bowl(2);
+  ObjectsParts parts;
+  std::vector<std::size_t> moved;
+  for (int round = 0; round < 20; ++round) {
+    const ObjectsName whole = digest_of_objects(scene).all;
+    const Digested by_parts = digest_by_parts(scene, moved, parts);
+    EXPECT_EQ(by_parts.digest, whole.digest);
+    EXPECT_EQ(by_parts.bytes, whole.bytes);
+    moved = {3, static_cast<std::size_t>(random.whole(4, 400)), 599};
+    for (const std::size_t each : moved)
+      scene.objects[each].transform.steps = {Translate{{random.in(-1, 1), 0, 0}}};
+  }
 }
 
 }  // namespace
