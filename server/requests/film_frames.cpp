@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "core/accel/world/refit_geometry.h"
+#include "server/operation/memory_costs.h"
 #include "server/requests/studio.h"
 #include "server/stores/scene_bytes.h"
 
@@ -65,6 +66,9 @@ World FilmFrames::world_of(const Plan& plan, const RenderContext& context, const
 }
 
 bool FilmFrames::fit_to(const KnownScene& scene, const Workers& workers) {
+  if (!own_)
+    reserve_memory(memory_for(memory_cost::build, scene.objects.bytes + scene.models),
+                   "what the objects compile to", workers.stop());
   bool fits = false;
   workers.alone([&] {
     if (!own_) own_ = std::make_shared<Geometry>(*first_);
