@@ -13,10 +13,8 @@ GazeSample mix(const GazeSample& from, const GazeSample& to, float share) {
   return mixed;
 }
 
-const GazeSample& at_slot(const std::vector<GazeSample>& samples, std::int64_t slot) {
-  return samples[static_cast<std::size_t>(slot)];
-}
-GazeSample between_rays(const std::vector<GazeSample>& samples, const GazeCell& cell) {
+const GazeSample& at_slot(const GazeSample* samples, std::int64_t slot) { return samples[slot]; }
+GazeSample between_rays(const GazeSample* samples, const GazeCell& cell) {
   const auto on_ring = [&](const GazeCell::Between& rays) {
     return mix(at_slot(samples, rays.from), at_slot(samples, rays.to), rays.share);
   };
@@ -76,6 +74,8 @@ void fill_from_rings(const GazeFilling& from, int x0, int y0, FilmTile& tile) {
     dx[static_cast<std::size_t>(x)] = static_cast<float>(x0 + tile.x + x + 0.5 - from.frame.x());
   const bool near = overlap(from.fovea.box(), {x0 + tile.x, y0 + tile.y, x0 + tile.x + tile.width,
                                                y0 + tile.y + tile.height});
+  const GazeSample* const samples = from.samples.data();
+  const bool nearest = from.nearest;
   PolarRow row;
   FilledRow filled{};  // what is of the fovea is traced later
   GazeRings::Search search(from.rings);
@@ -86,8 +86,7 @@ void fill_from_rings(const GazeFilling& from, int x0, int y0, FilmTile& tile) {
       if (near && from.fovea.has(x0 + tile.x + x, picture_y, from.slope)) continue;
       const auto i = static_cast<std::size_t>(x);
       const GazeCell& cell = search({row.eccentricity[i], row.turn[i]});
-      filled[i] = from.nearest ? at_slot(from.samples, nearest_ray(cell))
-                               : between_rays(from.samples, cell);
+      filled[i] = nearest ? at_slot(samples, nearest_ray(cell)) : between_rays(samples, cell);
     }
     put(filled, y, tile);
   }

@@ -177,9 +177,9 @@ void GazeRings::keep_for_pixels(const GazeFovea& fovea, double slope) {
     const std::size_t k = ring_below(pixel.polar.eccentricity);
     if (rings_[k].number >= 0) continue;
     for (const std::size_t ring : {k, k + 1}) {
-      const Step at = step(ring, pixel.polar.turn);
-      marks.add(ring, at.from);
-      marks.add(ring, at.to);
+      const int ray = step(numbers_[ring], pixel.polar.turn).ray;
+      marks.add(ring, ray);
+      marks.add(ring, after(ring, ray));
     }
   }
   marks.put_arcs(rings_);
@@ -202,13 +202,14 @@ std::size_t GazeRings::ring_below(float eccentricity) const {
   return k;
 }
 
-std::pair<std::int64_t, std::int64_t> GazeRings::slots(std::size_t ring, const Step& at) const {
+std::pair<std::int64_t, std::int64_t> GazeRings::slots(std::size_t ring, int ray) const {
   const GazeRing& of = rings_[ring];
   if (of.arcs.empty()) return {0, 0};
-  const Arc& arc = arc_of(of, at.from);
-  const std::int64_t from = slot_in(arc, at.from);
-  if (at.from >= arc.begin && at.to > at.from && at.to < arc.end) return {from, from + 1};
-  return {from, slot_in(arc_of(of, at.to), at.to)};
+  const int next = after(ring, ray);
+  const Arc& arc = arc_of(of, ray);
+  const std::int64_t slot = slot_in(arc, ray);
+  if (ray >= arc.begin && next > ray && next < arc.end) return {slot, slot + 1};
+  return {slot, slot_in(arc_of(of, next), next)};
 }
 
 GazeCount count_of(const GazeFovea& fovea, const GazeRings& rings, double slope) {

@@ -55,20 +55,7 @@ class GazeRings {
 
   const std::vector<GazeRing>& rings() const { return rings_; }
   std::int64_t rays() const { return rays_; }
-  /// Search: finds what places are filled from, soonest those that are near to each other.
-  class Search {
-   public:
-    explicit Search(const GazeRings& rings) : rings_(rings) {}
-    /// Domain: a pixel's place, of the window's periphery.
-    const GazeCell& operator()(const Polar<float>& place);
-
-   private:
-    const GazeRings& rings_;
-    GazeCell cell_{};
-    std::size_t ring_ = 0;
-    int inner_ = -1, outer_ = -1;  // the rays that its slots are of
-    float from_ = 1, to_ = 0;      // the eccentricities of its rings
-  };
+  class Search;
 
  private:
   /// Numbers: a ring's for the search, in float.
@@ -76,9 +63,9 @@ class GazeRings {
     float eccentricity, per_gap, count, start;
     int rays;
   };
-  /// Step: a ring by its number, and two of its rays and the way between them.
+  /// Step: a ray of a ring, and how far on it is from there to the next one.
   struct Step {
-    int from, to;
+    int ray;
     float share;
   };
   void make_rings(const GazeFrame& frame, const Acuity& acuity, double most);
@@ -87,8 +74,10 @@ class GazeRings {
   void keep_for_pixels(const GazeFovea& fovea, double slope);
   void number_slots();
   std::size_t ring_below(float eccentricity) const;
-  Step step(std::size_t ring, float turn) const;
-  std::pair<std::int64_t, std::int64_t> slots(std::size_t ring, const Step& at) const;
+  static Step step(const Numbers& of, float turn);
+  int after(std::size_t ring, int ray) const { return ray + 1 < rings_[ring].count ? ray + 1 : 0; }
+  /// Of a ray, and of the next one.
+  std::pair<std::int64_t, std::int64_t> slots(std::size_t ring, int ray) const;
 
   std::vector<GazeRing> rings_;
   std::vector<Numbers> numbers_;
@@ -97,29 +86,45 @@ class GazeRings {
   std::int64_t rays_ = 0;
 };
 
-inline GazeRings::Step GazeRings::step(std::size_t ring, float turn) const {
-  const Numbers& of = numbers_[ring];
+/// Search: finds what places are filled from, soonest those that are near to each other.
+class GazeRings::Search {
+ public:
+  explicit Search(const GazeRings& rings) : rings_(rings) {}
+  /// Domain: a pixel's place, of the window's periphery.
+  const GazeCell& operator()(const Polar<float>& place);
+
+ private:
+  const GazeRings& rings_;
+  GazeCell cell_{};
+  std::size_t ring_ = 0;
+  const Numbers *inside_ = nullptr, *outside_ = nullptr;  // of that, and of the next one
+  float from_ = 1, to_ = 0;                               // their eccentricities
+  int inner_ = -1, outer_ = -1;                           // the rays that its slots are of
+};
+
+inline GazeRings::Step GazeRings::step(const Numbers& of, float turn) {
   const float from_first = turn - of.start;
   const float at = (from_first < 0 ? from_first + 1 : from_first) * of.count;
   const int ray = std::min(static_cast<int>(at), of.rays - 1);
-  return {ray, ray + 1 < of.rays ? ray + 1 : 0, std::min(at - static_cast<float>(ray), 1.0F)};
+  return {ray, std::min(at - static_cast<float>(ray), 1.0F)};
 }
 
 inline const GazeCell& GazeRings::Search::operator()(const Polar<float>& place) {
   const auto& [e, turn] = place;
   if (!(e >= from_ && e < to_)) {
     ring_ = rings_.ring_below(e);
-    from_ = rings_.numbers_[ring_].eccentricity, to_ = rings_.numbers_[ring_ + 1].eccentricity;
+    inside_ = &rings_.numbers_[ring_], outside_ = inside_ + 1;
+    from_ = inside_->eccentricity, to_ = outside_->eccentricity;
     inner_ = outer_ = -1;
   }
-  const Step inner = rings_.step(ring_, turn), outer = rings_.step(ring_ + 1, turn);
-  if (inner.from != inner_) std::tie(cell_.inner.from, cell_.inner.to) = rings_.slots(ring_, inner);
-  if (outer.from != outer_)
-    std::tie(cell_.outer.from, cell_.outer.to) = rings_.slots(ring_ + 1, outer);
-  inner_ = inner.from, outer_ = outer.from;
+  const Step inner = step(*inside_, turn), outer = step(*outside_, turn);
+  if (inner.ray != inner_)
+    std::tie(cell_.inner.from, cell_.inner.to) = rings_.slots(ring_, inner_ = inner.ray);
+  if (outer.ray != outer_)
+    std::tie(cell_.outer.from, cell_.outer.to) = rings_.slots(ring_ + 1, outer_ = outer.ray);
   cell_.inner.share = inner.share;
   cell_.outer.share = outer.share;
-  cell_.share = std::clamp((e - from_) * rings_.numbers_[ring_].per_gap, 0.0F, 1.0F);
+  cell_.share = std::clamp((e - from_) * inside_->per_gap, 0.0F, 1.0F);
   return cell_;
 }
 
