@@ -1,8 +1,9 @@
 #include "core/radio/map_picture.h"
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <cmath>
-#include <cstdio>
 
 #include "core/film/lettering.h"
 #include "core/film/palette.h"
@@ -133,9 +134,10 @@ class MapPainter {
   std::string text_of(double tick) const {
     int digits = 0;
     for (double step = scale_.step; step < 0.999 && digits < 9; step *= 10) ++digits;
-    char text[40];
-    std::snprintf(text, sizeof text, "%.*f", digits, tick == 0 ? 0.0 : tick);
-    return text;
+    std::array<char, 400> text{};
+    const auto end = std::to_chars(text.data(), text.data() + text.size(), tick == 0 ? 0.0 : tick,
+                                   std::chars_format::fixed, digits);
+    return {text.data(), end.ptr};
   }
 
   const RadioMap& map_;

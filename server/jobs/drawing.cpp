@@ -52,7 +52,11 @@ class PartDrawing {
     plan.takes_codes = parts_.are_pieces();
     const std::string etag = etag_of(plan.recipe);
     if (!plan.takes_codes)
-      if (const auto kept = at_.pictures.find(etag)) return of(*kept->picture, etag, n);
+      if (const auto kept = at_.pictures.find(etag)) {
+        PartResult result = of(*kept->picture, etag, n);
+        result.is_found = true;
+        return result;
+      }
     settle_memory();
     const auto picture = std::make_shared<Picture>(drawn(plan));
     at_.metrics.count(picture->rays, picture->timing);

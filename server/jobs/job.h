@@ -99,6 +99,7 @@ struct PartResult {
   std::string bytes, etag = {}, type = {};
   std::string place = {};  ///< where it is in the whole, as members of JSON: "window":[0,0,8,8]
   RayCounts rays{};
+  bool is_found = false;  ///< it had been drawn before: its rays are charged to nobody again
   std::int64_t ms = 0;
 };
 

@@ -182,6 +182,7 @@ bool RedisJobs::finish(const Claim& claim, const PartResult& result, TimeMs now)
                 to_json(result.etag) + (result.place.empty() ? "" : "," + result.place) + "}");
   own.push_back(outside);
   own.push_back(std::to_string(result.bytes.size()));
+  own.push_back(std::to_string(result.is_found ? 0 : rays.all()));
   const std::string word = insist([&] { return run(scripts_.finish, now, own).words; });
   if (word != "done" && !outside.empty()) remove_outside(outside);
   if (word == "full") throw farm_full(options_.limits);

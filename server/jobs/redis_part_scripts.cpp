@@ -109,7 +109,7 @@ return 1
 
 // id, part, attempt, bytes, their SHA-256, etag, type, place, ms, rays of all kinds, then of each,
 // whether it is audited, the problem of a mismatch, the event, where its bytes are outside or '',
-// how many they are. Returns: what has become of it.
+// how many they are, rays to be charged. Returns: what has become of it.
 const char* const redis_finish_text = R"lua(
 local id, n, attempt = ARGV[11], tonumber(ARGV[12]), tonumber(ARGV[13])
 local bytes, sha256, outside, size = ARGV[14], ARGV[15], ARGV[29], tonumber(ARGV[30])
@@ -162,7 +162,7 @@ if n < parts then
     add(id, kind, ARGV[20 + i])
   end
   local owner = string.match(word(id, 'owner'), '^key (.*)')
-  if owner and role == 'draws' then call('HINCRBY', P .. 'charges', owner, ARGV[20]) end
+  if owner and role == 'draws' then call('HINCRBY', P .. 'charges', owner, ARGV[31]) end
   tell(id, 'part', ARGV[28])
   tell_progress(id, number(id, 'done') == parts)
 end

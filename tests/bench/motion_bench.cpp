@@ -93,7 +93,7 @@ BENCHMARK(moving_index)
 void moving_refit(benchmark::State& state) {
   const Scene moving = moving_balls(100'000, state.range(0));
   Moments moments(moving);
-  Geometry geometry = geometry_of(moving);
+  tia::Geometry geometry = geometry_of(moving);
   double seconds = 0;
   for ([[maybe_unused]] auto _ : state)
     if (!refit(geometry, moments.at(seconds += 1e-3, {}, {}), moments.moved()))

@@ -57,7 +57,7 @@ test('the keyboard alone keeps a picture, compares it, and takes it along', () =
       for (const one of keys) await page.keyboard.press(one);
     };
     await page.locator('#tab-light').focus();
-    await key(...Array(4).fill('ArrowRight'));
+    await key(...Array(6).fill('ArrowRight'));
     await page.getByRole('button', { name: 'Keep this picture as A' }).waitFor();
     await key('Tab', 'Enter');
     await page.locator('#compare .half img').waitFor();

@@ -121,7 +121,9 @@ TEST(Moments, FaultsOfAllTracksAreToldWithTheTime) {
   EXPECT_THAT(drawn.body, HasSubstr("/scene/animation/tracks/1/target"));
   const Response kept = host().post("/scenes", scene);
   EXPECT_EQ(kept.status, 422);
-  EXPECT_EQ(only_error(kept).pointer, "/animation/tracks/1/target");
+  EXPECT_THAT(kept.body, HasSubstr(R"("pointer":"/animation/tracks/1/target")"));
+  EXPECT_THAT(kept.body, HasSubstr("at 1 s at /objects/0/radius"));
+  EXPECT_THAT(kept.body, HasSubstr(R"("pointer":"/animation/tracks/0")"));
 }
 
 }  // namespace

@@ -235,6 +235,9 @@ TEST_F(Outside, RaysOfKeysJobsAreChargedOnceToWhoAsks) {
   store->submit(made, now);
   const auto worker = as("worker", FarmRole::draws), serves = as("serves", FarmRole::joins);
   for (int i = 0; i < 2; ++i) worker->finish(*worker->claim("", now), result("bytes"), now);
+  PartResult found = result("bytes");
+  found.is_found = true;
+  worker->finish(*worker->claim("", now), found, now);
   EXPECT_TRUE(worker->take_charges().empty()) << "it has nobody's counts";
   const auto charges = serves->take_charges();
   ASSERT_EQ(charges.size(), 1U);
