@@ -20,10 +20,12 @@ function(embed_folder target folder)
     math(EXPR index "${index} + 1")
     list(APPEND embedded "${path}")
     string(APPEND blobs
+      "asm(\".section .rodata\\n\"\n"
       "    \".global tia_asset_${index}, tia_asset_${index}_end\\n\"\n"
       "    \".hidden tia_asset_${index}, tia_asset_${index}_end\\n\"\n"
       "    \"tia_asset_${index}: .incbin \\\"${path}\\\"\\n\"\n"
-      "    \"tia_asset_${index}_end: .byte 0\\n\"\n")
+      "    \"tia_asset_${index}_end: .byte 0\\n\"\n"
+      "    \".previous\\n\");\n")
     string(APPEND symbols
       "extern const char begin_${index}[] asm(\"tia_asset_${index}\");\n"
       "extern const char end_${index}[] asm(\"tia_asset_${index}_end\");\n")
@@ -55,8 +57,7 @@ function(embed_folder target folder)
 #include <span>
 #include <string_view>
 
-asm(".section .rodata\n"
-@blobs@    ".previous\n");
+@blobs@
 
 extern "C" {
 @symbols@}
