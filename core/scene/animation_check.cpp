@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/scene/at_time.h"
-#include "core/scene/moving_part.h"
+#include "core/scene/moments.h"
 #include "core/scene/read_scene.h"
 
 namespace tia {
@@ -53,7 +53,7 @@ std::vector<Fault> faults_at(double seconds, const Scene& scene, const Middles& 
 
 void check_animation(const Scene& scene, const std::stop_token& stop) {
   if (!scene.animation) return;
-  const auto part = moving_part(scene);  // whose tracks have the same numbers
+  const auto part = moving_scene(scene);  // whose tracks have the same numbers
   const Scene& moving = part ? part->scene : scene;
   const Middles middles = moves_key_light(*scene.animation) ? middles_of(scene, stop) : Middles{};
   const std::size_t most = std::max(most_bytes / canonical_text(moving).size(), fewest_moments);

@@ -5,7 +5,7 @@
 #include <optional>
 #include <stop_token>
 
-#include "core/scene/moving_part.h"
+#include "core/scene/moments.h"
 #include "server/requests/draw.h"
 #include "server/requests/film_request.h"
 #include "server/stores/objects_parts.h"

@@ -7,7 +7,7 @@
 #include "core/input/json.h"
 #include "core/motion/exact.h"
 #include "core/scene/at_time.h"
-#include "core/scene/moving_part.h"
+#include "core/scene/moments.h"
 
 namespace tia::bench {
 namespace {

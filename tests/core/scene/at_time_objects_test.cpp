@@ -6,7 +6,7 @@
 #include <string>
 
 #include "core/scene/at_time.h"
-#include "core/scene/moving_part.h"
+#include "core/scene/moments.h"
 #include "core/scene/read_scene.h"
 #include "tests/core/support.h"
 

@@ -11,8 +11,8 @@
 
 namespace tia {
 
-/// MovingPart: the scene with fewer objects, and tracks that find them there.
-struct MovingPart {
+/// MovingScene: the scene with fewer objects, and tracks that find them there.
+struct MovingScene {
   Scene scene;
   std::vector<std::size_t> moved;  ///< which objects of the whole scene its own are, ascending
 };
@@ -21,7 +21,7 @@ struct MovingPart {
 /// other objects, too, or which objects there are, or what all wear: where tracks move materials,
 /// the ambient light, copies, models, what is not numbers, or the key light, or make an object come
 /// and go.
-std::optional<MovingPart> moving_part(const Scene& scene);
+std::optional<MovingScene> moving_scene(const Scene& scene);
 
 /// Moments: a scene at one time after the other. The list of all objects is handed on from moment
 /// to moment, and copied only where the one before is still in use.

@@ -1,4 +1,4 @@
-#include "core/scene/moving_part.h"
+#include "core/scene/moments.h"
 
 #include <algorithm>
 #include <array>
@@ -46,7 +46,7 @@ bool shows_model(const Object& object) {
 
 }  // namespace
 
-std::optional<MovingPart> moving_part(const Scene& scene) {
+std::optional<MovingScene> moving_scene(const Scene& scene) {
   const std::vector<Track>& tracks = scene.animation->tracks;
   std::vector<TargetPath> targets;
   for (const Track& track : tracks) {
@@ -55,7 +55,7 @@ std::optional<MovingPart> moving_part(const Scene& scene) {
   }
   const MovedObjects moved = moved_objects(scene.objects, tracks, targets);
   if (!moved) return std::nullopt;
-  MovingPart part{scene, {moved->begin(), moved->end()}};
+  MovingScene part{scene, {moved->begin(), moved->end()}};
   std::vector<Object> own;
   for (const std::size_t each : part.moved) {
     if (shows_model(scene.objects[each])) return std::nullopt;
@@ -75,7 +75,7 @@ Moments::Moments(const Scene& scene) : scene_(scene) {
   // One of so many at most: of more that go far, what is fitted anew is slower than a new index.
   constexpr std::size_t few = 64;
   if (!moves_objects(*scene.animation)) return;
-  auto part = moving_part(scene);
+  auto part = moving_scene(scene);
   if (!part || part->moved.size() * few > scene.objects.size()) return;
   part_ = std::move(part->scene);
   moved_ = std::move(part->moved);
