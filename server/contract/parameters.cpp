@@ -39,16 +39,15 @@ void QueryReader::add_to_group(Value value) {
   object_.emplace_back(name, Value::Object{{rest(), std::move(value)}});
 }
 
+// What is no list stays what it is, for its reader to refuse at its place.
 void QueryReader::add_again(Value value) {
-  for (auto& [name, is] : object_) {
-    if (name != name_) continue;
-    auto* all = is.as<Value::Array>();
-    auto* more = value.as<Value::Array>();
-    if (all == nullptr || more == nullptr) break;
+  const auto known = std::ranges::find(object_, name_, &Value::Object::value_type::first);
+  if (known == object_.end()) return add(std::move(value));
+  auto* const all = known->second.as<Value::Array>();
+  if (all == nullptr) return;
+  if (const auto* more = value.as<Value::Array>())
     all->insert(all->end(), more->begin(), more->end());
-    return;
-  }
-  add(std::move(value));
+  else all->push_back(std::move(value));
 }
 
 void QueryReader::add_once(Value::Object& object, const Place& at, const std::string& name,

@@ -55,7 +55,7 @@ void check_layers(const Plan& plan, const Limits& limits) {
              limits);
 }
 
-RayCounts ExrPicture::draw_features(const std::optional<Reached>& reached, const Part& part,
+RayCounts ExrPicture::draw_features(const std::optional<Reached>& reached, const FilmPart& part,
                                     Instants instants, const Instant& frame, Pool& pool,
                                     const std::stop_token& stop) {
   RayCounts rays;

@@ -25,7 +25,7 @@ class ExrPicture {
   /// reached: as their pictures of the same request, with as many samples; where noise decides of
   /// these, with no more than a first round has. Returns: their rays. Errors: as render(). `frame`:
   /// the frame's own time, of which those are that cannot be averaged.
-  RayCounts draw_features(const std::optional<Reached>& reached, const Part& part,
+  RayCounts draw_features(const std::optional<Reached>& reached, const FilmPart& part,
                           Instants instants, const Instant& frame, Pool& pool,
                           const std::stop_token& stop);
   /// Whether there are such.

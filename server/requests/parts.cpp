@@ -5,9 +5,9 @@
 namespace tia::server {
 namespace {
 
-Part part_of_sheet(const Plan& plan, const SheetView& view) {
+FilmPart part_of_sheet(const Plan& plan, const SheetView& view) {
   const int width = plan.view.width, height = plan.view.height;
-  Part part{{}, {}, view_of(view.camera, width, height), {0, 0, width, height}};
+  FilmPart part{{}, {}, view_of(view.camera, width, height), {0, 0, width, height}};
   for (const KnownScene& each : plan.exposure.scenes) {
     auto scene = std::make_shared<Scene>(*each);
     scene->camera = view.camera;
@@ -19,12 +19,12 @@ Part part_of_sheet(const Plan& plan, const SheetView& view) {
   return part;
 }
 
-std::vector<Part> parts_of_sheet(const Plan& plan) {
+std::vector<FilmPart> parts_of_sheet(const Plan& plan) {
   const Sheet& sheet = *plan.scene->sheet;
-  std::vector<Part> parts;
+  std::vector<FilmPart> parts;
   for (const SheetView& view : sheet.views) {
     const int number = static_cast<int>(parts.size());
-    Part part = part_of_sheet(plan, view);
+    FilmPart part = part_of_sheet(plan, view);
     part.x = number % sheet.columns * plan.view.width;
     part.y = number / sheet.columns * plan.view.height;
     parts.push_back(std::move(part));
@@ -47,7 +47,7 @@ Window moved(const Window& window, int x, int y) {
 
 }  // namespace
 
-std::vector<Part> parts_of(const Plan& plan) {
+std::vector<FilmPart> parts_of(const Plan& plan) {
   if (plan.scene->sheet) return parts_of_sheet(plan);
   std::vector<SharedScene> scenes;
   std::vector<ViewGrid> grids;
@@ -55,18 +55,18 @@ std::vector<Part> parts_of(const Plan& plan) {
     scenes.push_back(scene.scene);
     grids.push_back(views_of(scene->camera, plan.view.width, plan.view.height));
   }
-  std::vector<Part> parts;
+  std::vector<FilmPart> parts;
   for (std::size_t i = 0; i < plan.views.views.size(); ++i) {
     const GridView& of = plan.views.views[i];
     const Window place = place_of(plan, of.column, of.row), seen = within(place, plan.window);
     if (is_empty(seen)) continue;
-    Part part{scenes,
-              {},
-              of.view,
-              moved(seen, -place.x0, -place.y0),
-              seen.x0 - plan.window.x0,
-              seen.y0 - plan.window.y0,
-              of.mix};
+    FilmPart part{scenes,
+                  {},
+                  of.view,
+                  moved(seen, -place.x0, -place.y0),
+                  seen.x0 - plan.window.x0,
+                  seen.y0 - plan.window.y0,
+                  of.mix};
     for (const ViewGrid& grid : grids) part.views.push_back(grid.views[i].view);
     parts.push_back(std::move(part));
   }
@@ -87,14 +87,14 @@ std::vector<Window> empty_places(const Plan& plan) {
   return empty;
 }
 
-std::vector<Instant> instants_of(const Part& part, const std::vector<World>& worlds,
+std::vector<Instant> instants_of(const FilmPart& part, const std::vector<World>& worlds,
                                  const Exposure& exposure) {
   std::vector<Instant> instants;
   for (const std::size_t i : exposure.strata) instants.push_back({worlds[i], part.views[i]});
   return instants;
 }
 
-std::vector<World> own_worlds_of(const PartTracing& by, const Part& part,
+std::vector<World> own_worlds_of(const PartTracing& by, const FilmPart& part,
                                  const std::vector<World>& worlds) {
   std::vector<World> own;
   for (std::size_t i = 0; by.plan.scene->sheet && i < worlds.size(); ++i)

@@ -10,8 +10,8 @@
 
 namespace tia::server {
 
-/// Part: a view, and where its corner is on the film.
-struct Part {
+/// FilmPart: a view, and where its corner is on the film.
+struct FilmPart {
   std::vector<SharedScene> scenes;  ///< the exposure's, with the view's own camera and lights
   std::vector<View> views;          ///< of them
   View own;                         ///< of the plan's scene
@@ -21,7 +21,7 @@ struct Part {
 };
 
 /// Those whose pixels are asked for, in their order.
-std::vector<Part> parts_of(const Plan& plan);
+std::vector<FilmPart> parts_of(const Plan& plan);
 
 /// Where the film has no view, in its pixels.
 std::vector<Window> empty_places(const Plan& plan);
@@ -33,7 +33,7 @@ Vec3f nothing_in(const Plan& plan);
 void add(Rendered& all, const Rendered& more, int before);
 
 /// A part's tile, where it is on the film.
-inline FilmTile moved(FilmTile tile, const Part& part) {
+inline FilmTile moved(FilmTile tile, const FilmPart& part) {
   tile.x += part.x;
   tile.y += part.y;
   return tile;
@@ -41,7 +41,7 @@ inline FilmTile moved(FilmTile tile, const Part& part) {
 
 /// Puts a part's tile on the film of the picture.
 template <class Film>
-void put(const FilmTile& tile, const Part& part, Film& film) {
+void put(const FilmTile& tile, const FilmPart& part, Film& film) {
   if (part.x == 0 && part.y == 0) return film.put(tile);
   film.put(moved(tile, part));
 }
@@ -79,10 +79,10 @@ struct PartTracing {
 };
 /// What the samples of a part are of, in their order. Domain: worlds of its scenes, which outlive
 /// it.
-std::vector<Instant> instants_of(const Part& part, const std::vector<World>& worlds,
+std::vector<Instant> instants_of(const FilmPart& part, const std::vector<World>& worlds,
                                  const Exposure& exposure);
 /// Of a sheet's part, whose lights are its own; else none.
-std::vector<World> own_worlds_of(const PartTracing& by, const Part& part,
+std::vector<World> own_worlds_of(const PartTracing& by, const FilmPart& part,
                                  const std::vector<World>& worlds);
 
 /// Traces all parts onto the film. `worlds`: of the exposure's scenes, whose objects all have.
@@ -90,13 +90,13 @@ std::vector<World> own_worlds_of(const PartTracing& by, const Part& part,
 template <class Film>
 Rendered trace_parts(PartTracing by, const std::vector<World>& worlds, Film& film) {
   Rendered all;
-  const std::vector<Part> parts = parts_of(by.plan);
+  const std::vector<FilmPart> parts = parts_of(by.plan);
   const int count = static_cast<int>(parts.size());
   const Watch watch = by.options.watch;
   std::optional<Mixture> mixture;
   if (by.plan.is_mixed())
     mixture.emplace(by.plan.window, is_transparent(*by.plan.scene, by.options.integrator));
-  for (const Part& part : parts) {
+  for (const FilmPart& part : parts) {
     const int number = static_cast<int>(&part - parts.data());
     const std::vector<World> own = own_worlds_of(by, part, worlds);
     const auto instants = instants_of(part, own.empty() ? worlds : own, by.plan.exposure);

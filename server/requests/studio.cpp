@@ -128,7 +128,7 @@ void Studio::draw_features(ExrPicture& film, const Worlds& worlds, Picture& pict
   World of_frame;
   const bool has_own = plan_.exposure.blurs() && ExrPicture::shows_own_time(plan_);
   if (has_own) of_frame = context_.geometries.compile(plan_.scene, workers_);
-  for (const Part& part : parts_of(plan_)) {
+  for (const FilmPart& part : parts_of(plan_)) {
     const auto instants = instants_of(part, worlds, plan_.exposure);
     const Instant frame{has_own ? of_frame : worlds.front(), part.own};
     picture.rays +=

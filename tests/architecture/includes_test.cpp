@@ -198,6 +198,43 @@ TEST(Includes, FoldersAreThoseOfTheLists) {
   check("web", web_layers);
 }
 
+// Types that a file defines for others, with their namespaces: "tia::server::Route".
+std::set<std::string> types_of(const std::string& text) {
+  static const std::regex line(
+      R"re(^(?:namespace ([\w:]*) ?\{|\}  // namespace.*|)re"
+      R"re((?:struct|class|enum class) (\w+)(?: final)?(?: :[^:;{].*)? ?\{.*)$)re");
+  std::vector<std::string> names;
+  std::set<std::string> types;
+  std::istringstream lines(text);
+  for (std::string each; std::getline(lines, each);) {
+    std::smatch is;
+    if (!std::regex_match(each, is, line)) continue;
+    if (is[2].matched) {
+      std::string whole;
+      for (const std::string& name : names) whole += name + "::";
+      if (std::count(names.begin(), names.end(), "") == 0) types.insert(whole + is[2].str());
+    } else if (is[1].matched) names.push_back(is[1]);
+    else names.pop_back();
+  }
+  return types;
+}
+
+// Of two that are not, a program may take one's members for the other's wherever it was compiled
+// with one of them alone, and no compiler says so (C++20, [basic.def.odr]).
+TEST(Types, OfOneNameAreOne) {
+  std::map<std::string, std::string> places;
+  for (const char* folder : {"core", "server"})
+    for (const Source& source : sources(folder))
+      for (const std::string& type : types_of(source.text)) {
+        const auto [place, is_new] = places.emplace(type, source.path);
+        EXPECT_TRUE(is_new) << type << " is in " << place->second << " and in " << source.path;
+      }
+  EXPECT_GT(places.size(), 500U) << "the tree was not found";
+  EXPECT_EQ(types_of("namespace a {\nnamespace {\nstruct B {};\n}  // namespace\nclass C final : D "
+                     "{\n}  // namespace a\n"),
+            std::set<std::string>{"a::C"});
+}
+
 // A header and its source are one: who includes the header needs the source.
 using Graph = std::map<std::string, std::set<std::string>>;
 std::string unit_of(std::string_view path) { return std::string(path.substr(0, path.rfind('.'))); }

@@ -64,7 +64,7 @@ TEST(ExplainTree, AddsUpToThePixelInEverySceneOfTheGallery) {
   Random random(440);
   for (const auto& [name, scene] : host().gallery().scenes()) {
     SCOPED_TRACE(name);
-    if (name == "anaglyph") continue;  // whose pixels are of two rays, of which one is told
+    if (name == "anaglyph") continue;  // whose pixels mix two rays; "tree" is the first one's
     // Scenes for path have no tree of rays of their own.
     const std::string view =
         view_query(name, width, height) + "&integrator=whitted&samples=1&threshold=0";

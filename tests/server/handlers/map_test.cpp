@@ -116,8 +116,10 @@ TEST(RadioMapRoute, SaysWhatIsWrongAtItsPlace) {
   EXPECT_EQ(of(bare + R"(,"area":[0,0,9,9],"cell":1e-6})"), "/cell");
   EXPECT_EQ(of(bare + R"(,"origin":[0,0,0],"u":[1,0,0]})"), "/v");
   EXPECT_EQ(of(bare + R"(,"origin":[0,0,0],"u":[1,0,0],"v":[1,1,0]})"), "/v");
-  EXPECT_EQ(only_error(host().get("/radio/map?scene=thesis&tx=1,2&frequency_hz=1e9")).pointer,
-            "/tx/0");
+  const std::string thesis = "/radio/map?scene=thesis&frequency_hz=1e9";
+  EXPECT_EQ(only_error(host().get(thesis + "&tx=1,2")).pointer, "/tx/0");
+  EXPECT_EQ(only_error(host().get(thesis + "&tx=1,2,3&tx=a")).pointer, "/tx/1");
+  EXPECT_EQ(only_error(host().get(thesis + "&tx=a&tx=1,2,3")).pointer, "/tx");
 }
 
 }  // namespace
