@@ -86,6 +86,7 @@ template <>
 struct TextForm<std::vector<Vec3d>> {
   static Value read(std::string_view text, const Place&) { return places_from_text(text); }
   static std::string allowed(const Spec& spec) { return TextForm<Vec3d>::allowed(spec); }
+  // NOLINTNEXTLINE(performance-unnecessary-value-param): as those of all types
   static Value::Object in_query(Value::Object schema) { return places_in_query(schema); }
 };
 /// Objects, as a JSON array.

@@ -211,7 +211,7 @@ std::set<std::string> types_of(const std::string& text) {
     if (!std::regex_match(each, is, line)) continue;
     if (is[2].matched) {
       std::string whole;
-      for (const std::string& name : names) whole += name + "::";
+      for (const std::string& name : names) whole.append(name).append("::");
       if (std::count(names.begin(), names.end(), "") == 0) types.insert(whole + is[2].str());
     } else if (is[1].matched) names.push_back(is[1]);
     else names.pop_back();

@@ -81,7 +81,7 @@ TEST(RadioMapRoute, FloatsAreTheNumbersFromTheLastRowOn) {
   const Value map =
       parse_json(host().post("/radio/map", map_body(one + R"(,"format":"json")")).body);
   const std::string head = "Pf\n9 7\n-1.0\n";
-  ASSERT_EQ(pfm.body.size(), head.size() + 9 * 7 * 4);
+  ASSERT_EQ(pfm.body.size(), head.size() + std::size_t{9 * 7 * 4});
   EXPECT_TRUE(pfm.body.starts_with(head));
   const auto& rows = *at(map, "values").as<Value::Array>();
   for (std::size_t i = 0; i < 63; ++i) {
