@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <deque>
-#include <numeric>
-#include <tuple>
 
 #include "core/integrators/whitted.h"
 #include "core/render/ground_shadow.h"
@@ -427,16 +425,15 @@ void with_types(const Shot& shot, Scalar scalar, bool of_pixels, const Trace& tr
   }
 }
 
-// The pixels in the order of packets.
+// The pixels in the order of packets: packet by packet, each row by row.
 std::vector<int> in_patches(int width, int height) {
   constexpr int w = PacketPixels<Wide>::width, h = PacketPixels<Wide>::height;
-  std::vector<int> pixels(static_cast<std::size_t>(width * height));
-  std::iota(pixels.begin(), pixels.end(), 0);
-  const auto place = [&](int pixel) {
-    const int x = pixel % width, y = pixel / width;
-    return std::tuple(y / h, x / w, pixel);
-  };
-  std::ranges::sort(pixels, {}, place);
+  std::vector<int> pixels;
+  pixels.reserve(static_cast<std::size_t>(width * height));
+  for (int y0 = 0; y0 < height; y0 += h)
+    for (int x0 = 0; x0 < width; x0 += w)
+      for (int y = y0; y < std::min(y0 + h, height); ++y)
+        for (int x = x0; x < std::min(x0 + w, width); ++x) pixels.push_back(y * width + x);
   return pixels;
 }
 
