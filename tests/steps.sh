@@ -77,11 +77,28 @@ build_behind() {
 being_built=
 await_ahead() {
   if [ -z "$being_built" ]; then return; fi
-  renice -n "$(nice)" -g "$being_built" > /dev/null 2>&1 || true  # now it is what is waited for
+  local -a all
+  mapfile -t all < <(family "$being_built")
+  renice -n "$(nice)" "${all[@]}" > /dev/null 2>&1 || true  # now it is what is waited for
   wait "$being_built" || true
   being_built=
 }
-signal_ahead() { if [ -n "$being_built" ]; then kill -s "$1" -- -"$being_built" || true; fi; }
+# signal_ahead SIGNAL: to each of those that build ahead, for ninja gives each compiler a group of its
+# own; and again, for those begun meanwhile.
+signal_ahead() {
+  local -a all
+  if [ -z "$being_built" ]; then return; fi
+  for _ in 1 2; do
+    mapfile -t all < <(family "$being_built")
+    kill -s "$1" "${all[@]}" 2> /dev/null || true
+  done
+}
+# family PROCESS: it, and all that it has begun, and they.
+family() {
+  local child
+  echo "$1"
+  for child in $(cat /proc/"$1"/task/*/children 2> /dev/null); do family "$child"; done
+}
 leave_ahead() { signal_ahead TERM && signal_ahead CONT; }
 
 # show FILE: an output but for the tests that pass.
