@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "core/radio/map_question.h"
+#include "core/render/render.h"
 #include "server/requests/view_request.h"
 
 namespace tia::server {
@@ -55,6 +56,9 @@ struct ExplainRequest : TraceRequest {
   }
   /// Neither a pixel nor a ray, or both; a pixel outside the picture.
   void check(const Place& at, Faults& faults) const;
+  /// Whether rays with these options can be told, and the one that is asked for is of the pixel's.
+  /// Errors: InputError.
+  void check_rays(const RenderOptions& options) const;
 };
 
 }  // namespace tia::server
