@@ -24,9 +24,10 @@ const std::vector<std::string> core_layers = {
     "math",   "parallel", "input",     "film",        "video",  "formulas",
     "boxes",  "shapes",   "materials", "lights",      "models", "scene",
     "motion", "accel",    "radio",     "integrators", "render"};
-// The server's rooms likewise; its own few files (main, the commands) stand below them all.
-const std::vector<std::string> server_layers = {"http",   "contract", "operation", "stores",
-                                                "access", "requests", "jobs",      "handlers"};
+// The server's rooms likewise; its own few files, such as main, stand below them all.
+const std::vector<std::string> server_layers = {"http",   "contract", "operation",
+                                                "stores", "access",   "requests",
+                                                "jobs",   "handlers", "commands"};
 // The page's rooms likewise; what wires them, main.js, stands below them all.
 const std::vector<std::string> web_layers = {"space",  "state",  "words", "picture",
                                              "studio", "panels", "docs"};
@@ -52,7 +53,7 @@ const std::vector<Wrapped> libraries = {
     {"xsimd", {"core/math/registers.h"}},
     {"immintrin", {"core/math/lanes.h", "core/math/wide.h", "core/math/octet.h"}},
     {"httplib", {"server/http/"}},
-    {"CLI/", {"server/main.cpp", "server/operation/config."}},
+    {"CLI/", {"server/commands/"}},
     {"asio", {"server/http/", "server/stores/redis_socket.cpp"}},
     {"hiredis", {"server/stores/redis_reply.cpp"}},
     {"prometheus/", {"server/operation/metrics.cpp"}},
@@ -322,7 +323,7 @@ TEST(IncludeRules, ArrowsBackUpAreSeen) {
   EXPECT_EQ(refusal("core/math/ray.h", "core/math/vec3.h"), "");
   EXPECT_NE(refusal("server/http/head.cpp", "server/contract/problem.h"), "");
   EXPECT_NE(refusal("server/stores/gallery.cpp", "server/requests/recipe.h"), "");
-  EXPECT_NE(refusal("server/handlers/backend.cpp", "server/serve_command.h"), "");
+  EXPECT_NE(refusal("server/handlers/backend.cpp", "server/commands/serving.h"), "");
   EXPECT_EQ(refusal("server/handlers/dispatch.cpp", "core/render/render.h"), "");
   EXPECT_EQ(refusal("server/main.cpp", "server/handlers/backend.h"), "");
   EXPECT_TRUE(points_back("web/state/address.js", "web/picture/server.js"));

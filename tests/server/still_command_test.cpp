@@ -3,7 +3,7 @@
 
 #include "core/models/formats.h"
 #include "core/scene/read_scene.h"
-#include "server/picture_file.h"
+#include "server/commands/picture_file.h"
 #include "server/requests/still_query.h"
 #include "tests/server/model_support.h"
 #include "tests/server/process_support.h"

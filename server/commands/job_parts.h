@@ -1,5 +1,4 @@
-// `tia job`: jobs of a server elsewhere. `tia render --job`: a job's parts without one, for whoever
-// starts commands on many machines.
+// `tia render --job`: a job's parts without a server, for whoever starts commands on many machines.
 #pragma once
 
 #include <optional>
@@ -9,26 +8,13 @@
 
 namespace tia::server {
 
-/// JobWishes: what the command line wants of a server's job.
-struct JobWishes {
-  std::string url = "http://localhost:8080", file, id, output;
-  bool waits = false;
-};
-
-/// Sends FILE, or standard input for "-", and says the job's id; waits for its end where that is
-/// wanted, and writes the result. Errors: std::runtime_error with what the server says; where the
-/// job fails.
-void submit_job(const JobWishes& wishes);
-/// Its status, as JSON.
-void tell_job(const JobWishes& wishes);
-void cancel_job(const JobWishes& wishes);
-
 /// Draws a part of the job that a file tells of into FOLDER/N.part, or, without a number, says how
 /// many there are. Its windows are of one size on every machine. Errors: InputError;
 /// std::runtime_error for files.
 void draw_job_part(const std::string& file, std::optional<int> part, const std::string& folder,
                    const Config& config);
 /// The number that a scheduler's environment tells: SLURM_ARRAY_TASK_ID, JOB_COMPLETION_INDEX.
+/// Errors: std::invalid_argument of what is no number.
 std::optional<int> part_of_environment();
 /// Puts the parts of a folder together, to a file; those of several pictures become an archive.
 /// Errors: InputError; std::runtime_error for files, and for parts that are not there.

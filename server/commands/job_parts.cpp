@@ -1,4 +1,6 @@
-// `tia render --job`: parts of a job without a server.
+#include "server/commands/job_parts.h"
+
+#include <charconv>
 #include <cstdlib>
 #include <filesystem>
 #include <iostream>
@@ -7,10 +9,9 @@
 #include "core/input/json.h"
 #include "core/version.h"
 #include "core/video/stored_zip.h"
-#include "server/files.h"
-#include "server/job_command.h"
+#include "server/commands/files.h"
+#include "server/commands/picture_file.h"
 #include "server/jobs/drawing.h"
-#include "server/picture_file.h"
 #include "server/requests/recipe.h"
 
 namespace tia::server {
@@ -71,6 +72,16 @@ std::string part_file(const std::string& folder, int n) {
   return folder + "/" + std::to_string(n) + ".part";
 }
 
+// Errors: std::invalid_argument naming the variable.
+int part_from(const std::string& variable, std::string_view text) {
+  int part = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), part);
+  if (error != std::errc() || end != text.data() + text.size())
+    throw std::invalid_argument(variable + ": got " + std::string(text) +
+                                ", allowed: a part's number");
+  return part;
+}
+
 }  // namespace
 
 void draw_job_part(const std::string& file, std::optional<int> part, const std::string& folder,
@@ -88,7 +99,7 @@ void draw_job_part(const std::string& file, std::optional<int> part, const std::
 
 std::optional<int> part_of_environment() {
   for (const char* name : {"SLURM_ARRAY_TASK_ID", "JOB_COMPLETION_INDEX"})
-    if (const char* text = std::getenv(name)) return std::atoi(text);
+    if (const char* text = std::getenv(name)) return part_from(name, text);
   return std::nullopt;
 }
 

@@ -4,11 +4,11 @@
 #include <string>
 #include <vector>
 
+#include "server/commands/progress.h"
 #include "server/contract/text_form.h"
 #include "server/operation/config.h"
 #include "server/operation/cost_memory.h"
 #include "server/operation/metrics.h"
-#include "server/progress.h"
 #include "server/requests/picture_request.h"
 #include "server/requests/plan.h"
 #include "server/requests/render_context.h"

@@ -1,5 +1,4 @@
-#include "server/key_command.h"
-
+// `tia key` and `tia sign`: what an operator makes for others to ask with.
 #include <iostream>
 #include <stdexcept>
 
@@ -7,6 +6,8 @@
 #include "server/access/access.h"
 #include "server/access/secrets.h"
 #include "server/access/signed_url.h"
+#include "server/commands/commands.h"
+#include "server/commands/flags.h"
 #include "server/stores/digest.h"
 
 namespace tia::server {
@@ -27,8 +28,8 @@ std::size_t path_of(const std::string& url) {
   return at;
 }
 
-}  // namespace
-
+// Two lines: what to send after `Authorization: Bearer `, which nobody can tell again, and the
+// entry for TIA_KEYS_FILE.
 void print_new_key(const std::string& id) {
   const auto is = KeyId::parse(id);
   if (!is || id == KeyEntry::anonymous) refuse("ID", id, KeyId::form);
@@ -40,19 +41,46 @@ void print_new_key(const std::string& id) {
   std::cout << id << '.' << secret << '\n' << to_json(write_value(entry)) << std::endl;
 }
 
-void print_signed_url(const std::string& url, double seconds, const Config& config) {
+struct SignAsked {
+  std::string url;
+  double seconds = 3600;
+};
+
+// By the first line of TIA_SIGN_FILE.
+void print_signed_url(const SignAsked& asked, const Config& config) {
+  const std::string& url = asked.url;
   const std::size_t at = path_of(url);
   std::string target = url.substr(at);
   if (target.find('#') != target.npos) refuse("URL", url, "one without a fragment");
   std::string unsigned_target = target;
   if (take_signature(unsigned_target)) refuse("URL", unsigned_target, "one without a signature");
   const SigningKey key = signing_keys_of(config).front();
-  const auto expires = system_time() / 1'000'000'000 + static_cast<std::int64_t>(seconds);
+  const auto expires = system_time() / 1'000'000'000 + static_cast<std::int64_t>(asked.seconds);
   target = signed_target(std::move(target), key.name, key.secret, expires);
   if (target.size() > longest_target)
     refuse("URL", std::to_string(target.size()) + " bytes with its signature",
            "at most " + std::to_string(longest_target));
   std::cout << url.substr(0, at) << target << std::endl;
+}
+
+}  // namespace
+
+void add_key(CommandLine& line) {
+  auto& id = line.keep<std::string>();
+  CLI::App& key =
+      line.add("key", "make a secret, and its entry for TIA_KEYS_FILE", [&] { print_new_key(id); });
+  add_word(key, "ID", id, "what the key is called");
+}
+
+void add_sign(CommandLine& line) {
+  auto& asked = line.keep<SignAsked>();
+  CLI::App& sign = line.add("sign", "sign a URL by the first line of TIA_SIGN_FILE",
+                            [&] { print_signed_url(asked, line.config()); });
+  sign.fallthrough();
+  add_word(sign, "URL", asked.url, "a URL, or its path and query");
+  sign.add_option("--for", asked.seconds, "for how many seconds it holds [3600]")
+      ->check(CLI::Range(1.0, 1e9))
+      ->type_name("");
 }
 
 }  // namespace tia::server

@@ -1,4 +1,4 @@
-#include "server/picture_file.h"
+#include "server/commands/picture_file.h"
 
 #include <algorithm>
 #include <chrono>
@@ -8,7 +8,7 @@
 
 #include "core/input/json.h"
 #include "core/scene/left_out.h"
-#include "server/files.h"
+#include "server/commands/files.h"
 #include "server/requests/draw.h"
 
 namespace tia::server {

@@ -1,4 +1,4 @@
-#include "server/files.h"
+#include "server/commands/files.h"
 
 #include <filesystem>
 #include <iostream>

@@ -1,14 +1,21 @@
-#include "server/job_command.h"
-
+// `tia job`: jobs of a server elsewhere.
 #include <iostream>
 #include <stdexcept>
 
 #include "core/input/json.h"
-#include "server/files.h"
+#include "server/commands/commands.h"
+#include "server/commands/files.h"
+#include "server/commands/flags.h"
 #include "server/http/client.h"
 
 namespace tia::server {
 namespace {
+
+/// JobWishes: what the command line wants of a server's job.
+struct JobWishes {
+  std::string url = "http://localhost:8080", file, id, output;
+  bool waits = false;
+};
 
 std::string text_of(const Value& of, std::string_view name) {
   const auto* members = of.as<Value::Object>();
@@ -49,8 +56,7 @@ void wait_for_job(const JobWishes& wishes) {
   }
 }
 
-}  // namespace
-
+// Sends FILE, or standard input for "-", and says the job's id.
 void submit_job(const JobWishes& asked_for) {
   JobWishes wishes = asked_for;
   const Response accepted = asked(wishes, "POST", "/jobs", read_file(wishes.file));
@@ -68,5 +74,31 @@ void tell_job(const JobWishes& wishes) {
 }
 
 void cancel_job(const JobWishes& wishes) { asked(wishes, "DELETE", path_of(wishes)); }
+
+void add_submit(CLI::App& submit, JobWishes& wishes) {
+  add_word(submit, "file", wishes.file, "a JSON file");
+  submit.add_flag("--wait", wishes.waits, "wait for its end");
+  submit
+      .add_option("-o,--output", wishes.output,
+                  "wait, and write the result there; NAME.zip for that of several pictures")
+      ->type_name("");
+}
+
+}  // namespace
+
+void add_job(CommandLine& line) {
+  auto& wishes = line.keep<JobWishes>();
+  CLI::App& job = line.add_group("job", "jobs of a server: submit, status, cancel");
+  job.add_option("--url", wishes.url, "the server [" + wishes.url + "]")->type_name("");
+  add_submit(
+      line.add_to(job, "submit", "send one, as POST /jobs takes it", [&] { submit_job(wishes); }),
+      wishes);
+  const auto with_id = [&](const char* name, const char* about, void (*act)(const JobWishes&)) {
+    add_word(line.add_to(job, name, about, [&wishes, act] { act(wishes); }), "id", wishes.id,
+             "the job's id");
+  };
+  with_id("status", "say how far it is, as JSON", tell_job);
+  with_id("cancel", "cancel it, or let its result go", cancel_job);
+}
 
 }  // namespace tia::server

@@ -1,4 +1,4 @@
-#include "server/model_sources.h"
+#include "server/commands/model_sources.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "core/input/errors.h"
-#include "server/files.h"
+#include "server/commands/files.h"
 
 namespace tia::server {
 namespace {

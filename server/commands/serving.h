@@ -1,4 +1,4 @@
-// `tia serve` and `tia worker`: config -> server -> wait for a signal -> drain.
+// What `tia serve` and `tia worker` do: config -> server -> wait for a signal -> drain.
 #pragma once
 
 #include <string>

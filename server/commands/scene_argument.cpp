@@ -1,10 +1,10 @@
-#include "server/scene_argument.h"
+#include "server/commands/scene_argument.h"
 
 #include <stdexcept>
 
 #include "core/input/nearest_listed.h"
 #include "core/scene/read_scene.h"
-#include "server/files.h"
+#include "server/commands/files.h"
 #include "server/stores/gallery.h"
 
 namespace tia::server {

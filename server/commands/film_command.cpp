@@ -1,5 +1,4 @@
-#include "server/film_command.h"
-
+// `tia film SCENE -o FILE`: the same films without a server.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -7,12 +6,28 @@
 #include <iostream>
 #include <stdexcept>
 
-#include "server/files.h"
-#include "server/picture_file.h"
+#include "server/commands/commands.h"
+#include "server/commands/files.h"
+#include "server/commands/flags.h"
+#include "server/commands/picture_file.h"
 #include "server/requests/shooting.h"
 
 namespace tia::server {
 namespace {
+
+struct FilmAsked {
+  std::string scene, file;
+  std::vector<Setting> parameters = {};
+  bool shows_progress = false;  // frames, rate and the time left, on standard error
+};
+
+// "NAME.apng, NAME.zip" and so on: the files whose ending names their format.
+std::string film_files() {
+  std::string files;
+  for (const FilmFormatRow& row : film_formats)
+    files.append(files.empty() ? "NAME." : ", NAME.").append(row.name);
+  return files;
+}
 
 const FilmFormatRow* film_row_named_by(const std::string& file) {
   const auto* row = std::ranges::find_if(
@@ -55,37 +70,42 @@ class FrameCount {
   const Clock::time_point start_ = Clock::now();
 };
 
-}  // namespace
-
-std::string film_files() {
-  std::string files;
-  for (const FilmFormatRow& row : film_formats)
-    files.append(files.empty() ? "NAME." : ", NAME.").append(row.name);
-  return files;
-}
-
-void film_to_file(const std::string& scene, const std::string& file,
-                  const std::vector<Setting>& parameters, bool shows_progress,
-                  const Config& config) {
-  const std::string_view format = film_format_named_by(file, parameters);
-  Value::Object asked{{"scene", scene_named(scene, config.json_limits())}};
+// To a file (or "-", standard output), which is there once it is whole.
+void film_to_file(const FilmAsked& by, const Config& config) {
+  const std::string_view format = film_format_named_by(by.file, by.parameters);
+  Value::Object asked{{"scene", scene_named(by.scene, config.json_limits())}};
   if (!format.empty()) asked.emplace_back("format", format);
-  auto request = read_described<FilmRequest>(asked_by<FilmRequest>(std::move(asked), parameters));
+  auto request =
+      read_described<FilmRequest>(asked_by<FilmRequest>(std::move(asked), by.parameters));
   const Workshop workshop(config, config.max_geometry_bytes);
   const FilmPlan film = film_plan_of(request, workshop.context(), {});
   if (!film.moves) std::cerr << "tia: the scene does not move: the film is one frame\n";
   const FrameCount count(film.frames);
-  FileToBe to(file);
+  FileToBe to(by.file);
   const Crew crew{[&](FilmFrames& frames, Plan& plan, const Shot& shot) {
                     auto picture =
                         std::make_shared<const Picture>(frames.draw(plan, workshop.context(), {}));
-                    if (shows_progress) count.has_drawn(shot.first + shot.frames);
+                    if (by.shows_progress) count.has_drawn(shot.first + shot.frames);
                     return picture;
                   },
                   [](const std::function<void()>& work) { work(); },
                   [&](std::string_view piece) { to.append(piece); }};
   shoot(request, film, workshop.context(), {}, crew);
   to.finish();
+}
+
+}  // namespace
+
+void add_film(CommandLine& line) {
+  auto& asked = line.keep<FilmAsked>();
+  CLI::App& film = line.add("film", "draw an animated scene as a film to a file",
+                            [&] { film_to_file(asked, line.config()); });
+  film.fallthrough();
+  add_scene(film, asked.scene);
+  add_output(film, asked.file, film_files() + ", or - for standard output");
+  film.add_flag("--progress", asked.shows_progress,
+                "show frames, their rate and the time left on standard error");
+  FilmRequest::fields(ParameterFlags{film, asked.parameters});
 }
 
 }  // namespace tia::server

@@ -1,4 +1,4 @@
-#include "server/serve_command.h"
+#include "server/commands/serving.h"
 
 #include <pthread.h>
 #include <sys/mman.h>
