@@ -1,8 +1,6 @@
 #include "server/commands/serving.h"
 
 #include <pthread.h>
-#include <sys/mman.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -28,7 +26,6 @@
 #include "server/http/http_server.h"
 #include "server/jobs/farm.h"
 #include "server/operation/log.h"
-#include "server/stores/assets.h"
 
 namespace tia::server {
 namespace {
@@ -70,18 +67,6 @@ void give_memory_back() {
 #if defined(__GLIBC__)
   malloc_trim(0);
 #endif
-}
-
-// What was read of the files in the program itself, which are there to be read again.
-void give_assets_back() {
-  const auto page = static_cast<std::uintptr_t>(sysconf(_SC_PAGESIZE));
-  std::uintptr_t first = UINTPTR_MAX, last = 0;
-  for (const Asset& asset : assets()) {
-    const auto at = reinterpret_cast<std::uintptr_t>(asset.bytes.data());
-    first = std::min(first, at), last = std::max(last, at + asset.bytes.size());
-  }
-  first = (first + page - 1) / page * page, last = last / page * page;
-  if (first < last) madvise(reinterpret_cast<void*>(first), last - first, MADV_DONTNEED);
 }
 
 // What is told of keys at the start.
@@ -218,8 +203,6 @@ void serve_until_told(const Config& config, DataFiles files, RedisJobs* farm) {
   warn_of_keys(config);
   const Gallery gallery;
   Backend backend(config, gallery, std::move(files));
-  give_memory_back();  // what reading the gallery took
-  give_assets_back();
   Service& service = backend.service;
   HttpServer server(http_options(config),
                     farm == nullptr ? application(service) : worker_application(*farm, service));

@@ -44,9 +44,9 @@ Response get_scene(const Request& request, const std::string& name, Service& ser
   const Gallery& gallery = service.rendering.gallery;
   const auto moment = read_described<Moment>(query_object<Moment>(request.query()));
   const bool is_known =
-      gallery.find(name) || service.rendering.kept.find(name, requester_of(request));
+      gallery.has(name) || service.rendering.kept.find(name, requester_of(request));
   if (moment.is_asked() && is_known) return scene_at(moment, name, requester_of(request), service);
-  if (gallery.find(name)) return scene_text(gallery.text(name));
+  if (gallery.has(name)) return scene_text(gallery.text(name));
   const Requester requester = requester_of(request);
   if (const KnownScene kept = service.rendering.kept.find(name, requester)) {
     const std::size_t bytes = bytes_of(*kept);

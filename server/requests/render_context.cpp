@@ -107,7 +107,7 @@ KnownScene taken_scene(const std::string& id, const std::string& text, const Ren
 }  // namespace
 
 bool is_at_hand(const std::string& name, const RenderContext& context) {
-  return context.gallery.find(name) || context.kept.is_at_hand(name);
+  return context.gallery.has(name) || context.kept.is_at_hand(name);
 }
 
 SharedModel find_model(const std::string& name, const RenderContext& context,

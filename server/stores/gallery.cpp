@@ -2,6 +2,7 @@
 
 #include "core/input/object_schema.h"
 #include "core/scene/read_scene.h"
+#include "server/operation/memory_account.h"
 #include "server/stores/assets.h"
 
 namespace tia::server {
@@ -12,14 +13,8 @@ Gallery::Gallery() {
     if (!asset.path.starts_with(folder) || !asset.path.ends_with(ending)) continue;
     std::string_view name = asset.path.substr(folder.size());
     name.remove_suffix(ending.size());
-    texts_.try_emplace(std::string(name));
-    scenes_.emplace(name, known(std::make_shared<const Scene>(read_scene(asset.bytes))));
+    entries_.try_emplace(std::string(name), asset.bytes);
   }
-  Value::Array list;
-  for (const auto& [name, scene] : scenes_)
-    list.push_back(Value::Object{
-        {"name", name}, {"title", scene->title}, {"description", scene->description}});
-  listing_ = to_json(Value::Object{{"scenes", list}});
 }
 
 Value Gallery::listing_schema(Definitions& named) {
@@ -32,21 +27,48 @@ Value Gallery::listing_schema(Definitions& named) {
   });
 }
 
+std::vector<std::string_view> Gallery::names() const {
+  std::vector<std::string_view> names;
+  for (const auto& [name, entry] : entries_) names.push_back(name);
+  return names;
+}
+
 KnownScene Gallery::find(std::string_view name) const {
-  const auto found = scenes_.find(name);
-  return found == scenes_.end() ? KnownScene{} : found->second;
+  const auto found = entries_.find(name);
+  if (found == entries_.end()) return {};
+  Entry& entry = found->second;
+  std::call_once(entry.is_read, [&] {
+    const ClaimScope nobodys(nullptr);  // what stays is the program's
+    entry.scene = known(std::make_shared<const Scene>(read_scene(entry.json)));
+  });
+  return entry.scene;
+}
+
+std::map<std::string, KnownScene> Gallery::scenes() const {
+  std::map<std::string, KnownScene> scenes;
+  for (const auto& [name, entry] : entries_) scenes.emplace(name, find(name));
+  return scenes;
 }
 
 const std::string& Gallery::text(const std::string& name) const {
-  Text& text = texts_.at(name);
-  std::call_once(text.made, [&] { text.text = canonical_text(*scenes_.at(name)); });
-  return text.text;
+  Entry& entry = entries_.at(name);
+  std::call_once(entry.is_written, [&] {
+    const ClaimScope nobodys(nullptr);
+    entry.text = canonical_text(*find(name));
+  });
+  return entry.text;
 }
 
-std::vector<std::string_view> Gallery::names() const {
-  std::vector<std::string_view> names;
-  for (const auto& [name, scene] : scenes_) names.push_back(name);
-  return names;
+const std::string& Gallery::listing() const {
+  std::call_once(is_listed_, [&] {
+    const ClaimScope nobodys(nullptr);
+    Value::Array list;
+    for (const auto& [name, scene] : scenes())
+      list.push_back(Value::Object{
+          {"name", name}, {"title", scene->title}, {"description", scene->description}});
+    listing_ = to_json(Value::Object{{"scenes", list}});
+  });
+  return listing_;
 }
 
 }  // namespace tia::server

@@ -11,28 +11,35 @@
 
 namespace tia::server {
 
+/// Gallery: every embedded /scenes/NAME.json. Each is read when it is first asked for, for a
+/// program starts much more often than it needs all. Any thread may call. Errors: InputError for
+/// one that is no scene.
 class Gallery {
  public:
-  /// Reads every embedded /scenes/NAME.json. Errors: InputError for one that is no scene.
   Gallery();
-  const std::map<std::string, KnownScene, std::less<>>& scenes() const { return scenes_; }
+  bool has(std::string_view name) const { return entries_.contains(name); }
+  std::vector<std::string_view> names() const;
   /// The scene of that name, or null.
   KnownScene find(std::string_view name) const;
-  std::vector<std::string_view> names() const;
-  /// The canonical text of one of its scenes, which is made once. Any thread may call.
+  /// All of them.
+  std::map<std::string, KnownScene> scenes() const;
+  /// The canonical text of one of its scenes, which is made once.
   const std::string& text(const std::string& name) const;
   /// Names, titles and descriptions as JSON.
-  const std::string& listing() const { return listing_; }
+  const std::string& listing() const;
   static Value listing_schema(Definitions& named);
 
  private:
-  struct Text {
-    std::once_flag made;
-    std::string text;
+  struct Entry {
+    explicit Entry(std::string_view bytes) : json(bytes) {}
+    const std::string_view json;
+    std::once_flag is_read{}, is_written{};
+    KnownScene scene{};
+    std::string text{};
   };
-  std::map<std::string, KnownScene, std::less<>> scenes_;
-  mutable std::map<std::string, Text> texts_;
-  std::string listing_;
+  mutable std::map<std::string, Entry, std::less<>> entries_;
+  mutable std::once_flag is_listed_;
+  mutable std::string listing_;
 };
 
 }  // namespace tia::server

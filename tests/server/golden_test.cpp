@@ -96,8 +96,9 @@ TEST(GoldenGallery, EverySceneHasAStatedHash) {
   const Gallery gallery;
   std::set<std::string> stated;
   for (const Stated& one : stated_hashes()) stated.insert(one.name);
-  EXPECT_EQ(stated.size(), gallery.scenes().size());
-  for (const auto& [name, scene] : gallery.scenes()) EXPECT_TRUE(stated.contains(name)) << name;
+  EXPECT_EQ(stated.size(), gallery.names().size());
+  for (const std::string_view name : gallery.names())
+    EXPECT_TRUE(stated.contains(std::string(name))) << name;
 }
 
 class GoldenScene : public testing::TestWithParam<Stated> {};

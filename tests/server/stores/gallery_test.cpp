@@ -22,7 +22,7 @@ TEST(Gallery, HoldsEverySceneOfWebScenes) {
     EXPECT_FALSE(scene->title.empty());
     EXPECT_FALSE(scene->description.empty());
   }
-  EXPECT_EQ(gallery.scenes().size(), files);
+  EXPECT_EQ(gallery.names().size(), files);
 }
 
 TEST(Gallery, EverySceneIsDrawnUnderEachOfItsKeys) {
@@ -37,13 +37,15 @@ TEST(Gallery, EverySceneIsDrawnUnderEachOfItsKeys) {
 
 TEST(Gallery, AnUnknownNameIsNone) {
   const Gallery gallery;
+  EXPECT_TRUE(gallery.has("thesis"));
+  EXPECT_FALSE(gallery.has("thesi"));
   EXPECT_FALSE(gallery.find("thesi"));
   EXPECT_FALSE(gallery.find(""));
 }
 
 // GET /scenes names all (Scenes.TheListNamesEverySceneOfTheGallery).
 TEST(Gallery, ARequestForAnUnknownNameIsToldTheNearestAndWhereAllAre) {
-  const auto all = host().gallery().scenes().size();
+  const auto all = host().gallery().names().size();
   const std::string told = "thesis, ", more = " and " + std::to_string(all - 8) + " more";
   const ProblemError error = only_error(host().get("/render?scene=thesi"));
   EXPECT_EQ(error.pointer, "/scene");
