@@ -26,7 +26,7 @@ struct MemberReader {
   std::vector<std::string_view> known = {};
   bool kind_known = true;
   CheckOf check_kind = nullptr;  ///< none where the kind has none or is not right
-  const void* kind_read = nullptr;
+  void* kind_read = nullptr;
 
   /// The member of that name, known from now on; null where there is none.
   const Value* member(std::string_view name);

@@ -17,10 +17,10 @@
 namespace tia {
 
 /// Checks that concern several fields: a described type may have
-/// `void check(const Place&, Faults&) const`, called when all that it holds is right. So may a kind
-/// of a tagged union.
+/// `void check(const Place&, Faults&)`, called when all that it holds is right. So may a kind of a
+/// tagged union. One that is not const may keep what follows from the fields.
 template <class T>
-concept Checked = requires(const T& t, const Place& at, Faults& faults) {
+concept Checked = requires(T& t, const Place& at, Faults& faults) {
   t.check(at, faults);
 };
 
@@ -80,7 +80,7 @@ struct MemberType {
 };
 
 class FieldSink;
-using CheckOf = void (*)(const void* owner, const Place&, Faults&);
+using CheckOf = void (*)(void* owner, const Place&, Faults&);
 
 /// OwnerType: a described type: its fields, and its checks, null where it has none.
 struct OwnerType {
@@ -174,14 +174,14 @@ struct OwnerBehind {
   static constexpr CheckOf check() {
     if constexpr (!Checked<Owner>) return nullptr;
     else
-      return [](const void* owner, const Place& at, Faults& faults) {
-        static_cast<const Owner*>(owner)->check(at, faults);
+      return [](void* owner, const Place& at, Faults& faults) {
+        static_cast<Owner*>(owner)->check(at, faults);
       };
   }
   static constexpr CheckOf check_links() {
     if constexpr (!Linked<Owner>) return nullptr;
     else
-      return [](const void* owner, const Place& at, Faults& faults) {
+      return [](void* owner, const Place& at, Faults& faults) {
         static_cast<const Owner*>(owner)->check_links(at, faults);
       };
   }

@@ -9,8 +9,9 @@ namespace tia {
 namespace {
 
 constexpr const char* known_to_exact =
-    "by exact a plane, sphere, box, cylinder, capsule, triangle, mesh or a group of them; what is "
-    "round scaled alike on every axis";
+    "by exact a plane, sphere, box, cylinder, capsule, triangle, mesh, walls or a group of them; "
+    "what "
+    "is round scaled alike on every axis";
 
 /// FixedSurfaces: the surfaces of one object that stands still. Each function says whether the
 /// solver knows it.
@@ -61,8 +62,12 @@ class FixedSurfaces {
   }
   bool add(const Group& group, const Affine& place) {
     if (group.repeat) return false;
+    return add(group.children, place);
+  }
+  bool add(const Walls& walls, const Affine& place) { return add(children_in(walls), place); }
+  bool add(const std::vector<Object>& children, const Affine& place) {
     bool known = true;
-    for (const Object& child : group.children) known = add(child, place) && known;
+    for (const Object& child : children) known = add(child, place) && known;
     return known;
   }
   template <class Other>

@@ -182,10 +182,12 @@ MovingPart moving_hull(Surface surface, double mass) {
 
 bool add_fixed_parts(const Object& object, const Affine& parent, std::vector<RigidPart>& into) {
   const Affine place = parent * object.transform.affine();
-  if (const auto* group = std::get_if<Group>(&object.shape)) {
-    if (group->repeat) return false;
-    return std::ranges::all_of(
-        group->children, [&](const Object& child) { return add_fixed_parts(child, place, into); });
+  const auto* group = std::get_if<Group>(&object.shape);
+  if (group != nullptr || std::holds_alternative<Walls>(object.shape)) {
+    if (group != nullptr && group->repeat) return false;
+    return std::ranges::all_of(*children_of(object), [&](const Object& child) {
+      return add_fixed_parts(child, place, into);
+    });
   }
   if (const auto* plane = std::get_if<Plane>(&object.shape)) {
     const Vec3d normal = normalize(place.inverse().row(plane->normal));

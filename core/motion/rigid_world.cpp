@@ -31,9 +31,8 @@ RigidBody rigid_body(const MovingBody& body, const Place& at, Faults& faults) {
 }
 
 constexpr const char* known_to_rigid =
-    "by rigid a plane, sphere, box, cylinder, cone, capsule, triangle, mesh or a group of them; "
-    "what "
-    "is round scaled alike on every axis";
+    "by rigid a plane, sphere, box, cylinder, cone, capsule, triangle, mesh, walls or a group of "
+    "them; what is round scaled alike on every axis";
 
 }  // namespace
 

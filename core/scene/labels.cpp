@@ -8,21 +8,30 @@ namespace {
 /// What a visit is told of each thing that a ray can meet: its name, if it has one, and its type.
 using Visit = std::function<void(const std::string& name, std::string_view type, const Place&)>;
 
-// What a model stands for is not in the JSON: its place is the model's.
-void visit_objects(const std::vector<Object>& list, const Place& at, bool in_model,
+/// Around: what objects are part of that is lowered to them. They are not in the JSON: their place
+/// is its own; and the name of walls is that of each piece.
+struct Around {
+  bool is_lowered = false;
+  const std::string* name = nullptr;
+};
+
+void visit_objects(const std::vector<Object>& list, const Place& at, const Around& around,
                    const Visit& visit) {
   for (std::size_t i = 0; i < list.size(); ++i) {
     const Object& object = list[i];
     const Place element = at.at(i);
-    const Place& here = in_model ? at : element;
+    const Place& here = around.is_lowered ? at : element;
     if (is_many(object)) {
       const Place children = here.at("children");
-      const bool inside = in_model || std::holds_alternative<PlacedModel>(object.shape);
-      visit_objects(*children_of(object), inside ? here : children, inside, visit);
+      Around inside = around;
+      if (is_lowered(object)) inside.is_lowered = true;
+      if (std::holds_alternative<Walls>(object.shape)) inside.name = &object.name;
+      visit_objects(*children_of(object), inside.is_lowered ? here : children, inside, visit);
       continue;
     }
     const auto type = [](const auto& shape) { return std::string_view(shape.type); };
-    visit(object.name, std::visit(type, object.shape), here);
+    visit(around.name != nullptr ? *around.name : object.name, std::visit(type, object.shape),
+          here);
   }
 }
 
@@ -34,7 +43,7 @@ void visit_light(const Light& light, const Place& at, const Visit& visit) {
 // Of all of them, in the order of their numbers.
 void visit_all(const Scene& scene, const Visit& visit) {
   const Place all{}, lights = all.at("lights");
-  visit_objects(scene.objects, all.at("objects"), false, visit);
+  visit_objects(scene.objects, all.at("objects"), {}, visit);
   for (std::size_t i = 0; i < scene.lights.size(); ++i)
     visit_light(scene.lights[i], lights.at(i), visit);
   if (scene.key_light) visit_light(*scene.key_light, all.at("key_light"), visit);

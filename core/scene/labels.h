@@ -11,9 +11,9 @@
 
 namespace tia {
 
-/// ObjectLabel: an object's `name`, of what a model shows the node's; where it has none its JSON
-/// Pointer into the scene, which is the model's; and the `type` of its shape, of a luminous light
-/// that of the light.
+/// ObjectLabel: an object's `name`, of what a model shows the node's, of a piece of walls theirs;
+/// where it has none its JSON Pointer into the scene, which is the model's or the walls'; and the
+/// `type` of its shape, of a luminous light that of the light.
 struct ObjectLabel {
   std::string name;
   std::string_view type;

@@ -93,6 +93,14 @@ bool is_many(const Object& object) {
       object.shape);
 }
 
+bool is_lowered(const Object& object) {
+  return std::visit(
+      []<class Kind>(const Kind& kind) {
+        return requires { kind.shown; };
+      },
+      object.shape);
+}
+
 bool is_solid(const Shape& shape) {
   return std::visit(
       []<class Kind>(const Kind&) {

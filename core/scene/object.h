@@ -66,11 +66,14 @@ extern template struct FieldsCodec<Object>;
 const std::vector<MaterialRef>& numbered_materials(const Object& object);
 const std::map<std::string, MaterialRef>& named_materials(const Object& object);
 
-/// The children of a group, a solid or a model, or null.
+/// The children of a composite, or null.
 const std::vector<Object>* children_of(const Object& object);
 /// Whether its children are objects of their own, as a group's and a model's are and a solid's are
 /// not.
 bool is_many(const Object& object);
+/// Whether its children follow from what is written and are not in the JSON, as a model's and those
+/// of walls.
+bool is_lowered(const Object& object);
 
 /// Whether a shape has an inside of its own, so that it can be an operand of CSG. (A group is none;
 /// its children may be.)
@@ -94,6 +97,7 @@ class ObjectBounds {
   Aabb of(const Csg& csg);
   Aabb of(const Group& group);
   Aabb of(const PlacedModel& model);
+  Aabb of(const Walls& walls) { return of(children_in(walls)); }
 
  private:
   Aabb of(const std::vector<Object>& list);

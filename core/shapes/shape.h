@@ -13,6 +13,7 @@
 #include "core/shapes/composite/csg.h"
 #include "core/shapes/composite/group.h"
 #include "core/shapes/composite/placed_model.h"
+#include "core/shapes/composite/walls.h"
 #include "core/shapes/crossing.h"
 #include "core/shapes/formula/explicit.h"
 #include "core/shapes/formula/implicit.h"
@@ -66,9 +67,10 @@ using ListedShape = Kind;
 template <class... Kinds>
 using ShapeList = std::variant<ListedShape<Kinds>...>;
 
-using Shape = ShapeList<Sphere, Plane, Disc, Box, Cylinder, Cone, Capsule, Triangle, Mesh, Torus,
-                        Quadric, Algebraic, Steiner, BarthSextic, Chmutov, Heart, Clebsch, Cayley,
-                        Implicit, Explicit, Parametric, Blend, Voxels, Csg, Group, PlacedModel>;
+using Shape =
+    ShapeList<Sphere, Plane, Disc, Box, Cylinder, Cone, Capsule, Triangle, Mesh, Torus, Quadric,
+              Algebraic, Steiner, BarthSextic, Chmutov, Heart, Clebsch, Cayley, Implicit, Explicit,
+              Parametric, Blend, Voxels, Csg, Group, PlacedModel, Walls>;
 
 /// Form: what the kinds of the list prepare to, several of them perhaps to the same.
 using Form = FormsOf<Shape>;

@@ -116,6 +116,10 @@ class Digester {
     add(name.digest);
     bytes_ += name.bytes;
   }
+  void add(const Walls& walls) {
+    Walls::fields(Fields<Walls>{*this, walls});
+    bytes_ += children_in(walls).size() * sizeof(Object);  // more than what is said of them
+  }
   template <Described T>
   void add(const T& value) {
     T::fields(Fields<T>{*this, value});

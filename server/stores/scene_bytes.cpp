@@ -88,6 +88,10 @@ std::size_t heap(const AnimationKey& key) {
 }
 std::size_t heap(const TimeFormula& formula) { return heap_of(formula.parts); }
 std::size_t heap(const ModuleRow& modules) { return heap_of(modules.at); }
+std::size_t heap(const Walls& walls) {
+  return heap_of(walls.points) + heap_of(walls.openings) +
+         (walls.shown ? block + heap_of(*walls.shown) : 0);
+}
 template <Described T>
 std::size_t heap(const T& value) {
   FieldsHeap<T> fields{value};

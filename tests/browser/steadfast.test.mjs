@@ -5,7 +5,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { mergePatch } from '../../web/state/merge_patch.js';
 import { History } from '../../web/state/scene_history.js';
-import { ownersOf } from '../../web/picture/feature_image.js';
+import { ownersOf, readPfm } from '../../web/picture/feature_image.js';
 import { finerOf, quickOf } from '../../web/picture/passes.js';
 import { orbit, pan } from '../../web/space/eye.js';
 import { project, viewOf } from '../../web/space/view.js';
@@ -162,6 +162,18 @@ test('a pan moves what one looks at by as many pixels as the hand, in every spel
 test('numbers of the object image: members of groups belong to their group', () => {
   const group = { type: 'group', children: [{ type: 'sphere' }, { type: 'group', children: [{ type: 'box' }, { type: 'csg', children: [{}, {}] }] }] };
   assert.deepEqual(ownersOf({ objects: [{ type: 'plane' }, group, { type: 'box' }] }), [0, 1, 1, 1, 2]);
+});
+
+test('numbers of the object image: walls are as many as the server lowers them to', async () => {
+  // Two right angles, an oblique corner, a door at a corner, a window, a gate of full height.
+  const walls = { type: 'walls', points: [[0, 0], [-4, 0], [-4, -5], [1, -5], [4, -8]], height: 3, thickness: 0.5,
+    openings: [{ from: 12, to: 13, sill: 1, lintel: 2 }, { from: 4.25, to: 5.5, lintel: 2 }, { from: 1, to: 3 }] };
+  const scene = { objects: [walls, { type: 'sphere', name: 'last', center: [0, 50, 0], radius: 1 }], lights: [],
+    camera: { location: [0, 50, 9], look_at: [0, 50, 0] } };
+  const answer = await fetch(`${on.tia.base}/render`, { method: 'POST',
+    body: JSON.stringify({ scene, width: 1, height: 1, integrator: 'object', format: 'pfm' }) });
+  const number = readPfm(await answer.arrayBuffer()).at(0, 0)[0];
+  assert.deepEqual(ownersOf(scene), [...Array(number - 1).fill(0), 1]);
 });
 
 test('what a scene says of its sampling holds from the first picture on, known late or not', () => {

@@ -61,7 +61,7 @@ const std::string png = base64(
     to_text(tia::test::png({2, 2, 8, rgb}, "\x10\x20\x30\x40\x50\x60\x70\x10\x30\x50\x70\x20")));
 const std::string jpeg = base64(to_text(flat_jpeg({140, 120, 130})));
 
-// A mesh, solids, formulas of all kinds, textures, copies and lamps.
+// A mesh, solids, walls, formulas of all kinds, textures, copies and lamps.
 const std::string all_kinds = R"({"title":"all kinds","camera":{"location":[0,2,9]},
   "materials":{"marble":{"texture":{"type":"marble","colors":[[0.1,0.2,0.3],[0.9,0.8,0.7]]}}},
   "objects":[
@@ -79,6 +79,8 @@ const std::string all_kinds = R"({"title":"all kinds","camera":{"location":[0,2,
     "materials":["marble",{"color":[1,0,0]}]},
    {"type":"group","repeat":{"count":[2,2,1],"step":[1,1,1]},"children":[{"type":"sphere",
     "center":[0,-3,0],"radius":0.3,"material":{"transmission":0.8,"ior":1.5}}]},
+   {"type":"walls","points":[[0,-5],[2,-5],[3,-4]],"height":1,"thickness":0.2,
+    "openings":[{"from":0.5,"to":1,"lintel":0.8}]},
    {"type":"torus","major_radius":3,"minor_radius":0.2,"material":{"texture":{"type":"image",
     "data":")" + jpeg + R"("}}}],
   "lights":[{"type":"point","position":[4,5,6]}]})";

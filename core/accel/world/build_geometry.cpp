@@ -179,6 +179,10 @@ class Compiler {
     builder_.end_grid(grid, own);
   }
 
+  void add_kind(const Walls& walls, const Setting& own) {
+    for (const Object& child : children_in(walls)) add(child, own);
+  }
+
   void add_kind(const PlacedModel& model, const Setting& own) {
     Setting inside = own;
     inside.culls = model.culling;

@@ -212,6 +212,10 @@ const std::vector<std::string> beyond_scene_schema = {
     "a solid (", "copies in all", "not 0 where there is more than one copy",
     "a group whose children have bounds", "a group without repeat", "can be undone",
     "with the transforms around it", "luminous balls",
+    // walls
+    "at most 512 points", "at least 3 points", "another point than the", "for its corners",
+    "does not turn back", "not in the way of", "beyond the end of opening", "the walls' height",
+    "where the opening ends", "where it begins", "between the corners",
     // lights
     "a number from radius_degrees", "a point other than position", "an edge that spans an area",
     "fading of a light that is at some distance",
