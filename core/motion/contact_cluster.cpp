@@ -5,6 +5,18 @@
 #include <tuple>
 
 namespace tia {
+namespace {
+
+// So often a contact that takes energy bounces at one time; what is left of its approach then is
+// taken away at once.
+constexpr int most_bounces = 64;
+
+// What share of the fastest approach at one time is told by itself, and how often of a contact that
+// takes energy.
+constexpr double least_told = 1e-2;
+constexpr int most_told = 4;
+
+}  // namespace
 
 double approach_slack(const Vec3d& v) {
   return 1e-12 + 4e-15 * (std::fabs(v.x) + std::fabs(v.y) + std::fabs(v.z));
@@ -18,6 +30,7 @@ void ContactCluster::clear() {
   contacts.clear();
   impulses.clear();
   settled_ = false;
+  told = 0;
 }
 
 // The velocity at which the gap grows.
@@ -59,28 +72,44 @@ void ContactCluster::begin() {
   std::sort(contacts.begin(), contacts.end(), [](const auto& x, const auto& y) {
     return std::tie(x.a, x.b, x.patch) < std::tie(y.a, y.b, y.patch);
   });
-  for (ClusterContact& c : contacts) c.stops = c.was_held;
+  for (ClusterContact& c : contacts) c.stops = c.presses = c.was_held;
   stop_resting();
 }
 
 bool ContactCluster::collide(std::size_t most) {
+  double strongest = 0;
+  std::size_t passes = 0;
   for (bool again = true; again;) {
+    if (++passes > most) return false;
     again = false;
-    for (const ClusterContact& c : contacts) {
+    for (ClusterContact& c : contacts) {
       const double rate = gap_rate(c);
       if (!(rate < -slack(c)) || (c.lies_below && !(c.forced && !settled_))) continue;
-      const bool bounces = !settled_ || -rate > slowest_bounce(c);
+      const bool weak = (settled_ || c.shakes) && -rate <= slowest_bounce(c);
+      const bool bounces = c.bounces < most_bounces && !weak;
       const double impulse = -(bounces ? 1 + c.restitution : 1) * rate / inverse_mass(c);
       push(c, impulse);
       again = true;
       if (!bounces) continue;
-      const Body& a = bodies[c.body_a];
-      impulses.push_back(
-          {a.now.time, c.a, c.b, a.now.center - c.normal * a.radius, c.normal, impulse});
+      c.bounces += c.restitution < 1 ? 1 : 0;
+      strongest = std::max(strongest, -rate);
+      tell(c, impulse, -rate < least_told * strongest || c.bounces > most_told);
       if (impulses.size() > most) return false;
     }
   }
   return true;
+}
+
+// What is weak is added to the last one of its contact.
+void ContactCluster::tell(ClusterContact& c, double impulse, bool weak) {
+  told += weak ? 0 : 1;
+  if (weak && c.told != ClusterContact::no_body) {
+    impulses[c.told].impulse += impulse;
+    return;
+  }
+  c.told = impulses.size();
+  const Body& a = bodies[c.body_a];
+  impulses.push_back({a.now.time, c.a, c.b, a.now.center - c.normal * a.radius, c.normal, impulse});
 }
 
 void ContactCluster::close_gaps(double most, double least) {

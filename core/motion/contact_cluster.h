@@ -27,10 +27,14 @@ struct ClusterContact {
   bool lies_below = false;  ///< an edge or a corner in a plane that the ball touches, too: it is
                             ///< met only where that is left
   bool was_held = false;    ///< rested on until now
+  bool shakes = false;      ///< see Shakes
   // Found by the cluster:
   double bend = 0;   ///< see bend_of
   double force = 0;  ///< a resting contact's, mass times acceleration
   bool resting = false, stops = false, held = false;
+  bool presses = false;        ///< so far as one knows, before forces are found
+  int bounces = 0;             ///< at this time, where they take energy
+  std::size_t told = no_body;  ///< the last one of its impulses
 };
 
 class ContactCluster {
@@ -43,6 +47,7 @@ class ContactCluster {
   std::vector<Body> bodies;
   std::vector<ClusterContact> contacts;
   std::vector<BodyContact> impulses;  ///< in the order in which they were given
+  std::size_t told = 0;               ///< of them, that are not weak
 
   explicit ContactCluster(const Vec3d& gravity);
   void clear();
@@ -67,7 +72,9 @@ class ContactCluster {
   double inverse_mass(const ClusterContact& c) const;
   void push(const ClusterContact& c, double impulse);
   void press(ClusterContact& c, double force);
+  void tell(ClusterContact& c, double impulse, bool weak);
   void find_forces();
+  void start_forces();
   void refine_forces();
   bool press_in_turn(int most_rounds);
   std::vector<std::size_t> resting() const;
@@ -76,7 +83,7 @@ class ContactCluster {
   void stop_resting();
   bool stop_more();
   double slowest_bounce(const ClusterContact& c) const;
-  void find_bends(const std::vector<ContactPatch>& patches);
+  bool find_bends(const std::vector<ContactPatch>& patches);
 
   Vec3d gravity_;
   double weight_;

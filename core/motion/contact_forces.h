@@ -23,9 +23,12 @@ struct ContactMatrix {
 std::vector<double> solve_chosen(const ContactMatrix& m, std::span<const double> b,
                                  const std::vector<std::size_t>& chosen);
 
-/// f >= 0 with a = M f + b >= 0 and f_i a_i = 0, a >= 0 to within `slack`.
-/// Source: Lawson, Hanson, Solving Least Squares Problems (1974), chapter 23, NNLS.
+/// f >= 0 with a = M f + b >= 0 and f_i a_i = 0, a >= 0 to within `slack`; `chosen`, ascending, is
+/// a guess at those that press.
+/// Source: Judice, Pires, "A block principal pivoting algorithm for large-scale strictly monotone
+/// linear complementarity problems", Computers & Operations Research 21 (1994); where that does
+/// not end, Lawson, Hanson, Solving Least Squares Problems (1974), chapter 23, NNLS.
 std::vector<double> nonnegative_forces(const ContactMatrix& m, std::span<const double> b,
-                                       double slack);
+                                       double slack, std::vector<std::size_t> chosen = {});
 
 }  // namespace tia

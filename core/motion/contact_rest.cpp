@@ -8,32 +8,38 @@
 namespace tia {
 namespace {
 
-// Two bounces within this rest. Space/units: seconds.
-constexpr double shortest_bounce = 1e-6;
+// Two bounces within this rest, see Shakes. Space/units: seconds.
+double shortest_bounce(const ClusterContact& c) { return c.shakes ? 1e-3 : 1e-6; }
 
 // Which share of the weight an acceleration may be off by.
 constexpr double held_share = 1e-9, force_share = 1e-15;
 
 // Up to so many contacts are solved at once.
-constexpr std::size_t most_dense = 64;
+constexpr std::size_t most_dense = 512;
 
 }  // namespace
 
 // Nothing is pressed by more than some times its weight, but in piles that are high.
 double ContactCluster::slowest_bounce(const ClusterContact& c) const {
-  return shortest_bounce * (16 * weight_ + 2 * std::fabs(c.bend));
+  return shortest_bounce(c) * ((c.shakes ? 1 : 16) * weight_ + 2 * std::fabs(c.bend));
 }
 
-void ContactCluster::find_bends(const std::vector<ContactPatch>& patches) {
+// Returns: whether one has changed.
+bool ContactCluster::find_bends(const std::vector<ContactPatch>& patches) {
+  bool changed = false;
   for (ClusterContact& c : contacts) {
+    const double before = c.bend;
     const Knot& a = bodies[c.body_a].now;
     if (c.body_b == c.no_body) {
       c.bend = bend_of(patches[c.patch], a.center, a.velocity);
-      continue;
+    } else {
+      const Knot& b = bodies[c.body_b].now;
+      c.bend = bend_of(SpherePatch{b.center, 0}, a.center, a.velocity - b.velocity);
     }
-    const Knot& b = bodies[c.body_b].now;
-    c.bend = bend_of(SpherePatch{b.center, 0}, a.center, a.velocity - b.velocity);
+    const double most = held_share / 16 * (weight_ + std::fabs(c.bend));
+    changed = changed || std::fabs(c.bend - before) > most;
   }
+  return changed;
 }
 
 // Contacts press, each in turn as hard as it must not to approach, until all agree. Returns:
@@ -59,14 +65,14 @@ bool ContactCluster::press_in_turn(int most_rounds) {
 
 // Where directions are nearly the same that takes too long, and few contacts are solved at once.
 void ContactCluster::find_forces() {
-  const auto start = [&] {
-    for (Body& body : bodies) body.now.acceleration = gravity_;
-    for (ClusterContact& c : contacts) c.force = 0;
-  };
-  start();
   const std::vector<std::size_t> all = resting();
-  if (press_in_turn(all.size() > most_dense ? 2000 : 16) || all.size() > most_dense) return;
-  start();
+  std::vector<std::size_t> guess;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (contacts[all[i]].presses) guess.push_back(i);
+  start_forces();
+  const bool dense = all.size() <= most_dense;
+  if (press_in_turn(dense ? 4 : 2000) || !dense) return;
+  start_forces();
   std::vector<double> rates;
   double most = weight_;
   for (const std::size_t i : all) {
@@ -74,10 +80,17 @@ void ContactCluster::find_forces() {
     most = std::max(most, std::fabs(contacts[i].bend));
   }
   const std::vector<double> forces =
-      nonnegative_forces(matrix_of(all), rates, most * held_share / 16);
-  for (std::size_t i = 0; i < all.size(); ++i)
+      nonnegative_forces(matrix_of(all), rates, most * held_share / 16, std::move(guess));
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    contacts[all[i]].presses = forces[i] > 0;
     if (forces[i] > 0) press(contacts[all[i]], forces[i]);
+  }
   refine_forces();
+}
+
+void ContactCluster::start_forces() {
+  for (Body& body : bodies) body.now.acceleration = gravity_;
+  for (ClusterContact& c : contacts) c.force = 0;
 }
 
 // What the matrix's stiffening has left, twice.
@@ -128,7 +141,7 @@ bool ContactCluster::drop_bouncing() {
   bool dropped = false;
   for (ClusterContact& c : contacts) {
     if (!c.resting || c.force == 0) continue;
-    if (2 * gap_rate(c) < shortest_bounce * c.force * inverse_mass(c)) continue;
+    if (2 * gap_rate(c) < shortest_bounce(c) * c.force * inverse_mass(c)) continue;
     if (std::fabs(gap_rate(c)) <= slack(c)) continue;
     c.resting = false;
     dropped = true;
@@ -187,6 +200,7 @@ bool ContactCluster::settle(const std::vector<ContactPatch>& patches) {
   for (ClusterContact& c : contacts) c.stops = c.resting && c.force > 0;
   do stop_resting();
   while (stop_more());
+  if (find_bends(patches)) find_forces();  // along curves less speed needs less force
   settled_ = true;
   bool approaches = false;
   for (ClusterContact& c : contacts) {

@@ -34,6 +34,7 @@ void ExactSolver::add_pair(std::size_t ball, std::size_t other) {
   ClusterContact contact{a, b, 0, body_of_[a], body_of_[b], way * (1 / distance), gap};
   contact.bend_radius = distance;
   contact.was_held = was_held;
+  contact.shakes = states_[a].shakes.contains(b, now_, was_held);
   if (world_.restitution) contact.restitution = world_.restitution(a, b);
   cluster_.contacts.push_back(contact);
 }
@@ -51,6 +52,7 @@ void ExactSolver::add_patch(std::size_t ball, std::size_t patch) {
   contact.bend_radius = bend_radius(shape, x, radius);
   contact.was_held = was_held;
   contact.forced = forced;
+  contact.shakes = states_[ball].shakes.contains(other, now_, was_held);
   if (world_.restitution) contact.restitution = world_.restitution(ball, b);
   cluster_.contacts.push_back(contact);
 }
@@ -147,6 +149,12 @@ double ExactSolver::time_of_leaving(const ClusterContact& c, double step) const 
   return std::max(step * (first / (first - last)) * (1 + 1e-9), step * 1e-4);
 }
 
+// With a restitution of 0 it rests, which is no shaking; some are needed, then.
+void ExactSolver::note_bounces(const ClusterContact& c, std::size_t other) {
+  const double left = c.bounces > 0 ? std::max(c.restitution, 0.05) : 1;
+  states_[c.a].shakes.note(other, now_, left, c.shakes);
+}
+
 void ExactSolver::store() {
   for (const BodyContact& impulse : cluster_.impulses) contacts_.add(impulse);
   for (const ContactCluster::Body& body : cluster_.bodies) {
@@ -164,16 +172,18 @@ void ExactSolver::store() {
     state.knot = body.now;
   }
   for (const ClusterContact& c : cluster_.contacts) {
+    const std::size_t other = c.body_b == no_body ? ball_count() + c.patch : c.b;
+    note_bounces(c, other);
     if (!c.held) continue;
     const double next = now_ + slide_step(c);
-    const auto hold = [&](std::size_t ball, std::size_t other) {
-      states_[ball].held.push_back(other);
+    const auto hold = [&](std::size_t ball, std::size_t by) {
+      states_[ball].held.push_back(by);
       states_[ball].next_slide = std::min(states_[ball].next_slide, next);
     };
-    hold(c.a, c.body_b == no_body ? ball_count() + c.patch : c.b);
+    hold(c.a, other);
     if (c.body_b != no_body) hold(c.b, c.a);
   }
-  count_events(std::max<std::size_t>(cluster_.impulses.size(), 1));
+  count_events(std::max<std::size_t>(cluster_.told, 1));
   record_energy(false);
   for (const ContactCluster::Body& body : cluster_.bodies) body_of_[body.ball] = no_body;
   for (const ContactCluster::Body& body : cluster_.bodies) predict(body.ball);

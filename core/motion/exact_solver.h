@@ -9,6 +9,7 @@
 #include "core/motion/event_queue.h"
 #include "core/motion/exact.h"
 #include "core/motion/fixed_patches.h"
+#include "core/motion/shakes.h"
 #include "core/motion/thinned.h"
 
 namespace tia {
@@ -27,6 +28,7 @@ class ExactSolver {
     std::uint32_t version = 0;
     double next_slide = Aabb::far;  ///< when it would be too far off a curve that it slides along
     std::vector<std::size_t> held;  ///< balls, and patches after them, that it rests on or carries
+    Shakes shakes;                  ///< by the same numbers, of contacts whose a it is
   };
 
   // exact_solver.cpp: the run
@@ -59,6 +61,7 @@ class ExactSolver {
   void add_patch(std::size_t ball, std::size_t patch);
   bool is_forced(std::size_t ball, std::size_t other) const;
   void keep_energy(std::size_t body);
+  void note_bounces(const ClusterContact& c, std::size_t other);
   void store();
   double slide_step(const ClusterContact& contact) const;
   double time_of_leaving(const ClusterContact& contact, double step) const;

@@ -3,6 +3,7 @@
 
 #include "core/motion/contact_forces.h"
 #include "core/motion/falls.h"
+#include "core/motion/shakes.h"
 #include "core/motion/thinned.h"
 #include "core/parallel/stopped.h"
 #include "tests/core/motion/balls.h"
@@ -147,6 +148,34 @@ TEST(ExactRun, AHeapOfBallsNeverOverlaps) {
     ASSERT_LT(test::deepest_overlap(world, motion, 4.5, t), 1e-9) << t;
 }
 
+// Two layers in a narrow box, whatever their restitution: they come to rest, energy never grows and
+// nothing overlaps. At rest they are neither moved nor pulled, and the lower layer is on the floor.
+TEST(ExactRun, AHeapOfBallsComesToRest) {
+  Random random(6);
+  for (const double e : {0.5, 0.0, 0.8}) {
+    if (e != 0.5 && test::sanitized()) continue;
+    ExactWorld world = test::balls_in_room(8, 2.2, 0.5, 1, random);
+    world.gravity = {0, -9.81, 0};
+    world.duration = 40;
+    world.restitution = [e](std::size_t, std::size_t) { return e; };
+    const Motion motion = solve_exact(world, limit);
+    for (double t = 0; t < world.duration; t += t < 4 ? 0.02 : 1)
+      ASSERT_LT(test::deepest_overlap(world, motion, 2.2, t), 1e-9) << e << " at " << t;
+    double before = std::numeric_limits<double>::infinity();
+    for (const BodyEnergy& each : motion.energy) {
+      ASSERT_LE(each.kinetic + each.potential, before + 1e-8) << e << " at " << each.time;
+      before = each.kinetic + each.potential;
+    }
+    int on_floor = 0;
+    for (const auto& path : motion.paths) {
+      EXPECT_LT(length(path.back().velocity), 1e-9) << e;
+      EXPECT_LT(length(path.back().acceleration), 1e-7) << e;
+      on_floor += path.back().center.y < 0.5 + 1e-9 ? 1 : 0;
+    }
+    EXPECT_GE(on_floor, 3) << e;
+  }
+}
+
 // ---- what it does not depend on -----------------------------------------------------------------
 
 // At a late time the clock's own digits are fewer: 2^-33 s at 10^6 s.
@@ -220,6 +249,32 @@ TEST(ContactForces, PressWhereNothingGivesWayAndNowhereElse) {
       EXPECT_GE(rate, -1e-9);
       EXPECT_NEAR(forces[j] * rate, 0, 1e-9);
     }
+  }
+}
+
+// A free ball's bounces, each e times as long as the one before, from 1e-3 s on until they rest at
+// 1e-6 s, never are; bounces that do not become shorter are after n with e^n < 1e-4, and until they
+// are left alone for 1e-3 s.
+TEST(Shakes, AreOfHeapsAndNotOfAFreeBall) {
+  Random random(7);
+  for (int i = 0; i < 100; ++i) {
+    const double e = random.in(0.05, 0.99);
+    Shakes free, heap;
+    double now = random.in(0, 10);
+    for (double apart = 2e-3; apart > 1e-6; now += apart, apart *= e) {
+      free.note(1, now, e, false);
+      ASSERT_FALSE(free.contains(1, now, true)) << e;
+    }
+    const double most = std::log(1e-4) / std::log(e);
+    for (int bounces = 1; bounces < most + 2; ++bounces) {
+      now += 5e-7;
+      heap.note(1, now, e, heap.contains(1, now, false));
+      EXPECT_EQ(heap.contains(1, now, false), bounces > most) << e;
+    }
+    EXPECT_FALSE(heap.contains(2, now, true));
+    EXPECT_TRUE(heap.contains(1, now + 9e-4, false));
+    EXPECT_FALSE(heap.contains(1, now + 1.1e-3, false));
+    EXPECT_TRUE(heap.contains(1, now + 1.1e-3, true));  // rests until then
   }
 }
 
