@@ -63,6 +63,21 @@ TEST(Bake, PutsABallWhereItsParabolasAre) {
   EXPECT_NEAR(length(made.contacts[0].normal - Vec3d{0, 1, 0}), 0, 1e-12);
 }
 
+// Steps of frames are no part of a motion: at times that they share all rates show the same scene.
+TEST(Bake, DoesNotDependOnFramesASecond) {
+  const auto baked_at = [](int fps) {
+    const Scene scene = read_scene(R"({"animation":{"duration":2.5,"fps":)" + std::to_string(fps) +
+                                   "}," + falling_ball.substr(1));
+    return with_motion(scene, simulate(scene, usual_events));
+  };
+  const Scene at24 = baked_at(24), at60 = baked_at(60), at240 = baked_at(240);
+  for (int k = 0; k <= 30; ++k) {
+    const double t = k / 12.0;
+    EXPECT_EQ(at_time(at24, t, {}).objects, at_time(at60, t, {}).objects);
+    EXPECT_EQ(at_time(at24, t, {}).objects, at_time(at240, t, {}).objects);
+  }
+}
+
 TEST(Bake, AtTheTimeZeroNothingHasMoved) {
   const Scene scene = read_scene(falling_ball);
   const Scene baked = with_motion(scene, simulate(scene, usual_events));

@@ -82,6 +82,34 @@ TEST(Rigid, FrictionStopsAtTheSquareOfTheSpeedOverTwiceItsPull) {
   EXPECT_NEAR(moved(baked, 2, {}).x, moved(baked, 2.5, {}).x, 0.001 * way);
 }
 
+// A cylinder has half m r^2 about its axis: it rolls at g sin / (1 + 1/2). A ball on too little
+// friction, mu < 2/7 tan, slides at g (sin - mu cos).
+TEST(Rigid, ACylinderRollsAtTwoThirdsAndABallSlidesWhereFrictionIsLow) {
+  const double angle = 25 * pi / 180, t = 1.5;
+  const std::string cylinder =
+      R"({"name":"body","type":"cylinder","base":[0,0.5,-0.7],"cap":[0,0.5,0.7],"radius":0.5})";
+  const Scene rolls = motion_of(on_incline(25, cylinder, R"("friction":1,"restitution":0)", t));
+  const double two_thirds = pull * std::sin(angle) * t * t / 3;
+  EXPECT_NEAR(moved(rolls, t, {0, 0.5, 0}).x, two_thirds, 0.02 * two_thirds);
+  const std::string ball = R"({"name":"body","type":"sphere","center":[0,0.5,0],"radius":0.5})";
+  const Scene slides = motion_of(on_incline(25, ball, R"("friction":0.02,"restitution":0)", t));
+  const double mu = 0.1;  // the geometric mean with the ground's 0.5
+  const double way = pull * (std::sin(angle) - mu * std::cos(angle)) * t * t / 2;
+  EXPECT_NEAR(moved(slides, t, {0, 0.5, 0}).x, way, 0.02 * way);
+}
+
+// A ball that slides at v without spin is slowed by mu g and turned by 5 mu g / (2 r), until it
+// rolls: at 5/7 v, after 2 v / (7 mu g), having come 12 v^2 / (49 mu g).
+TEST(Rigid, ASlidingBallComesToRollAtFiveSevenths) {
+  const double v = 4, mu = 0.3, t = 2;
+  const std::string ball = R"({"name":"body","type":"sphere","center":[0,0.5,0],"radius":0.5})";
+  const Scene baked =
+      motion_of(on_incline(0, ball, R"("velocity":[4,0,0],"restitution":0,"friction":0.18)", t));
+  const double rolls = 2 * v / (7 * mu * pull);
+  const double way = 12 * v * v / (49 * mu * pull) + 5.0 / 7 * v * (t - rolls);
+  EXPECT_NEAR(moved(baked, t, {0, 0.5, 0}).x, way, 0.01 * way);
+}
+
 TEST(Rigid, ASpinGoesOnAboutTheCentreOfMass) {
   const Scene baked =
       motion_of(R"({"objects":[{"name":"other","type":"sphere","center":[0,50,0],"radius":1},
