@@ -37,15 +37,25 @@ Vec3d moved(const Scene& baked, double time, const Vec3d& p) {
   return at_time(baked, time, {}).objects[1].transform.affine().point(p);
 }
 
-// With its middle of mass above the edge where tan(angle) = width / height.
+// With its middle of mass above the edge where tan(angle) = width / height, whatever its section
+// is. (Elastic, it would bounce off the ground and stand up again.)
 TEST(Rigid, ABoxTopplesBeyondTheAngleWhoseTangentIsWidthOverHeight) {
   const double critical = std::atan(0.5) * 180 / pi;
-  const std::string box = R"({"name":"body","type":"box","min":[-0.5,0,-0.5],"max":[0.5,2,0.5]})";
-  for (const double beyond : {-1.0, 1.0}) {
-    const Scene baked = motion_of(on_incline(critical + beyond, box, R"("friction":2)", 3));
-    const Vec3d up = moved(baked, 3, {0, 2, 0}) - moved(baked, 3, {0, 0, 0});
-    if (beyond < 0) EXPECT_GT(up.y, 1.99);
-    else EXPECT_LT(up.y, 1);
+  const std::array<std::string, 3> bodies{
+      R"("type":"box","min":[-0.5,0,-0.5],"max":[0.5,2,0.5]})",
+      R"("type":"cylinder","base":[0,0,0],"cap":[0,2,0],"radius":0.5})",
+      R"("type":"mesh","positions":[-0.5,0,-0.5,0.5,0,-0.5,0.5,0,0.5,-0.5,0,0.5,
+          -0.5,2,-0.5,0.5,2,-0.5,0.5,2,0.5,-0.5,2,0.5],"indices":[0,1,2,0,2,3,4,6,5,4,7,6,
+          0,5,1,0,4,5,1,6,2,1,5,6,2,7,3,2,6,7,3,4,0,3,7,4]})"};
+  for (const std::string& shape : bodies) {
+    for (const double beyond : {-1.0, 1.0}) {
+      const std::string body = R"({"name":"body",)" + shape;
+      const Scene baked =
+          motion_of(on_incline(critical + beyond, body, R"("friction":2,"restitution":0)", 3));
+      const Vec3d up = moved(baked, 3, {0, 2, 0}) - moved(baked, 3, {0, 0, 0});
+      if (beyond < 0) EXPECT_GT(up.y, 1.99) << shape;
+      else EXPECT_LT(up.y, 1) << shape;
+    }
   }
 }
 
@@ -80,6 +90,24 @@ TEST(Rigid, FrictionStopsAtTheSquareOfTheSpeedOverTwiceItsPull) {
   const double way = v * v / (2 * mu * pull);
   EXPECT_NEAR(moved(baked, 2.5, {}).x, way, 0.02 * way);
   EXPECT_NEAR(moved(baked, 2, {}).x, moved(baked, 2.5, {}).x, 0.001 * way);
+}
+
+// A ball that falls by h comes back up to e^2 h, which it reaches (1 + e) sqrt(2 h / g) after it
+// was let go, whatever its size is.
+TEST(Rigid, ABallBouncesToTheSquareOfItsRestitution) {
+  test::Random random(1);
+  for (const double radius : {0.05, 0.5, 1.0, 3.0}) {
+    for (const double e : {0.0, 0.3, 0.8, 1.0}) {
+      const double h = radius * random.in(2, 5), time = std::sqrt(2 * h / pull) * (1 + e);
+      const std::string r = std::to_string(radius), y = std::to_string(radius + h);
+      const std::string ball =
+          R"({"name":"body","type":"sphere","center":[0,)" + y + R"(,0],"radius":)" + r + "}";
+      const std::string bounce = R"("restitution":)" + std::to_string(e);
+      const Scene baked = motion_of(on_incline(0, ball, bounce, time));
+      EXPECT_NEAR(moved(baked, time, {0, radius + h, 0}).y - radius, e * e * h, 0.03 * h)
+          << radius << ", " << e;
+    }
+  }
 }
 
 // A cylinder has half m r^2 about its axis: it rolls at g sin / (1 + 1/2). A ball on too little
