@@ -135,6 +135,20 @@ TEST(Resume, MayBeLeftAgain) {
   expect_never_left(from(on.from, options), alone);
 }
 
+// A plain picture that goes on asks for no errors, so that its sums lack what tells them: whoever
+// asks for them next goes on from those that were there before.
+TEST(Resume, LeavesNothingWhoseErrorsAreNotKnown) {
+  const std::int64_t all = of_room(chance(64), width, height).rays.all();
+  RenderOptions plain = chance(64);
+  plain.from = left_after(all / 2, plain);
+  ASSERT_TRUE(plain.from);
+  plain.leave = [](const SharedRounds&) { ADD_FAILURE(); };
+  plain.spent = [&](std::int64_t rays, std::int64_t) {
+    if (rays > all / 4) throw Stopped();
+  };
+  EXPECT_THROW(of_room(plain, width, height), Stopped);
+}
+
 // A budget of rays ends the same round, wherever within it or before it the other was left; one
 // that is smaller than what is kept does without that.
 TEST(Resume, EndsABudgetsRoundsWhereTheyEnd) {

@@ -71,12 +71,16 @@ TEST(Projections, LookWhereTheirFormulasSayInTheMiddleAndAtTheEdges) {
   expect_direction(ray_at(around, 0, 45, -0.5, -0.5), {0, 0, 1});    // behind
   expect_direction(ray_at(around, 90, 22, -0.5, 0), {0, h, -h});
   expect_direction(ray_at(around, 17, 0, 0, -0.5), {0, 1, 0});
+  expect_direction(ray_at(around, 179, 89, 0.5, 0.5), {0, -1, 0});  // a corner, all of it a pole
+  expect_direction(ray_at(around, 0, 67, -0.5, 0), {0, -h, h});
   Camera tube = panorama(Projection::cylindrical, 180);
   tube.height = 2;
   const View cylinder = view_of(tube, 100, 50);
   expect_direction(ray_at(cylinder, 50, 25, -0.5, -0.5), {0, 0, -1});
   expect_direction(ray_at(cylinder, 50, 0, -0.5, -0.5), {0, h, -h});
   expect_direction(ray_at(cylinder, 99, 25, 0.5, -0.5), {1, 0, 0});
+  expect_direction(ray_at(cylinder, 99, 0, 0.5, -0.5), {h, h, 0});  // the corners
+  expect_direction(ray_at(cylinder, 0, 49, -0.5, 0.5), {-h, -h, 0});
 }
 
 TEST(Projections, SolidAnglesOfPixelsSumToTheWhole) {
@@ -97,16 +101,32 @@ TEST(Projections, SolidAnglesOfPixelsSumToTheWhole) {
               200 * pi / 180 * 2 * std::sin(std::atan(1.5)), 2e-3);
 }
 
+// Of the pixels that a picture shows it in, too.
 TEST(Projections, ABallCoversTheConeOfItsTangents) {
   Random random(261);
   for (const Projection projection : curved) {
-    const View view = view_of(panorama(projection), 240, 160);
+    Scene scene;
+    scene.camera = panorama(projection);
+    const View view = view_of(scene.camera, 240, 160);
     const Vec3d way = normalize(Vec3d{random.in(-0.5, 0.5), random.in(-0.3, 0.3), -1});
     const double radius = random.in(0.2, 0.5);  // at distance 1: sin of half its angle
     const double cosine = std::sqrt(1 - radius * radius);
-    const double covered = solid_angle_of(
-        view, [&](const Ray<double>& ray) { return dot(ray.direction, way) > cosine; });
+    scene.objects = {test::object_of(Sphere{way, radius})};
+    RenderOptions numbers;
+    numbers.integrator = IntegratorName::object;
+    const Image image = test::picture(scene, view.width, view.height, numbers).image;
+    double covered = 0, shown = 0;
+    for (int y = 0; y < view.height; ++y)
+      for (int x = 0; x < view.width; ++x) {
+        const SeenRay<double> ray = ray_at(view, x, y);
+        if (!ray.seen) continue;
+        const double along = dot(ray.ray.direction, way), angle = solid_angle(view, x, y);
+        covered += along > cosine ? angle : 0;
+        shown += image.at(x, y)[0] == 1 ? angle : 0;
+        if (std::fabs(along - cosine) > 1e-6) ASSERT_EQ(image.at(x, y)[0] == 1, along > cosine);
+      }
     EXPECT_NEAR(covered, 2 * pi * (1 - cosine), 0.02 * covered) << name_of(projection);
+    EXPECT_NEAR(shown, covered, 1e-3 * covered) << name_of(projection);
   }
 }
 

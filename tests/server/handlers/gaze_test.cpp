@@ -126,6 +126,10 @@ INSTANTIATE_TEST_SUITE_P(
                 "gaze=1,2&scene=cameras&camera=%7B%22projection%22:%22orthographic%22,"
                 "%22height%22:3,%22fov_degrees%22:null%7D",
                 "/gaze"},
+        Refused{"Panorama", "gaze=1,2&camera=%7B%22projection%22:%22equirectangular%22%7D",
+                "/gaze"},
+        Refused{"ManyViews",
+                "gaze=1,2&camera=%7B%22display%22:%7B%22type%22:%22omnistereo%22%7D%7D", "/gaze"},
         Refused{"Denoiser", "gaze=1,2&scene=shapes&integrator=path&samples=4&denoise=true",
                 "/denoise"},
         Refused{"Budget", "gaze=1,2&scene=shapes&integrator=path&budget_ms=1000", "/budget_ms"},

@@ -117,6 +117,8 @@ const ParameterRow value_rows[] = {
      "aov with format exr; this picture's is png"},
     {"LayerTwice", R"({"format":"exr","aov":["Z","rgba","Z"]})", "conflict", "/aov/2", R"("Z")",
      "each layer once"},
+    {"LayerUnknown", R"({"format":"exr","aov":["depth"]})", "unknown-name", "/aov/0", R"("depth")",
+     "one of rgba, normal, albedo, Z"},
     {"PartsOfNoPath", R"({"format":"exr","aov":["rgba","direct"]})", "conflict", "/aov/1",
      R"("direct")", "integrator path, whose light is parted; this picture's is thesis"},
     {"VarianceOfOne", R"({"format":"exr","aov":["variance"]})", "conflict", "/aov/0",

@@ -208,6 +208,7 @@ TEST(Streams, MayBeJoinedLate) {
   const std::string of_first = last_of(first);
   EXPECT_EQ(of_first, "/pictures/" + tag.substr(1, 64));
   EXPECT_EQ(last_of(late), of_first);
+  EXPECT_EQ(ask_on(server.port(), of_first).body, ask_on(server.port(), target).body);
 }
 
 }  // namespace
