@@ -101,3 +101,12 @@ for (const locale of ['en-US', 'vi-VN']) {
       }
     }, { ...SMALL, locale }));
 }
+
+test('the gallery opens a scene for one gaze, with its rings', () =>
+  on.open(async (page, seen) => {
+    await page.getByRole('button', { name: 'Barth\u2019s sextic for one gaze' }).click();
+    await page.locator('#compare .gaze-rings').waitFor();
+    const { scene, gaze } = lastAsked(seen);
+    assert.deepEqual([scene, gaze], ['barth', '80,60']);
+    assert.ok(await page.getByLabel('for one gaze', { exact: true }).isChecked());
+  }, { at: '/?scene=thesis&key=a&width=160&height=120' }));

@@ -8,12 +8,22 @@ import { showProblem } from './problem_view.js';
 
 const THUMB = { width: 160, height: 120, samples: 1, threshold: 0 };
 
+// Scenes as the panel of views shows them, by the name of its way.
+const QUILT = { width: 54, height: 40, camera: { display: { type: 'quilt', columns: 3, rows: 3 } } };
+const SEEN = [
+  { name: 'trefoil', way: 'quilt', thumb: QUILT, title: 'A quilt of the trefoil', description: 'Views from left to right, as a holographic display gets them.' },
+  { name: 'voxels', way: 'quilt', thumb: QUILT, title: 'A quilt of the lighthouse', description: 'What is before the tower and behind it moves from view to view.' },
+  { name: 'barth', way: 'gaze', thumb: { gaze: [80, 60] }, title: 'Barth\u2019s sextic for one gaze', description: 'Sharp where the eye looks, from a tenth of the rays; rings show how far from there.' },
+];
+
 export function mountGallery(studio) {
   const place = document.getElementById('scenes');
-  const choose = (name) => {
+  const choose = (name, way) => {
     studio.model.asked = null;
+    studio.way = way;
     const { width, height } = studio.model.request;
     studio.open({ ...opened(name), width, height });
+    if (way) studio.openTab('tab-views');
     document.getElementById('hand').focus();
     document.getElementById('frame').scrollIntoView({ block: 'nearest' });
   };
@@ -37,7 +47,7 @@ export function mountGallery(studio) {
     if (asked) return;
     asked = true;
     try {
-      const scenes = await fetchGallery();
+      const scenes = [...await fetchGallery(), ...SEEN];
       place.replaceChildren(element('ul', { class: 'thumbs' }, ...scenes.map((scene) => card(scene, choose))));
       mark();
     } catch (problem) {
@@ -58,15 +68,15 @@ const nearing = new IntersectionObserver((entries) => {
   }
 }, { rootMargin: '200px' });
 
-function card({ name, title, description }, choose) {
-  const about = `about-${name}`;
+function card({ name, title, description, way, thumb }, choose) {
+  const about = `about-${name}${way ?? ''}`;
   const picture = element('img', {
-    dataset: { src: `render?${queryOf({ ...opened(name), ...THUMB })}` },
+    dataset: { src: `render?${queryOf({ ...opened(name), ...THUMB, ...thumb })}` },
     alt: '', width: 160, height: 120, decoding: 'async',
   });
   nearing.observe(picture);
   return element('li', {},
-    element('button', { type: 'button', dataset: { scene: name }, 'aria-describedby': about, onclick: () => choose(name) },
+    element('button', { type: 'button', dataset: way ? { way } : { scene: name }, 'aria-describedby': about, onclick: () => choose(name, way) },
       picture, element('strong', { lang: 'en' }, title)),
     element('p', { id: about, class: 'note', lang: 'en' }, description));
 }

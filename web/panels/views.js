@@ -69,6 +69,16 @@ export default function mountViews(studio, panel) {
     cover(leave, ...[mine.show(image, picture)].flat());
   }
 
+  // The gallery opens some scenes in one of these ways, once they are known.
+  function arrive() {
+    const opened = ways.find(({ name }) => name === studio.way);
+    studio.way = null;
+    if (!opened) return again();
+    choices.querySelector(`[value=${opened.name}]`).checked = true;
+    choose(opened);
+  }
+
   model.on('want', () => way && stale(leave));
-  model.on('rest', again);
+  model.on('rest', arrive);
+  if (model.world) arrive();
 }
