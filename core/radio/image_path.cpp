@@ -1,6 +1,7 @@
 #include "core/radio/image_path.h"
 
 #include <cmath>
+#include <utility>
 
 namespace tia {
 namespace {
@@ -53,8 +54,7 @@ std::vector<Vec3d> images_of(const RadioWorld& world, const Vec3d& from,
 
 std::optional<RadioPath> mirrored_path(const RadioWorld& world, const Vec3d& from, const Vec3d& to,
                                        std::span<const int> facets, std::span<const Vec3d> images) {
-  RadioPath path{from, to, {}, length(facets.empty() ? to - from : to - images.back())};
-  path.interactions.resize(facets.size());
+  std::vector<RadioInteraction> met;  // most ways miss their last facet, and allocate nothing
   Vec3d target = to;
   for (std::size_t i = facets.size(); i-- > 0;) {
     const Facet& facet = world.facet(facets[i]);
@@ -66,11 +66,12 @@ std::optional<RadioPath> mirrored_path(const RadioWorld& world, const Vec3d& fro
     const Vec3d p = images[i] + way * (below / (below - above));
     if (!world.holds(facets[i], p)) return std::nullopt;
     const double cosine = std::fabs(dot(facet.face.normal, way)) / length(way);
-    path.interactions[i] = {
-        RadioKind::reflection, facet.body, facet.element, p, facet.face.normal, cosine, 0};
+    if (met.empty()) met.resize(facets.size());
+    met[i] = {RadioKind::reflection, facet.body, facet.element, p, facet.face.normal, cosine, 0};
     target = p;
   }
-  return path;
+  return RadioPath{from, to, std::move(met),
+                   length(facets.empty() ? to - from : to - images.back())};
 }
 
 bool is_free(const RadioWorld& world, RadioPath& path, std::span<const int> facets,

@@ -30,17 +30,18 @@ class ImageTree {
     const Facet& facet = world_.facet(i);
     const int side = side_of(world_, facet, source);
     if (side == 0) return;
+    const bool goes_on = facets_.size() + 1 < static_cast<std::size_t>(search_.max_reflections);
+    const bool is_leaf = !goes_on && list_ == nullptr;  // nobody asks for its beam
     std::vector<Vec3d> seen;
     if (search_.pruned && !facet.endless) {
-      seen = clipped(facet.hull, beam, world_.slack());
-      if (seen.empty()) return;
+      if (!is_leaf) seen = clipped(facet.hull, beam, world_.slack());
+      if (is_leaf ? !sees(beam, facet.hull, world_.slack()) : seen.empty()) return;
     }
     count();
     facets_.push_back(i);
     images_.push_back(facet.face.mirror(source));
     receive();
-    const bool goes_on = facets_.size() < static_cast<std::size_t>(search_.max_reflections);
-    if (goes_on || list_ != nullptr) {
+    if (!is_leaf) {
       const Vec3d image = images_.back();
       const RadioBeam next =
           search_.pruned ? mirrored_beam(beam, facet, side, image, seen) : RadioBeam{};

@@ -23,8 +23,27 @@ bool RadioBeam::misses(const Aabb& box, double slack) const {
   return false;
 }
 
+namespace {
+
+// Whether one side of a beam has a whole polygon before it, which most facets in a beam's boxes do.
+bool is_before_a_side(const std::vector<Vec3d>& polygon, const RadioBeam& beam, double slack) {
+  for (const RadioBeam::Side& side : beam.sides) {
+    bool is_before = true;
+    for (std::size_t i = 0; i < polygon.size() && is_before; ++i)
+      is_before = dot(side.inward, polygon[i]) - side.from + slack < 0;
+    if (is_before) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
 std::vector<Vec3d> clipped(const std::vector<Vec3d>& polygon, const RadioBeam& beam, double slack) {
-  std::vector<Vec3d> left = polygon, next;
+  if (is_before_a_side(polygon, beam, slack)) return {};
+  std::vector<Vec3d> left, next;
+  left.reserve(polygon.size() + beam.sides.size());  // each side of a beam adds a corner at most
+  next.reserve(polygon.size() + beam.sides.size());
+  left = polygon;
   for (const RadioBeam::Side& side : beam.sides) {
     next.clear();
     for (std::size_t i = 0; i < left.size(); ++i) {
@@ -38,6 +57,13 @@ std::vector<Vec3d> clipped(const std::vector<Vec3d>& polygon, const RadioBeam& b
     if (left.empty()) break;
   }
   return left;
+}
+
+bool sees(const RadioBeam& beam, const std::vector<Vec3d>& polygon, double slack) {
+  if (is_before_a_side(polygon, beam, slack)) return false;
+  for (const Vec3d& corner : polygon)
+    if (beam.holds(corner, slack)) return true;
+  return !clipped(polygon, beam, slack).empty();
 }
 
 RadioBeam mirrored_beam(const RadioBeam& earlier, const Facet& facet, int side, const Vec3d& image,

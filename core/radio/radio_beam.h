@@ -27,6 +27,9 @@ struct RadioBeam {
 /// clipping" (1974). `slack`: how far outside is still kept.
 std::vector<Vec3d> clipped(const std::vector<Vec3d>& polygon, const RadioBeam& beam, double slack);
 
+/// Whether anything is left of it. Cost: less, where no side of the beam cuts it.
+bool sees(const RadioBeam& beam, const std::vector<Vec3d>& polygon, double slack);
+
 /// The beam of an image, mirrored in a facet of which the earlier beam sees that much. Of an
 /// endless one `seen` is empty, and the earlier beam is mirrored.
 RadioBeam mirrored_beam(const RadioBeam& earlier, const Facet& facet, int side, const Vec3d& image,
