@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cstring>
 #include <type_traits>
 #include <utility>
+
+#include "core/models/byte_source.h"
 
 namespace tia {
 namespace {
@@ -84,9 +85,10 @@ class ArchiveGathering {
 
 class ArchiveReader {
  public:
-  explicit ArchiveReader(ModelBytes bytes) : left_(bytes) {}
+  ArchiveReader(ByteSource& source, std::uint64_t length)
+      : source_(source), left_(length), good_(length <= source.most()) {}
   /// Whether all was there, and nothing is left.
-  bool done() const { return good_ && left_.empty(); }
+  bool done() const { return good_ && left_ == 0; }
 
   void get(bool& value) {
     std::uint8_t byte = 0;
@@ -133,20 +135,21 @@ class ArchiveReader {
   void get_list(List& list) {
     std::uint64_t size = 0;
     get(size);
-    good_ = good_ && size <= left_.size() / sizeof(list[0]);
+    good_ = good_ && size <= left_ / sizeof(list[0]);
     if (!good_) return;
-    list.resize(size);
-    get_raw(list.data(), size * sizeof(list[0]));
+    left_ -= size * sizeof(list[0]);
+    good_ = take_list(source_, size, list);
   }
   void get_raw(void* to, std::size_t size) {
-    good_ = good_ && size <= left_.size();
-    if (!good_ || size == 0) return;
-    std::memcpy(to, left_.data(), size);
-    left_ = left_.subspan(size);
+    good_ = good_ && size <= left_;
+    if (!good_) return;
+    left_ -= size;
+    good_ = source_.fill({static_cast<std::uint8_t*>(to), size});
   }
 
-  ModelBytes left_;
-  bool good_ = true;
+  ByteSource& source_;
+  std::uint64_t left_;
+  bool good_;
 };
 
 }  // namespace
@@ -164,12 +167,17 @@ void write_archive(const Model& model, const std::function<void(ModelBytes)>& wr
   gathering.flush();
 }
 
-std::optional<Model> unarchived(ModelBytes bytes) {
-  ArchiveReader reader(bytes);
+std::optional<Model> unarchived(ByteSource& source, std::uint64_t length) {
+  ArchiveReader reader(source, length);
   std::optional<Model> model(std::in_place);
   reader.get(*model);
   if (!reader.done()) model.reset();
   return model;
+}
+
+std::optional<Model> unarchived(ModelBytes bytes) {
+  BytesInMemory source(bytes);
+  return unarchived(source, bytes.size());
 }
 
 }  // namespace tia

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <string_view>
 #include <utility>
 
@@ -9,6 +10,7 @@
 #include "core/models/archive.h"
 #include "core/models/check_model.h"
 #include "core/models/images.h"
+#include "server/stores/streamed_answer.h"
 #include "server/stores/unpack_exchange.h"
 
 namespace tia::server {
@@ -80,12 +82,22 @@ ReaderAnswer model_answer(Model model, const ModelLimits& limits) {
   return answer;
 }
 
-std::vector<PictureExtent> take_extents(std::span<const std::uint8_t>& rest, std::size_t count,
+void take_all(ByteSource& source, std::span<std::uint8_t> room) {
+  if (!source.fill(room)) throw NoAnswer("fewer bytes than it says");
+}
+template <class Number>
+Number take_number(ByteSource& source) {
+  std::array<std::uint8_t, sizeof(Number)> bytes{};
+  take_all(source, bytes);
+  return std::bit_cast<Number>(bytes);
+}
+
+std::vector<PictureExtent> take_extents(ByteSource& source, std::size_t count,
                                         const ModelLimits& limits) {
   std::vector<PictureExtent> all(count);
   std::uint64_t left = limits.texture_pixels;
   for (PictureExtent& each : all) {
-    for (std::uint32_t& side : each) side = take_number<std::uint32_t>(rest);
+    for (std::uint32_t& side : each) side = take_number<std::uint32_t>(source);
     const std::uint64_t pixels = std::uint64_t{each[0]} * each[1];
     if (std::max(each[0], each[1]) > limits.texture_side || pixels > left)
       throw NoAnswer("pictures beyond the limits");
@@ -94,25 +106,38 @@ std::vector<PictureExtent> take_extents(std::span<const std::uint8_t>& rest, std
   return all;
 }
 
-KeptModel take_model(std::span<const std::uint8_t> rest, const ModelLimits& limits) {
-  const auto length = take_number<std::uint64_t>(rest);
-  auto model = unarchived(take(rest, length));
+// None where one of its sides is 0.
+std::shared_ptr<const ImageRgba8> take_picture(ByteSource& source, PictureExtent extent) {
+  const auto [width, height] = extent;
+  const std::uint64_t bytes = std::uint64_t{4} * width * height;
+  if (bytes == 0) return nullptr;
+  ImageRgba8 picture{static_cast<int>(width), static_cast<int>(height), {}};
+  if (bytes > source.most() || !take_list(source, bytes, picture.rgba))
+    throw NoAnswer("fewer bytes than it says");
+  return std::make_shared<const ImageRgba8>(std::move(picture));
+}
+
+KeptModel take_model(ByteSource& source, const ModelLimits& limits) {
+  const auto length = take_number<std::uint64_t>(source);
+  auto model = unarchived(source, length);
   if (!model) throw NoAnswer("an archive of another length");
   Faults faults;
   check_model(*model, limits, faults);
   if (!faults.empty()) throw NoAnswer(describe(faults.list().front()));
   KeptModel kept;
-  for (const auto [width, height] : take_extents(rest, model->images.size(), limits)) {
-    const auto pixels = take(rest, std::uint64_t{4} * width * height);
-    kept.images.push_back(pixels.empty() ? nullptr
-                                         : std::make_shared<const ImageRgba8>(
-                                               ImageRgba8{static_cast<int>(width),
-                                                          static_cast<int>(height),
-                                                          {pixels.begin(), pixels.end()}}));
-  }
-  if (!rest.empty()) throw NoAnswer("more bytes than it says");
+  for (const PictureExtent each : take_extents(source, model->images.size(), limits))
+    kept.images.push_back(take_picture(source, each));
+  std::array<std::uint8_t, 1> more{};
+  if (source.read(more) > 0) throw NoAnswer("more bytes than it says");
   kept.model = std::make_shared<const Model>(std::move(*model));
   return kept;
+}
+
+[[noreturn]] void take_faults(ByteSource& source) {
+  std::vector<std::uint8_t> text, piece(std::size_t{1} << 16U);
+  while (const std::size_t got = source.read(piece))
+    text.insert(text.end(), piece.begin(), piece.begin() + static_cast<std::ptrdiff_t>(got));
+  raise_faults(text);
 }
 
 }  // namespace
@@ -153,12 +178,16 @@ ReaderAnswer answer_to(std::span<const std::uint8_t> bytes) {
   }
 }
 
+KeptModel model_of(ByteSource& answer, const ModelLimits& limits) {
+  const auto letter = take_number<std::uint8_t>(answer);
+  if (letter == faults_follow) take_faults(answer);
+  if (letter != model_follows) throw NoAnswer("neither a model nor faults");
+  return take_model(answer, limits);
+}
+
 KeptModel model_of(std::span<const std::uint8_t> answer, const ModelLimits& limits) {
-  if (answer.empty()) throw NoAnswer("nothing");
-  const auto rest = answer.subspan(1);
-  if (answer[0] == faults_follow) raise_faults(rest);
-  if (answer[0] != model_follows) throw NoAnswer("neither a model nor faults");
-  return take_model(rest, limits);
+  BytesInMemory source(answer);
+  return model_of(source, limits);
 }
 
 }  // namespace tia::server

@@ -8,10 +8,11 @@
 #include <csignal>
 #include <iostream>
 #include <new>
-#include <optional>
 
+#include "server/operation/child_talk.h"
 #include "server/stores/exchange_parts.h"
 #include "server/stores/model_exchange.h"
+#include "server/stores/streamed_answer.h"
 #include "server/stores/unpack_exchange.h"
 
 namespace tia::server {
@@ -50,6 +51,38 @@ auto believed(const Read& read) {
     throw ReaderDied(std::string("the reader answered ") + error.what());
   }
 }
+
+std::vector<std::string> arguments_of(const Confinement& confinement) {
+  return {"read-model", std::to_string(confinement.memory_bytes),
+          std::to_string(confinement.cpu_s)};
+}
+
+ModelBytes bytes_of(const std::string& head) {
+  return {reinterpret_cast<const std::uint8_t*>(head.data()), head.size()};
+}
+
+/// ChildAnswer: what the process writes; what is short, from a piece that is read at once.
+class ChildAnswer : public ByteSource {
+ public:
+  explicit ChildAnswer(ChildTalk& talk) : talk_(talk), piece_(std::size_t{1} << 16U) {}
+  std::size_t read(std::span<std::uint8_t> room) override {
+    if (at_ == size_ && room.size() >= piece_.size()) return talk_.read(room);
+    if (at_ == size_) {
+      at_ = 0;
+      size_ = talk_.read(piece_);
+    }
+    const std::size_t got = std::min(room.size(), size_ - at_);
+    std::copy_n(piece_.data() + at_, got, room.data());
+    at_ += got;
+    return got;
+  }
+  std::uint64_t most() const override { return size_ - at_ + talk_.left(); }
+
+ private:
+  ChildTalk& talk_;
+  std::vector<std::uint8_t> piece_;
+  std::size_t at_ = 0, size_ = 0;
+};
 
 // ---- the process itself -------------------------------------------------------------------------
 
@@ -101,22 +134,32 @@ bool confined(const Confinement& confinement) {
 
 ByteBuffer ModelReader::answer_to(const std::string& head, std::vector<ModelBytes> pieces,
                                   std::size_t longest, const std::stop_token& stop) const {
-  pieces.insert(pieces.begin(), {reinterpret_cast<const std::uint8_t*>(head.data()), head.size()});
-  ChildEnd end = run_child(
-      program_,
-      {"read-model", std::to_string(confinement_.memory_bytes), std::to_string(confinement_.cpu_s)},
-      pieces, longest, stop);
+  pieces.insert(pieces.begin(), bytes_of(head));
+  ChildEnd end = run_child(program_, arguments_of(confinement_), pieces, longest, stop);
   judge(end.status, confinement_);
   return std::move(end.output);
 }
 
+// How the process has ended counts before what it has written; unless that is still going on, which
+// is no answer.
 KeptModel ModelReader::read(const ModelFiles& files, const ModelLimits& limits,
                             const std::stop_token& stop) const {
-  std::vector<ModelBytes> pieces;
+  const std::string head = request_head(files, limits);
+  std::vector<ModelBytes> pieces{bytes_of(head)};
   for (const ModelFile& each : files.all) pieces.push_back(each.bytes);
-  const auto answer =
-      answer_to(request_head(files, limits), std::move(pieces), confinement_.memory_bytes, stop);
-  return believed([&] { return model_of(answer, limits); });
+  ChildTalk talk(program_, arguments_of(confinement_), std::move(pieces), confinement_.memory_bytes,
+                 stop);
+  ChildAnswer answer(talk);
+  KeptModel model = believed([&] {
+    try {
+      return model_of(answer, limits);
+    } catch (...) {
+      if (talk.ended()) judge(talk.end(), confinement_);
+      throw;
+    }
+  });
+  judge(talk.end(), confinement_);
+  return model;
 }
 
 ModelReader::Unpacked ModelReader::unpack(ModelBytes archive, const ZipLimits& limits,

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/models/byte_source.h"
 #include "core/models/check_model.h"
 #include "tests/core/models/random_model.h"
 
@@ -61,6 +62,31 @@ TEST(ModelArchive, OfChangedBytesIsNoneOrCanBeChecked) {
   }
   EXPECT_GT(some, 100);
   EXPECT_GT(faulty, 10);
+}
+
+/// Bytes that come a few at a time.
+class Dribble : public ByteSource {
+ public:
+  explicit Dribble(ModelBytes bytes) : all_(bytes) {}
+  std::size_t read(std::span<std::uint8_t> room) override {
+    return all_.read(room.first(std::min(room.size(), 1 + calls_++ % 5000)));
+  }
+  std::uint64_t most() const override { return all_.most(); }
+
+ private:
+  BytesInMemory all_;
+  std::size_t calls_ = 0;
+};
+
+TEST(ModelArchive, MayComePieceByPiece) {
+  Random random(10);
+  Model model = random_model(random);
+  model.copyright.assign(1'000'000, 'c');  // longer than what a list takes at once
+  const std::vector<std::uint8_t> bytes = archive_of(model);
+  Dribble whole(bytes), cut(ModelBytes(bytes).first(bytes.size() - 1)), more(bytes);
+  EXPECT_EQ(unarchived(whole, bytes.size()), model);
+  EXPECT_FALSE(unarchived(cut, bytes.size()).has_value());
+  EXPECT_FALSE(unarchived(more, bytes.size() - 1).has_value());
 }
 
 // ---- check_model
