@@ -29,10 +29,15 @@ class ObjCorners {
     add(corner.uv, uvs_), add(corner.normal, normals_);
     positions_.push_back(corner.position);
   }
+  /// Calls f(list) for its lists of numbers; those that are empty take no room.
+  template <class F>
+  void for_each_list(F f) {
+    for (Indices* list : {&positions_, &uvs_, &normals_})
+      if (!list->empty()) f(*list);
+  }
   /// Drops all behind the first ones. Domain: at most size().
   void shrink(std::size_t size) {
-    for (auto* list : {&positions_, &uvs_, &normals_})
-      if (!list->empty()) list->resize(size);
+    for_each_list([size](Indices& list) { list.resize(size); });
   }
 
  private:

@@ -26,6 +26,8 @@ class ObjLines {
   std::size_t number() const { return number_; }
   /// Whether nothing follows it.
   bool is_last() const { return rest_.empty(); }
+  /// Bytes that follow it.
+  std::size_t left() const { return rest_.size(); }
 
  private:
   std::string_view take();

@@ -30,12 +30,14 @@ class ObjPartMaker {
     part_ = {};
     part_.material = material;
     part_.points = &elements_ == &content_.points;
-    std::size_t triangles = 0;
+    std::size_t triangles = 0, corners = 0;
     for (const ObjRun& run : runs) {
       look_at(run);
+      corners += run.corners;
       if (!part_.points) triangles += run.corners - 2 * run.count;
     }
     part_.indices.reserve(3 * triangles);
+    reserve_vertices(std::min(corners, content_.positions.size() / 3));
     for (const ObjRun& run : runs) add(run);
     return std::move(part_);
   }
@@ -55,6 +57,14 @@ class ObjPartMaker {
       has_.normals = has_.normals && content_.has_normal(corner.normal);
       has_.colors = has_.colors && content_.has_color(corner.position);
     }
+  }
+  // As many as there are if each position is one.
+  void reserve_vertices(std::size_t count) {
+    vertices_.reserve(count);
+    part_.positions.reserve(3 * count);
+    if (has_.uvs) part_.uvs[0].reserve(2 * count);
+    if (has_.normals) part_.normals.reserve(3 * count);
+    if (has_.colors) part_.colors.reserve(4 * count);
   }
   void add(const ObjRun& run) {
     std::size_t corner = run.first_corner;

@@ -1,6 +1,7 @@
 // How far the reading of an OBJ file has come, and what is told of it.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <functional>
 #include <set>
@@ -28,6 +29,16 @@ class ObjReading {
   const ModelLimits& limits() const { return limits_; }
   std::size_t faults() const { return faults_.count(); }
 
+  /// Makes room in a list that has none for a row of so many numbers: for what the rest of the file
+  /// adds to it if all its lines are like this one. So no list is copied again and again, and room
+  /// that stays empty costs addresses only.
+  template <class List>
+  void make_room(std::size_t row, List& list) const {
+    constexpr std::size_t short_list = 1 << 14;
+    if (list.capacity() - list.size() >= row || list.size() < short_list) return;
+    const std::size_t rows = lines_.left() / (line().size() + 1) + 1;
+    list.reserve(std::max(2 * list.size(), list.size() + row * rows));
+  }
   void fault(FaultKind kind, std::string_view got, std::string allowed) {
     faults_.add(obj_fault(kind, number(), got, std::move(allowed)));
   }

@@ -75,6 +75,7 @@ void read_obj_position(ObjWords words, ObjReading& reading, ObjContent& content)
   const auto is_far = [](double x) { return std::fabs(x) > obj_most_coordinate; };
   if (is_far(row[0]) || is_far(row[1]) || is_far(row[2]))
     row = refuse_obj_row(FaultKind::out_of_range, reading.line(), allowed, reading);
+  reading.make_room(3, content.positions);
   for (std::size_t i = 0; i < 3; ++i) content.positions.push_back(row[i]);
   if (row.count == 6) add_obj_color(std::span(row.numbers).last(3), reading, content);
   else if (!content.colors.empty()) add_obj_color({}, reading, content);
@@ -84,6 +85,7 @@ void read_obj_uv(ObjWords words, ObjReading& reading, ObjContent& content) {
   if (!has_obj_room(content.uvs.size() / 2, "texture coordinates (vt)", reading)) return;
   const ObjRow row =
       read_obj_row(words, obj_counts({1, 2, 3}), "vt and u, u v or u v w, finite numbers", reading);
+  reading.make_room(2, content.uvs);
   content.uvs.push_back(row[0]);
   content.uvs.push_back(1 - row[1]);
 }
@@ -95,6 +97,7 @@ void read_obj_normal(ObjWords words, ObjReading& reading, ObjContent& content) {
   const auto is_infinite = [](double x) { return std::isinf(static_cast<float>(x)); };
   if (is_infinite(row[0]) || is_infinite(row[1]) || is_infinite(row[2]))
     row = refuse_obj_row(FaultKind::out_of_range, reading.line(), allowed, reading);
+  reading.make_room(3, content.normals);
   bool is_zero = true;
   for (std::size_t i = 0; i < 3; ++i) {
     content.normals.push_back(static_cast<float>(row[i]));

@@ -81,6 +81,7 @@ class ObjReader {
     ObjCorners& all = content_.faces.corners;
     const ModelLimits& limits = reading_.limits();
     const std::size_t faults = reading_.faults();
+    all.for_each_list([&](auto& list) { reading_.make_room(3, list); });
     const std::size_t corners = read_corners(words, all, limits.polygon_corners);
     if (reading_.faults() != faults) return;
     if (corners < 3) {
@@ -107,6 +108,7 @@ class ObjReader {
     if (last.count == 0 || last.mesh != mesh || last.material != material_)
       elements.runs.push_back(
           {mesh, material_, elements.sizes.size(), 0, last.first_corner + last.corners, 0});
+    reading_.make_room(1, elements.sizes);
     elements.sizes.push_back(static_cast<std::uint32_t>(corners));
     ++elements.runs.back().count;
     elements.runs.back().corners += corners;

@@ -24,6 +24,7 @@ class ObjVertices {
     links_.clear();
     rest_.clear();
   }
+  void reserve(std::size_t count) { links_.reserve(count); }
   /// Returns: the corner's number. It is the count of those before it where it is new.
   std::uint32_t number(const ObjCorner& corner) {
     std::uint32_t& last = last_[corner.position];
