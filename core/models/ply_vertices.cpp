@@ -1,6 +1,7 @@
 #include "core/models/ply_vertices.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -55,9 +56,16 @@ void PlyVertices::plan_colors() {
     if (i) color_types_[channel] = element_.properties[*i].type;
     return i && PlyColors::takes(color_types_[channel]);
   };
-  if (!is_taken("red", 0) || !is_taken("green", 1) || !is_taken("blue", 2)) return;
-  has_colors_ = plan_numbers({"red", "green", "blue"}, red);
-  has_alpha_ = is_taken("alpha", 3) && plan_numbers({"alpha"}, alpha);
+  // The names of most programs; those of the oldest; those of some that write scans.
+  constexpr std::array<std::array<std::string_view, 4>, 3> spellings{
+      {{"red", "green", "blue", "alpha"},
+       {"diffuse_red", "diffuse_green", "diffuse_blue", "diffuse_alpha"},
+       {"r", "g", "b", "a"}}};
+  for (const auto& [r, g, b, a] : spellings) {
+    if (has_colors_ || !is_taken(r, 0) || !is_taken(g, 1) || !is_taken(b, 2)) continue;
+    has_colors_ = plan_numbers({r, g, b}, red);
+    has_alpha_ = is_taken(a, 3) && plan_numbers({a}, alpha);
+  }
 }
 
 bool PlyVertices::take(const PlyRow& row, const PlyPlace& place) {

@@ -62,6 +62,24 @@ TEST(PlyVertices, FloatColorsAreLinearAndOpaqueWithoutAlpha) {
                    .model.warnings.empty());
 }
 
+TEST(PlyVertices, ColorsHaveThreeSpellings) {
+  const std::vector<float> color{0.25F, 0.5F, 1, 0.75F};
+  const std::vector<std::array<std::string, 4>> spellings{
+      {"red", "green", "blue", "alpha"},
+      {"diffuse_red", "diffuse_green", "diffuse_blue", "diffuse_alpha"},
+      {"r", "g", "b", "a"}};
+  for (const auto& [r, g, b, a] : spellings) {
+    const ReadModel read =
+        read_with({{"float", r}, {"float", g}, {"float", b}, {"float", a}}, {0.25, 0.5, 1, 0.75});
+    ASSERT_EQ(read.part().colors.size(), 12U) << r;
+    for (std::size_t i = 0; i < 12; ++i) EXPECT_EQ(read.part().colors[i], color[i % 4]) << r;
+    EXPECT_TRUE(read.model.warnings.empty()) << r;
+  }
+  EXPECT_TRUE(read_with({{"float", "red"}, {"float", "g"}, {"float", "b"}}, {0, 0, 0})
+                  .part()
+                  .colors.empty());
+}
+
 TEST(PlyVertices, TextureCoordinatesGrowDownward) {
   using Names = std::array<std::string, 2>;
   for (const auto& [u, v] : {Names{"s", "t"}, Names{"u", "v"}, Names{"texture_u", "texture_v"}}) {
