@@ -8,6 +8,7 @@ import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { dirname, join } from 'node:path';
 import { fileURLToPath, pathToFileURL } from 'node:url';
+import { deflateSync } from 'node:zlib';
 
 const ROOT = join(dirname(fileURLToPath(import.meta.url)), '../..');
 const TIA = process.env.TIA ?? join(ROOT, 'build/release/tia');
@@ -30,9 +31,18 @@ function sheet(n) {
   return { positions, indices };
 }
 
-/** A GLB of it, another one for each name. */
-function glb({ positions, indices }, name) {
-  const json = Buffer.from(JSON.stringify({
+/** A box of these chunks. */
+function boxed(document, binary) {
+  const json = Buffer.from(JSON.stringify(document));
+  const text = Buffer.concat([json, Buffer.alloc((4 - (json.length % 4)) % 4, ' ')]);
+  const words = (...all) => Buffer.from(Uint32Array.from(all).buffer);
+  return Buffer.concat([words(0x46546c67, 2, 28 + text.length + binary.length, text.length, 0x4e4f534a), text,
+    words(binary.length, 0x004e4942), binary]);
+}
+
+/** A GLB of it, another one for each name; its matter is the format's own unless one is told. */
+function glb({ positions, indices }, name, material) {
+  return boxed({
     asset: { version: '2.0', generator: name },
     buffers: [{ byteLength: positions.byteLength + indices.byteLength }],
     bufferViews: [{ buffer: 0, byteLength: positions.byteLength },
@@ -40,15 +50,64 @@ function glb({ positions, indices }, name) {
     accessors: [{ bufferView: 0, componentType: 5126, count: positions.length / 3, type: 'VEC3',
       min: [0, -0.1, 0], max: [1, 0.1, 1] },
     { bufferView: 1, componentType: 5125, count: indices.length, type: 'SCALAR' }],
-    meshes: [{ primitives: [{ attributes: { POSITION: 0 }, indices: 1 }] }],
+    materials: material && [material],
+    meshes: [{ primitives: [{ attributes: { POSITION: 0 }, indices: 1, material: material && 0 }] }],
     nodes: [{ mesh: 0 }], scenes: [{ nodes: [0] }],
-  }));
-  const text = Buffer.concat([json, Buffer.alloc((4 - (json.length % 4)) % 4, ' ')]);
-  const words = (...all) => Buffer.from(Uint32Array.from(all).buffer);
-  const bytes = [Buffer.from(positions.buffer), Buffer.from(indices.buffer)];
-  const size = bytes[0].length + bytes[1].length;
-  return Buffer.concat([words(0x46546c67, 2, 28 + text.length + size, text.length, 0x4e4f534a), text,
-    words(size, 0x004e4942), ...bytes]);
+  }, Buffer.concat([Buffer.from(positions.buffer), Buffer.from(indices.buffer)]));
+}
+
+/** A PNG of n x n pixels, waves in three colours around grey. */
+function png(n) {
+  const rows = Buffer.alloc(n * (3 * n + 1));
+  for (let y = 0; y < n; ++y)
+    for (let x = 0; x < n; ++x)
+      for (let c = 0; c < 3; ++c)
+        rows[y * (3 * n + 1) + 1 + 3 * x + c] = 128 + 60 * Math.sin(x / (5 + c)) * Math.cos(y / (7 - c));
+  const part = (type, data) => {
+    const named = Buffer.concat([Buffer.from(type), data]), ends = Buffer.alloc(8);
+    ends.writeUInt32BE(data.length, 0);
+    ends.writeUInt32BE(crc32(named), 4);
+    return Buffer.concat([ends.subarray(0, 4), named, ends.subarray(4)]);
+  };
+  const head = Buffer.from([0, 0, 0, 0, 0, 0, 0, 0, 8, 2, 0, 0, 0]);
+  head.writeUInt32BE(n, 0);
+  head.writeUInt32BE(n, 4);
+  return Buffer.concat([Buffer.from('\x89PNG\r\n\x1a\n', 'latin1'), part('IHDR', head),
+    part('IDAT', deflateSync(rows)), part('IEND', Buffer.alloc(0))]);
+}
+function crc32(bytes) {  // PNG, third edition, annex D
+  let crc = 0xffffffff;
+  for (const byte of bytes) {
+    crc ^= byte;
+    for (let k = 0; k < 8; ++k) crc = crc & 1 ? (crc >>> 1) ^ 0xedb88320 : crc >>> 1;
+  }
+  return (crc ^ 0xffffffff) >>> 0;
+}
+
+/** A GLB of it whose matter has every texture of glTF's core, or none. */
+function painted({ positions, indices }, textured) {
+  const uvs = new Float32Array(positions.length / 3 * 2);
+  for (let i = 0; i < uvs.length / 2; ++i) uvs.set([positions[3 * i], positions[3 * i + 2]], 2 * i);
+  const parts = [positions, uvs, indices].map((list) => Buffer.from(list.buffer));
+  const pictures = textured ? [png(1024)] : [];
+  const all = [...parts, ...pictures];
+  const offset = (i) => all.slice(0, i).reduce((sum, each) => sum + each.length, 0);
+  const use = (texture) => (textured ? texture : undefined);
+  return boxed({
+    asset: { version: '2.0' },
+    buffers: [{ byteLength: offset(all.length) }],
+    bufferViews: all.map((each, i) => ({ buffer: 0, byteOffset: offset(i), byteLength: each.length })),
+    accessors: [[5126, positions.length / 3, 'VEC3'], [5126, uvs.length / 2, 'VEC2'], [5125, indices.length, 'SCALAR']]
+      .map(([componentType, count, type], bufferView) => ({ bufferView, componentType, count, type,
+        ...(bufferView === 0 && { min: [0, -0.1, 0], max: [1, 0.1, 1] }) })),
+    images: use([{ bufferView: 3, mimeType: 'image/png' }]), textures: use([{ source: 0 }]),
+    materials: [{ emissiveFactor: textured ? [0.1, 0.1, 0.1] : [0.05, 0.05, 0.05],
+      pbrMetallicRoughness: { metallicFactor: 0.5, roughnessFactor: 0.8, baseColorTexture: use({ index: 0 }),
+        metallicRoughnessTexture: use({ index: 0 }) },
+      normalTexture: use({ index: 0 }), occlusionTexture: use({ index: 0 }), emissiveTexture: use({ index: 0 }) }],
+    meshes: [{ primitives: [{ attributes: { POSITION: 0, TEXCOORD_0: 1 }, indices: 2, material: 0 }] }],
+    nodes: [{ mesh: 0 }], scenes: [{ nodes: [0] }],
+  }, Buffer.concat([...all, Buffer.alloc((4 - (offset(all.length) % 4)) % 4)]));
 }
 
 function obj({ positions, indices }, name) {
@@ -154,12 +213,17 @@ async function readObj(server, mesh) {
   return file;
 }
 
+// The same matter to a model and, as its nearest finish, to a mesh.
+const MATT = { doubleSided: true, pbrMetallicRoughness: { baseColorFactor: [0.8, 0.8, 0.8, 1], metallicFactor: 0 } };
+const AS_FINISH = { type: 'finish', color: [0.8, 0.8, 0.8], diffuse: 1, specular: 0.04, roughness: 1, ambient: 1 };
+
 // The still's scene, and the same with the mesh itself in it.
 async function stills(server, mesh) {
-  const { id } = JSON.parse((await server.upload(glb(mesh, 'still')))[1]);
+  const { id } = JSON.parse((await server.upload(glb(mesh, 'still', MATT)))[1]);
   const query = 'integrator=whitted&background=1,1,1&width=512&height=512';
   const scene = JSON.parse((await server.took(`/still?model=${id}&as=scene&${query}`, {}, 200))[1]);
-  scene.objects[0] = { type: 'mesh', positions: [...mesh.positions], indices: [...mesh.indices] };
+  scene.objects[0] = { type: 'mesh', material: AS_FINISH, positions: [...mesh.positions],
+    indices: [...mesh.indices] };
   const kept = JSON.parse((await server.took('/scenes', { method: 'POST', body: JSON.stringify(scene) }, 201))[1]).id;
   const seed = (round) => `&seed=${round + 1}`;  // each is drawn
   const ratio = await race({
@@ -168,6 +232,20 @@ async function stills(server, mesh) {
       (await server.took(`/render?scene=${kept}&width=512&height=512${seed(round)}`, {}, 200))[0],
   });
   ratio('still by id', 'the same mesh');
+}
+
+// Stills of one shape with every texture of glTF's core and with none.
+async function textures(server, mesh) {
+  const ids = [];
+  for (const textured of [true, false])
+    ids.push(JSON.parse((await server.upload(painted(mesh, textured)))[1]).id);
+  for (const light of ['integrator=whitted', 'integrator=path&samples=16']) {
+    const drawn = (id) => async (round) => (await server.took(
+      `/still?model=${id}&${light}&width=512&height=512&seed=${round + 1}`, {}, 200))[0];
+    const [painted, plain] = ['with textures', 'without'].map((each) => `${light}, ${each}`);
+    const ratio = await race({ [painted]: drawn(ids[0]), [plain]: drawn(ids[1]) });
+    ratio(painted, plain);
+  }
 }
 
 // The most memory that the reader has had, of what is no library's.
@@ -190,6 +268,7 @@ try {
   const million = sheet(708);
   const files = [await readGlb(server, million), await readObj(server, million)];
   await stills(server, sheet(224));
+  await textures(server, sheet(100));
   files.forEach(memory);
 } finally {
   server.child.kill();
