@@ -77,7 +77,7 @@ RedisOptions farm_redis(const Config& config) {
 
 }  // namespace
 
-std::shared_ptr<Blobs> farm_store(const Config& config) {
+std::shared_ptr<Blobs> result_store(const Config& config) {
   if (config.store.empty()) return nullptr;
   const S3Options s3 = s3_options(config);
   try {
@@ -114,7 +114,7 @@ std::unique_ptr<RedisJobs> farm_jobs(const Config& config, const JobLimits& limi
                                                  .role = role,
                                                  .lease_ms = config.farm_lease_ms,
                                                  .audit = config.farm_audit,
-                                                 .store = farm_store(config)});
+                                                 .store = result_store(config)});
 }
 
 }  // namespace tia::server

@@ -20,7 +20,7 @@ std::unique_ptr<RedisJobs> farm_jobs(const Config& config, const JobLimits& limi
 
 /// The store of TIA_STORE; null where there is none. Errors: std::invalid_argument naming the
 /// option.
-std::shared_ptr<Blobs> farm_store(const Config& config);
+std::shared_ptr<Blobs> result_store(const Config& config);
 
 /// What keys have asked for, counted by all who serve in the farm, where there is one; else in this
 /// process. Errors: std::invalid_argument naming the option.

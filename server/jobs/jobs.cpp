@@ -87,12 +87,16 @@ std::unique_ptr<JobStore> job_store_in_memory(const Config& config) {
 std::unique_ptr<JobStore> job_store(const Config& config) {
   if (!config.farm.empty())
     return farm_jobs(config, job_limits(config, true), FarmRole::joins, own_worker_name());
-  if (!config.store.empty())
-    throw std::invalid_argument("option TIA_STORE: it is a farm's, which TIA_FARM names");
-  if (config.data_dir.empty()) return job_store_in_memory(config);
+  if (config.data_dir.empty()) {
+    if (!config.store.empty())
+      throw std::invalid_argument(
+          "option TIA_STORE: needed: TIA_FARM or TIA_DATA_DIR, whose jobs' results it keeps");
+    return job_store_in_memory(config);
+  }
   try {
     return std::make_unique<SqliteJobs>(config.data_dir + "/" + SqliteJobs::name,
-                                        job_limits(config, true), Runner::now());
+                                        job_limits(config, true), Runner::now(),
+                                        result_store(config));
   } catch (const SqliteJobs::InUse& error) {
     log_failure("jobs", error.what());
     return job_store_in_memory(config);

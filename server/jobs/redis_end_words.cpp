@@ -9,6 +9,11 @@ const char* const redis_end_words = R"lua(
 local function leave_outside(id)
   if word(id, 'outside') == '1' then call('ZADD', P .. 'dropped', total('drops', 1), id) end
 end
+-- Where there is no store it is in Redis, and goes by this.
+local function drop_blob(told) call('UNLINK', P .. 'blob:' .. string.match(told, '^%S+')) end
+local function drop_blobs(id)
+  for _, told in ipairs(call('HVALS', key(id) .. ':outside')) do drop_blob(told) end
+end
 local function drop_of(hash, id, spares, bytes)
   local all, dropped = key(id) .. hash, 0
   for _, n in ipairs(call('HKEYS', all)) do
@@ -25,7 +30,9 @@ local function drop_results(id, spares)
     return call('HSTRLEN', all, n)
   end)
   local outside = drop_of(':outside', id, spares, function(all, n)
-    return string.match(call('HGET', all, n), '%d+$')
+    local told = call('HGET', all, n)
+    drop_blob(told)
+    return string.match(told, '%d+$')
   end)
   hold(id, 0 - inside - outside)
 end
@@ -92,6 +99,7 @@ end
 local function let_go(id)
   forget_key(id)
   leave_outside(id)
+  drop_blobs(id)
   call('UNLINK', key(id) .. ':results', key(id) .. ':outside', key(id) .. ':parts')
   hold(id, own_bytes - number(id, 'held'))
   call('HSET', key(id), 'gone', 1, 'request', '', 'plan', '', 'key', '', 'key_digest', '')
@@ -106,6 +114,7 @@ local function remove(id)
   call('ZREM', P .. 'closed', id)
   call('ZREM', P .. 'gone', id)
   leave_outside(id)
+  drop_blobs(id)
   call('UNLINK', key(id), key(id) .. ':results', key(id) .. ':outside', key(id) .. ':parts',
        key(id) .. ':events')
   changed(id)

@@ -7,6 +7,7 @@
 #include "core/input/json.h"
 #include "server/contract/problem.h"
 #include "server/jobs/job_problems.h"
+#include "server/jobs/outside.h"
 #include "server/jobs/redis_fields.h"
 #include "server/stores/digest.h"
 
@@ -15,6 +16,8 @@ namespace {
 
 // What a job takes besides its request and results.
 constexpr std::int64_t own_job_bytes = 1024;
+// Longer results are blobs: a script's arguments are copied while all others wait.
+constexpr std::size_t longest_inside = 8 << 20;
 
 const char* word_of(FarmRole role) {
   return std::array{"all", "draws", "joins"}[static_cast<std::size_t>(role)];
@@ -158,9 +161,10 @@ auto RedisJobs::insist(const Ask& ask) -> decltype(ask()) {
 
 bool RedisJobs::finish(const Claim& claim, const PartResult& result, TimeMs now) {
   const RayCounts& rays = result.rays;
+  const std::size_t bytes = result.bytes.size();
   const std::string outside =
-      options_.store
-          ? insist([&] { return put_outside("results/" + claim.job + '/', result.bytes); })
+      options_.store || bytes > longest_inside
+          ? insist([&] { return put_outside(*outside_, results_folder(claim.job), result.bytes); })
           : "";
   std::vector<std::string> own{claim.job,
                                number_of_part(claim),
@@ -181,10 +185,10 @@ bool RedisJobs::finish(const Claim& claim, const PartResult& result, TimeMs now)
   own.push_back("{\"n\":" + number_of_part(claim) + ",\"state\":\"done\",\"etag\":" +
                 to_json(result.etag) + (result.place.empty() ? "" : "," + result.place) + "}");
   own.push_back(outside);
-  own.push_back(std::to_string(result.bytes.size()));
+  own.push_back(std::to_string(bytes));
   own.push_back(std::to_string(result.is_found ? 0 : rays.all()));
   const std::string word = insist([&] { return run(scripts_.finish, now, own).words; });
-  if (word != "done" && !outside.empty()) remove_outside(outside);
+  if (word != "done" && !outside.empty()) remove_outside(*outside_, outside);
   if (word == "full") throw farm_full(options_.limits);
   release(claim);
   if (word == "mismatch") is_banned_ = true;

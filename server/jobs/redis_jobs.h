@@ -84,10 +84,6 @@ class RedisJobs : public JobStore {
   template <class Ask>
   auto insist(const Ask& ask) -> decltype(ask());
   bool is_audited(const Claim& claim) const;
-  // What is in the store, as Redis tells of it: a name that only this has, SHA-256, bytes.
-  std::string put_outside(const std::string& folder, const std::string& bytes);
-  std::optional<std::string> find_outside(const std::string& told);
-  void remove_outside(const std::string& told);
   std::optional<std::string> outside_result(const std::string& id, int n);
   void sweep_dropped();
   void mend(TimeMs now);

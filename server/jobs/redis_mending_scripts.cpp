@@ -16,6 +16,8 @@ local function undo(id, n, row)
   end
   call('LREM', P .. 'joins:' .. word(id, 'version'), 1, id)
   call('HDEL', key(id) .. ':results', n)
+  local told = call('HGET', key(id) .. ':outside', n)
+  if told then drop_blob(told) end
   call('HDEL', key(id) .. ':outside', n)
   hold(id, 0 - row.bytes)
   local kinds, i = {'primary', 'shadow', 'reflection', 'refraction', 'cut'}, 1
@@ -109,6 +111,7 @@ if not known then
   if at == '' then return '' end
   if not make_room(bytes) then return 'full' end
   call('HSET', P .. 'lent', name, at)
+  call('PERSIST', P .. 'blob:' .. string.match(at, '^%S+'))
   total('held', bytes)
   known = at
 end

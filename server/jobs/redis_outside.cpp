@@ -1,13 +1,11 @@
 // What a farm keeps outside of its jobs' hashes: results in the store, and what clients have sent;
 // and what is put right every few seconds.
-#include <algorithm>
 #include <chrono>
 
 #include "server/contract/problem.h"
+#include "server/jobs/outside.h"
 #include "server/jobs/redis_jobs.h"
 #include "server/operation/log.h"
-#include "server/stores/digest.h"
-#include "server/stores/random_key.h"
 
 namespace tia::server {
 namespace {
@@ -17,41 +15,17 @@ using OutsideClock = std::chrono::steady_clock;
 constexpr TimeMs between_mends_ms = 10'000;
 constexpr std::chrono::milliseconds longest_sweep{500};  // at a time: others wait for this thread
 
-std::string_view name_in(std::string_view told) { return told.substr(0, told.find(' ')); }
-
 }  // namespace
-
-std::string RedisJobs::put_outside(const std::string& folder, const std::string& bytes) {
-  const std::string sha256 = sha256_hex(bytes);
-  const std::string name = folder + sha256 + '-' + random_key();
-  outside_->put(name, bytes);
-  return name + ' ' + sha256 + ' ' + std::to_string(bytes.size());
-}
-
-std::optional<std::string> RedisJobs::find_outside(const std::string& told) {
-  const std::string name(name_in(told));
-  return checked_blob(
-      *outside_, name,
-      std::string_view(told).substr(std::min(told.size(), name.size() + 1), 2 * Digest{}.size()));
-}
-
-// What cannot be removed now goes with its job.
-void RedisJobs::remove_outside(const std::string& told) try {
-  outside_->remove(std::string(name_in(told)));
-} catch (const std::exception& error) {
-  log_failure("jobs", error.what());
-}
 
 // One that is damaged is no result: while its job goes on it is drawn again.
 std::optional<std::string> RedisJobs::outside_result(const std::string& id, int n) {
   const std::string number = std::to_string(n);
   const RedisReply told = redis_.call({"HGET", key(id) + ":outside", number});
   if (told.kind != RedisReply::text) return std::nullopt;
-  if (auto bytes = find_outside(told.words)) return bytes;
+  if (auto bytes = find_outside(*outside_, told.words)) return bytes;
   constexpr int has_changed = 2;
   if (run(scripts_.redo, 0, {id, number, told.words}).count == has_changed) return std::nullopt;
-  throw StorageError("result " + number + " of the job " + id +
-                     " is gone or damaged (option TIA_STORE)");
+  throw damaged_result(id, n);
 }
 
 // Told of jobs that have ended, of which nothing is about to be a result. Where whoever comes too
@@ -63,13 +37,9 @@ void RedisJobs::sweep_dropped() {
   for (std::size_t i = 0; i + 1 < jobs.size(); i += 2) {
     const std::string& id = jobs[i].words;
     std::vector<std::string> needed;
-    for (const RedisReply& told : redis_.call({"HVALS", key(id) + ":outside"}).items)
-      needed.emplace_back(name_in(told.words));
-    for (const std::string& name : outside_->names("results/" + id + '/')) {
-      if (std::count(needed.begin(), needed.end(), name) > 0) continue;
-      if (OutsideClock::now() > until) return;
-      outside_->remove(name);
-    }
+    for (RedisReply& told : redis_.call({"HVALS", key(id) + ":outside"}).items)
+      needed.push_back(std::move(told.words));
+    if (!keep_alone(*outside_, results_folder(id), needed, until)) return;
     scripts_.swept.run(redis_, prefix, {id, jobs[i + 1].words});
   }
 }
@@ -78,9 +48,9 @@ void RedisJobs::lend(const std::string& name, const std::function<std::string()>
                      TimeMs now) {
   if (!run(scripts_.lend, now, {name, "", "0"}).words.empty()) return;
   const std::string own = bytes();
-  const std::string told = put_outside(name + '/', own);
+  const std::string told = put_outside(*outside_, name + '/', own);
   const std::string kept = run(scripts_.lend, now, {name, told, std::to_string(own.size())}).words;
-  if (kept != told) remove_outside(told);
+  if (kept != told) remove_outside(*outside_, told);
   if (kept == "full")
     throw HttpError("storage-full",
                     "jobs hold as much as they may: " + std::to_string(options_.limits.bytes) +
@@ -90,7 +60,7 @@ void RedisJobs::lend(const std::string& name, const std::function<std::string()>
 std::optional<std::string> RedisJobs::lent(const std::string& name) {
   const RedisReply told = redis_.call({"HGET", std::string(prefix) + "lent", name});
   if (told.kind != RedisReply::text) return std::nullopt;
-  auto bytes = find_outside(told.words);
+  auto bytes = find_outside(*outside_, told.words);
   if (!bytes) throw StorageError(name + " is gone or damaged where a farm keeps what it needs");
   return bytes;
 }
@@ -111,7 +81,8 @@ void RedisJobs::mend(TimeMs now) {
   if (const auto mended = run(scripts_.mend, now, {}).count; mended > 0)
     log_failure("jobs",
                 "the farm had forgotten " + std::to_string(mended) + " parts, which wait again");
-  for (const RedisReply& told : run(scripts_.unlend, now, {}).items) remove_outside(told.words);
+  for (const RedisReply& told : run(scripts_.unlend, now, {}).items)
+    remove_outside(*outside_, told.words);
 }
 
 }  // namespace tia::server

@@ -152,7 +152,8 @@ if outside == '' then
   call('HSET', key(id) .. ':results', n, bytes)
 else
   call('HSET', key(id) .. ':outside', n, outside)
-  call('HSET', key(id), 'outside', 1)
+  local is_here = call('PERSIST', P .. 'blob:' .. string.match(outside, '^%S+')) == 1
+  if not is_here then call('HSET', key(id), 'outside', 1) end
 end
 hold(id, size)
 local parts, joins = number(id, 'parts'), word(id, 'joins') == '1'

@@ -88,6 +88,7 @@ if not is_open(id) then return 0 end
 for _, n in ipairs(call('SMEMBERS', key(id) .. ':leased')) do release(id, n, part(id, n)) end
 delist(id)
 call('LREM', P .. 'joins:' .. word(id, 'version'), 1, id)
+drop_blobs(id)
 call('UNLINK', key(id) .. ':results', key(id) .. ':outside', key(id) .. ':parts',
      key(id) .. ':back')
 total('waiting', 0 - number(id, 'waiting'))

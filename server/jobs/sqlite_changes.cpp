@@ -114,12 +114,13 @@ bool SqliteJobs::heartbeat(const Claim& claim, TimeMs) {
 
 // ---- what comes of it -----------------------------------------------------------------------
 
-bool SqliteJobs::finish(const Claim& claim, const PartResult& result, TimeMs now) {
+bool SqliteJobs::take(const Claim& claim, const PartResult& result, const std::string& told,
+                      TimeMs now) {
   const bool taken = change([&] {
     if (!is_leased(claim)) return false;
     make_room(static_cast<std::int64_t>(result.bytes.size()));
     const Job job = *row(claim.job);
-    put(claim, result);
+    put(claim, result, told);
     if (claim.n < job.parts) count_done(job, claim, result, now);
     const Job after = *row(claim.job);
     if (after.joins ? claim.n == after.parts : after.done == after.parts)
@@ -130,12 +131,14 @@ bool SqliteJobs::finish(const Claim& claim, const PartResult& result, TimeMs now
   return taken;
 }
 
-void SqliteJobs::put(const Claim& claim, const PartResult& result) {
-  Database::Statement insert(*database_,
-                             "INSERT OR REPLACE INTO results (job, n, bytes) VALUES (?, ?, ?)");
+void SqliteJobs::put(const Claim& claim, const PartResult& result, const std::string& told) {
+  Database::Statement insert(
+      *database_, told.empty() ? "INSERT OR REPLACE INTO results (job, n, bytes) VALUES (?, ?, ?)"
+                               : "INSERT OR REPLACE INTO outside (job, n, told) VALUES (?, ?, ?)");
   insert.bind(1, claim.job);
   insert.bind(2, claim.n);
-  insert.bind_bytes(3, result.bytes);
+  if (told.empty()) insert.bind_bytes(3, result.bytes);
+  else insert.bind(3, told);
   insert.next();
   const auto bytes = static_cast<std::int64_t>(result.bytes.size());
   hold(claim.job, bytes);
@@ -214,11 +217,11 @@ void SqliteJobs::close(const std::string& id, JobState state, TimeMs now) {
            "UPDATE jobs SET open = 0, state = ?, finished = ?, expires = ?, back = back + leased, "
            "leased = 0 WHERE id = ?",
            std::int64_t{static_cast<int>(state)}, now, now + limits_.keep_ms, id);
-  const std::int64_t first = state != JobState::done ? 1 << 30 : job.joins ? job.parts : 0;
-  hold(id, -number_of(*database_,
-                      "SELECT coalesce(sum(length(bytes)), 0) FROM results WHERE job = ? AND n < ?",
-                      id, first));
-  run_with(*database_, "DELETE FROM results WHERE job = ? AND n < ?", id, first);
+  const std::int64_t first = state != JobState::done ? beyond_parts : job.joins ? job.parts : 0;
+  hold(id,
+       -number_of(*database_, "SELECT coalesce(sum(bytes), 0) FROM parts WHERE job = ? AND n < ?",
+                  id, first));
+  drop_results(id, first);
   run_with(*database_,
            "UPDATE jobs SET (etag, type, bytes) = (SELECT etag, type, bytes FROM parts WHERE job = "
            "id AND n = ?) WHERE id = ? AND state = 2",

@@ -50,12 +50,13 @@ void SqliteJobs::sweep(TimeMs now) {
     if (!ids.empty()) database_->run("PRAGMA incremental_vacuum");
   });
   for (const std::string& id : ids) changed(id);
+  if (outside_) sweep_dropped();
 }
 
 // What it was asked for stays known for a while, so that who asks for it learns that it is gone.
 void SqliteJobs::let_go(const std::string& id) {
-  for (const char* of : {"results", "parts"})
-    run_with(*database_, std::string("DELETE FROM ") + of + " WHERE job = ?", id);
+  drop_results(id, beyond_parts);
+  run_with(*database_, "DELETE FROM parts WHERE job = ?", id);
   hold(id, -number_of(*database_, "SELECT held FROM jobs WHERE id = ?", id) + 1024);
   run_with(*database_, "UPDATE jobs SET gone = 1, request = '', plan = '', key = '' WHERE id = ?",
            id);
@@ -63,9 +64,17 @@ void SqliteJobs::let_go(const std::string& id) {
 
 void SqliteJobs::remove(const std::string& id) {
   hold(id, -number_of(*database_, "SELECT held FROM jobs WHERE id = ?", id));
-  for (const char* of : {"results", "parts", "events"})
+  drop_results(id, beyond_parts);
+  for (const char* of : {"parts", "events"})
     run_with(*database_, std::string("DELETE FROM ") + of + " WHERE job = ?", id);
   run_with(*database_, "DELETE FROM jobs WHERE id = ?", id);
+}
+
+// Of what is outside, the rows alone: it is taken away once its job has ended.
+void SqliteJobs::drop_results(const std::string& id, std::int64_t before) {
+  run_with(*database_, "DELETE FROM results WHERE job = ? AND n < ?", id, before);
+  run_with(*database_, "DELETE FROM outside WHERE job = ? AND n < ?", id, before);
+  if (outside_ || database_->changes() > 0) leave_outside(id);
 }
 
 void SqliteJobs::hold(const std::string& id, std::int64_t more) {
@@ -94,8 +103,8 @@ void SqliteJobs::make_room(std::int64_t more) {
 
 void SqliteJobs::plan_anew(const Job& job, TimeMs now) {
   change([&] {
-    for (const char* of : {"results", "parts"})
-      run_with(*database_, std::string("DELETE FROM ") + of + " WHERE job = ?", job.id);
+    drop_results(job.id, beyond_parts);
+    run_with(*database_, "DELETE FROM parts WHERE job = ?", job.id);
     hold(job.id, static_cast<std::int64_t>(job.request.size() + job.plan.size()) + 1024 -
                      number_of(*database_, "SELECT held FROM jobs WHERE id = ?", job.id));
     run_with(*database_,

@@ -27,8 +27,9 @@ HttpError too_many(int most) {
 
 }  // namespace
 
-SqliteJobs::SqliteJobs(const std::string& path, const JobLimits& limits, TimeMs now)
-    : limits_(limits), is_durable_(!path.empty()) {
+SqliteJobs::SqliteJobs(const std::string& path, const JobLimits& limits, TimeMs now,
+                       std::shared_ptr<Blobs> outside)
+    : limits_(limits), is_durable_(!path.empty()), outside_(std::move(outside)) {
   try {
     open(path.empty() ? ":memory:" : path);
     take_up(now);
@@ -207,11 +208,15 @@ std::vector<Job> SqliteJobs::of_other_versions(const std::string& version) {
 }
 
 std::optional<std::string> SqliteJobs::result(const std::string& id, int n) {
-  return change([&]() -> std::optional<std::string> {
+  std::string told;
+  auto kept = change([&]() -> std::optional<std::string> {
     auto found = with_values(*database_, "SELECT bytes FROM results WHERE job = ? AND n = ?", id,
                              std::int64_t{n});
-    return found.next() ? std::optional(found.bytes()) : std::nullopt;
+    if (found.next()) return found.bytes();
+    told = told_outside(id, n);
+    return std::nullopt;
   });
+  return told.empty() ? std::move(kept) : outside_result(id, n, told);
 }
 
 std::vector<JobEvent> SqliteJobs::events(const std::string& id, std::int64_t after, int most) {

@@ -1,11 +1,13 @@
 // Jobs of one process: in a file of SQLite's, or in memory alone.
 #pragma once
 
+#include <memory>
 #include <mutex>
 #include <stdexcept>
 #include <type_traits>
 
 #include "server/jobs/store.h"
+#include "server/stores/blobs.h"
 #include "server/stores/database.h"
 
 namespace tia::server {
@@ -21,8 +23,10 @@ class SqliteJobs : public JobStore {
     using std::runtime_error::runtime_error;
   };
   /// Opens the file, or begins it. Parts that were being drawn when its last process ended without
-  /// giving them back have lost a try. Errors: std::runtime_error where that cannot be; InUse.
-  SqliteJobs(const std::string& path, const JobLimits& limits, TimeMs now);
+  /// giving them back have lost a try. `outside`: where results are kept instead; null: here.
+  /// Errors: std::runtime_error where that cannot be; InUse.
+  SqliteJobs(const std::string& path, const JobLimits& limits, TimeMs now,
+             std::shared_ptr<Blobs> outside = nullptr);
 
   Job submit(const NewJob& job, TimeMs now) override;
   std::optional<Job> find(const std::string& id) override;
@@ -67,6 +71,11 @@ class SqliteJobs : public JobStore {
     }
   }
   [[noreturn]] static void refuse(const DatabaseError& error);
+  /// Its result, or what tells of it outside.
+  bool take(const Claim& claim, const PartResult& result, const std::string& told, TimeMs now);
+  void take_away(const std::string& id, const std::string& told);
+  std::optional<std::string> outside_result(const std::string& id, int n, const std::string& told);
+  void sweep_dropped();
 
   // All below are called while the store is locked, within a transaction where they change it.
   std::optional<Job> row(const std::string& id);
@@ -77,7 +86,11 @@ class SqliteJobs : public JobStore {
   Claim lease(const Job& job, int n, const std::string& worker, TimeMs now);
   bool is_leased(const Claim& claim);
   void count_done(const Job& job, const Claim& claim, const PartResult& result, TimeMs now);
-  void put(const Claim& claim, const PartResult& result);
+  void put(const Claim& claim, const PartResult& result, const std::string& told);
+  std::string told_outside(const std::string& id, int n);
+  void undo(const Job& job, int n);
+  void leave_outside(const std::string& id);
+  void drop_results(const std::string& id, std::int64_t before);
   void lose_try(const Job& job, int n, bool is_suspect, TimeMs now);
   void close(const std::string& id, JobState state, TimeMs now);
   void fail_with(const std::string& id, const std::string& problem, TimeMs now);
@@ -93,6 +106,7 @@ class SqliteJobs : public JobStore {
   std::optional<Database> database_;  // there, once this is made
   const JobLimits limits_;
   const bool is_durable_;
+  const std::shared_ptr<Blobs> outside_;
   std::int64_t claims_ = 0;
 };
 

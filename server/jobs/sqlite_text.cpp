@@ -4,6 +4,7 @@ namespace tia::server {
 
 // A part has a row from its first try on. `held`: bytes of the request and of results. `turn`: when
 // a job had its last turn, in claims. Of a job that is open, that of its owner is the latest one.
+// `told`: of a result in TIA_STORE, by which it is found. `dropped`: jobs that may have left some.
 const char* const job_tables = R"sql(
 CREATE TABLE IF NOT EXISTS jobs (id TEXT PRIMARY KEY NOT NULL, owner TEXT NOT NULL,
   key TEXT NOT NULL, digest TEXT NOT NULL, kind TEXT NOT NULL, name TEXT NOT NULL,
@@ -36,6 +37,10 @@ CREATE INDEX IF NOT EXISTS parts_leased ON parts (job, n) WHERE state = 1;
 CREATE INDEX IF NOT EXISTS parts_suspect ON parts (job, n) WHERE suspect = 1;
 CREATE TABLE IF NOT EXISTS results (job TEXT NOT NULL, n INTEGER NOT NULL, bytes BLOB NOT NULL,
   PRIMARY KEY (job, n));
+CREATE TABLE IF NOT EXISTS outside (job TEXT NOT NULL, n INTEGER NOT NULL, told TEXT NOT NULL,
+  PRIMARY KEY (job, n)) WITHOUT ROWID;
+CREATE TABLE IF NOT EXISTS dropped (job TEXT PRIMARY KEY NOT NULL, times INTEGER NOT NULL)
+  WITHOUT ROWID;
 CREATE TABLE IF NOT EXISTS events (job TEXT NOT NULL, id INTEGER NOT NULL, name TEXT NOT NULL,
   data TEXT NOT NULL, PRIMARY KEY (job, id)) WITHOUT ROWID;
 CREATE TABLE IF NOT EXISTS totals (held INTEGER NOT NULL);

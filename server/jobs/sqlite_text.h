@@ -44,6 +44,9 @@ std::int64_t number_of(Database& database, const std::string& sql, const Values&
   return statement.next() ? statement.number() : 0;
 }
 
+/// More than any part's number.
+constexpr std::int64_t beyond_parts = 1 << 30;
+
 /// The tables, as they are begun.
 extern const char* const job_tables;
 /// The columns of a job, in the order in which job_in reads them; and of a part.

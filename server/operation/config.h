@@ -250,9 +250,9 @@ struct Config {
         "farm_audit", &Config::farm_audit,
         Spec{.about = "share of the parts that two workers draw, to compare", .min = 0, .max = 1});
     visit("store", &Config::store,
-          Spec{.about = "where a farm keeps results and what its jobs name that clients have sent: "
-                        "dir:/path, a folder that all its machines see, or s3://bucket/prefix; "
-                        "none = its Redis"});
+          Spec{.about = "where results of jobs are kept, and what a farm's jobs name that clients "
+                        "have sent: dir:/path, a folder (of a farm one that all its machines "
+                        "see), or s3://bucket/prefix; none = with the jobs"});
     visit("s3_endpoint", &Config::s3_endpoint,
           Spec{.about = "where S3 is, such as https://minio:9000; none = AWS' of TIA_S3_REGION"});
     visit("s3_region", &Config::s3_region,

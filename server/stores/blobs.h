@@ -59,7 +59,8 @@ std::unique_ptr<Blobs> blobs_in_folder(const std::string& path);
 /// `prefix`: "" or such that a '/' comes next.
 std::unique_ptr<Blobs> blobs_in_s3(const std::string& bucket, const std::string& prefix,
                                    const S3Options& options);
-/// As keys that begin so; it knows no names(). Domain: the Redis outlives them.
+/// As keys that begin so, which end by themselves unless somebody persists them; it knows no
+/// names(). Domain: the Redis outlives them.
 std::unique_ptr<Blobs> blobs_in_redis(Redis& redis, const std::string& prefix);
 
 /// What is thrown where a place has no room.

@@ -1,4 +1,5 @@
-// Blobs in a farm's own Redis, where there is no other place for them: keys of its memory.
+// Blobs in a farm's own Redis, where there is no other place for them: keys of its memory, which
+// end where nobody has taken them for good (PERSIST) within ten minutes.
 #include "server/contract/problem.h"
 #include "server/stores/blobs.h"
 
@@ -10,7 +11,7 @@ class RedisBlobs : public Blobs {
   RedisBlobs(Redis& redis, std::string prefix) : redis_(redis), prefix_(std::move(prefix)) {}
 
   void put(const std::string& name, std::string_view bytes) override {
-    redis_.call({"SET", prefix_ + name, bytes});
+    redis_.call({"SET", prefix_ + name, bytes, "EX", "600"});
   }
   std::optional<std::string> find(const std::string& name) override {
     RedisReply bytes = redis_.call({"GET", prefix_ + name});

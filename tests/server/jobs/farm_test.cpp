@@ -239,6 +239,16 @@ TEST_F(FarmProcesses, WithoutItsRedisAServerDrawsAndTellsThatJobsAreAway) {
   ASSERT_TRUE(answer);
   EXPECT_EQ(answer->status, 503);
   EXPECT_THAT(answer->body, testing::HasSubstr("/problems/unavailable"));
+  const std::string job = "/jobs/aaaaaaaaaaaaaaaaaaaaaaaaaa";
+  for (const char* of : {"", "/events", "/result", "/results/0", "/parts"})
+    EXPECT_THAT(alone.get(job + of).body, testing::HasSubstr("/problems/unavailable")) << of;
+  EXPECT_THAT(alone.get("/jobs/load").body, testing::HasSubstr("/problems/unavailable"));
+  EXPECT_EQ(alone.client().Delete(job.c_str())->status, 503);
+  EXPECT_EQ(
+      alone.client()
+          .Post("/render", {{"Prefer", "respond-async"}}, R"({"key":"a"})", "application/json")
+          ->status,
+      503);
   EXPECT_THAT(alone.get("/metrics").body, testing::HasSubstr("tia_farm_up 0"));
 }
 
@@ -249,7 +259,8 @@ TEST(FarmOptions, AreRefusedByName) {
            {{"worker", "--farm", "redis://x", "--name", "a b"}, "--name"},
            {{"serve", "--farm", "redis://x", "--farm-password-file", "/nowhere"},
             "TIA_FARM_PASSWORD_FILE"},
-           {{"serve", "--store", "dir:/tmp"}, "TIA_STORE"},
+           {{"serve", "--store", "dir:/tmp"}, "TIA_DATA_DIR"},
+           {{"serve", "--store", "dir:/nowhere", "--data-dir", "/tmp"}, "TIA_STORE"},
            {{"serve", "--farm", "redis://x", "--store", "dir:/nowhere"}, "TIA_STORE"},
            {{"serve", "--farm", "redis://x", "--store", "s3://bucket", "--s3-endpoint", "minio"},
             "TIA_S3_ENDPOINT"}}) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <csignal>
 #include <cstdlib>
+#include <filesystem>
 #include <memory>
 #include <random>
 
@@ -172,12 +173,42 @@ TEST(JobEvents, EndWhenTheServerGoesDown) {
   EXPECT_LT(ms_since(start), 5000);
 }
 
+TEST(Residue, OfJobsThatAreLetGoIsNothing) {
+  const int many = sanitized() ? 5 : 20;
+  const Folder folder;
+  const Tia tia({}, {"TIA_DATA_DIR=" + folder.file("")});
+  auto client = tia.client();
+  const auto round = [&] {
+    for (int i = 0; i < many; ++i) {
+      const auto accepted = client.Post(
+          "/jobs", R"({"kind":"batch","requests":[{"width":8,"height":8},{"width":9}]})",
+          "application/json");
+      ASSERT_TRUE(accepted && accepted->status == 202);
+      const std::string job = accepted->get_header_value("Location");
+      if (i % 2 == 0) client.Get((job + "/events").c_str());  // to its end
+      while (client.Delete(job.c_str())->status == 204) {
+      }
+    }
+  };
+  round();  // threads and descriptors that stay are there by then
+  const auto threads = entries(tia, "task"), files = entries(tia, "fd");
+  round();
+  EXPECT_EQ(entries(tia, "task"), threads);
+  EXPECT_TRUE(eventually([&] { return entries(tia, "fd") <= files; }));
+  EXPECT_THAT(client.Get("/metrics")->body, HasSubstr("tia_jobs{state=\"done\"} 0"));
+}
+
+/// KilledServer: whether results are in a store.
+class KilledServer : public testing::TestWithParam<bool> {};
+INSTANTIATE_TEST_SUITE_P(AndItsStore, KilledServer, testing::Bool());
+
 // Each time what is done stays done, and what was under way is drawn again.
-TEST(KilledServer, EndsItsJobAllTheSame) {
+TEST_P(KilledServer, EndsItsJobAllTheSame) {
   const char* asked = std::getenv("TIA_KILLS");
   const int kills = asked != nullptr ? std::atoi(asked) : sanitized() ? 1 : 3;
-  Folder folder;
-  const Process::Words environment{"TIA_DATA_DIR=" + folder.file(""), "TIA_JOB_TRIES=100"};
+  Folder folder, store;
+  Process::Words environment{"TIA_DATA_DIR=" + folder.file(""), "TIA_JOB_TRIES=100"};
+  if (GetParam()) environment.push_back("TIA_STORE=dir:" + store.file(""));
   std::string requests, id;
   for (int i = 0; i < 60; ++i)
     requests += (i > 0 ? "," : "") + std::string(R"({"width":64,"height":48,"samples":2,"seed":)") +
@@ -212,6 +243,9 @@ TEST(KilledServer, EndsItsJobAllTheSame) {
       const auto zip = tia.get(id + "/result?format=zip");
       EXPECT_THAT(zip.body, StartsWith("PK"));
       EXPECT_THAT(zip.body, HasSubstr("00059.png"));
+      EXPECT_EQ(std::filesystem::is_empty(store.file("")), !GetParam());
+      EXPECT_EQ(client.Delete(id.c_str())->status, 204);
+      EXPECT_TRUE(eventually([&] { return std::filesystem::is_empty(store.file("")); }));
       break;
     }
     std::this_thread::sleep_for(milliseconds(100 + random() % 200));
