@@ -79,7 +79,7 @@ constexpr std::array table{
                "It has logged what happened under the request's id."},
     ProblemRow{"not-implemented", 501, "The server does not know this part of HTTP", Met::by_any,
                "Such as a transfer coding other than chunked."},
-    ProblemRow{"unavailable", 503, "What keeps jobs is away", Met::by_job,
+    ProblemRow{"unavailable", 503, "What keeps jobs is away", Met::by_any,
                "Ask again: all else works meanwhile.", "Retry-After"},
     ProblemRow{"timeout", 503, "The answer took too long", Met::by_any,
                "More than TIA_DEADLINE_MS, the wait in the queue included.", "Retry-After"},
