@@ -154,14 +154,43 @@ std::string kept_text(const Pictures& pictures) {
   return to_json(Value::Object{{"request", pictures.base}, {"grid", std::move(pairs)}});
 }
 
-// The seed, once it is read, is at no fault, and decides no number of rays.
-bool differ_in_seed_alone(const Value& one, const Value& other) {
+// Whether their members are the same but for that one's value.
+bool differ_alone_in(std::string_view name, const Value& one, const Value& other) {
   const auto *a = one.as<Value::Object>(), *b = other.as<Value::Object>();
-  const auto is_same = [](const auto& left, const auto& right) {
-    return left.first == right.first && (left.first == "seed" || left.second == right.second);
+  const auto is_same = [&](const auto& left, const auto& right) {
+    return left.first == right.first && (left.first == name || left.second == right.second);
   };
   return a != nullptr && b != nullptr && std::ranges::equal(*a, *b, is_same);
 }
+
+/// RaysOfPictures: those of one after the other, all of whose faults are found.
+class RaysOfPictures {
+ public:
+  RaysOfPictures(const JobHost& host, const Requester& requester)
+      : context_(host.context), requester_(requester) {}
+
+  // Errors: InputError; as plan_of.
+  double of(Value request, const PictureRequest& picture) {
+    if (!is_as_the_last(request, picture))
+      rays_ = checked_plan_of(picture, context_, requester_).sure_rays();
+    last_ = std::move(request);
+    return rays_;
+  }
+
+ private:
+  // The seed, once it is read, is at no fault, and decides no number of rays. Nor does a light,
+  // once it is in its place: all that is planned of a scene that does not move is seen without it.
+  bool is_as_the_last(const Value& request, const PictureRequest& picture) const {
+    if (differ_alone_in("seed", request, last_)) return true;
+    return differ_alone_in("light", request, last_) &&
+           !found_scene(picture, context_, requester_).moving;
+  }
+
+  const RenderContext& context_;
+  const Requester& requester_;
+  Value last_;  // of which all has been checked, and its rays
+  double rays_ = 0;
+};
 
 // All faults of all pictures, the first twenty.
 JobPlan plan_batch(const JobRequest& asked, const JobHost& host, const Requester& requester) {
@@ -169,18 +198,13 @@ JobPlan plan_batch(const JobRequest& asked, const JobHost& host, const Requester
   Faults faults(requester.stop);
   JobPlan made;
   made.parts = pictures.count();
-  Value last;  // of which all has been checked, and its rays
-  double rays = 0;
+  RaysOfPictures rays(host, requester);
   for (int n = 0; n < made.parts && !faults.full(); ++n) try {
       end_if_asked(requester.stop);
       Value request = pictures.request(n);
       const PictureRequest picture = picture_at(request, pictures.place(n), host, requester);
-      if (!differ_in_seed_alone(request, last))
-        rays = at_place(pictures.place(n), [&] {
-          return checked_plan_of(picture, host.context, requester).sure_rays();
-        });
-      made.rays += rays;
-      last = std::move(request);
+      made.rays +=
+          at_place(pictures.place(n), [&] { return rays.of(std::move(request), picture); });
     } catch (const InputError& error) {
       for (const Fault& fault : error.faults())
         if (!faults.at(fault.pointer)) faults.add(fault);

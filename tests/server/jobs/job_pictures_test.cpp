@@ -165,6 +165,11 @@ INSTANTIATE_TEST_SUITE_P(
                "out-of-range", "/requests/2/width"},
         BadJob{"APointerIntoNothing", R"({"kind":"batch","request":{},"grid":{"/a/b/c":[1]}})",
                "out-of-range", "/grid/~1a~1b~1c"},
+        BadJob{"ALightWhereItCannotShineFrom",
+               R"({"kind":"batch","request":{"scene":{"camera":{"look_at":[0,0,-9]},"lights":)"
+               R"([{"type":"directional","direction":[0,-1,0]}]}},)"
+               R"("grid":{"/light":[[0,5,0],[1,5,0],[0,0,-9]]}})",
+               "out-of-range", "/request/light"},
         BadJob{"ALargeGrid",
                R"({"kind":"batch","request":{},"grid":{"/seed":[)"
                R"(1,2,3,4,5,6,7,8,9,10]
