@@ -10,6 +10,10 @@ namespace tia::server {
 
 namespace {
 constexpr std::chrono::seconds between_looks{1};
+// What many who watch are told at once, others wait for: the thread that sends for all, and the
+// processors. So it is told to a few at a time.
+constexpr int told_at_once = 16;
+constexpr std::chrono::milliseconds between_few{1};
 }  // namespace
 
 /// Watched: a feed as the board and its connection see it. Its page passes between them.
@@ -39,22 +43,24 @@ class Board::Watched : public Feed {
   }
 
   // Board's thread: writes the next page if the last one has been taken and there is cause to.
-  void look(bool each_second) {
+  // Returns: whether it has.
+  bool look(bool each_second) {
     {
       const std::lock_guard lock(mutex_);
-      if (!page_.bytes.empty() || page_.is_last) return;
+      if (!page_.bytes.empty() || page_.is_last) return false;
     }
     const bool silent = rules_.comment_after.count() > 0 && Clock::now() >= comment_at_;
     Page page;
     if (is_due.exchange(false) || (each_second && rules_.looks_each_second)) page = write_();
     if (page.bytes.empty() && !page.is_last) {
-      if (!silent) return;
+      if (!silent) return false;
       page.bytes = ":\n\n";
     }
     const std::lock_guard lock(mutex_);
     page_ = std::move(page);
     comment_at_ = Clock::now() + rules_.comment_after;
     if (more_) more_();
+    return true;
   }
 
   const std::string job;
@@ -123,8 +129,10 @@ void Board::look(const std::stop_token& ending) {
     }
     const bool each_second = Clock::now() - looked >= between_looks;
     if (each_second) looked = Clock::now();
+    int told = 0;
     for (const auto& each : watched()) try {
-        each->look(each_second);
+        if (!each->look(each_second) || ++told % told_at_once != 0) continue;
+        std::this_thread::sleep_for(between_few);
       } catch (const std::exception& error) {
         log_failure("jobs", error.what());
         each->is_due = true;  // at the next look

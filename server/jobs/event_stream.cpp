@@ -22,15 +22,21 @@ std::shared_ptr<Feed> event_feed(const std::string& id, std::int64_t after, JobS
                                  Board& board) {
   const auto write = [id, after, &store]() mutable {
     Board::Page page;
-    const auto job = store.find(id);
-    if (!job) return Board::Page{"", true, false};
-    for (const JobEvent& event : store.events(id, after, page_of_events)) {
+    const auto events = store.events(id, after, page_of_events);
+    if (events.empty()) {
+      const auto job = store.find(id);
+      page.has_more = job && after < job->events;  // they have come just now
+      page.is_last = !job || (is_last(job->state) && !page.has_more);
+      return page;
+    }
+    for (const JobEvent& event : events) {
       if (page.bytes.size() > most_page_bytes) break;
       page.bytes += event_text(event);
+      page.has_more = event.name == "state";  // perhaps the last one
       after = event.id;
     }
-    page.has_more = after < job->events;
-    page.is_last = is_last(job->state) && !page.has_more;
+    page.has_more =
+        page.has_more || after < events.back().id || events.size() == std::size_t{page_of_events};
     return page;
   };
   return board.open(id, write, {.comment_after = comment_after});
