@@ -122,6 +122,46 @@ TEST_F(Farm, OtherBytesOfAnAuditedPartFailTheJobAndBothWorkersLeave) {
   EXPECT_EQ(as("third")->load(1).farm->mismatches, 1);
 }
 
+TEST_F(Farm, WhoDrawsOtherBytesIsFoundWithinFiveHundredPartsByAuditsOfAHundredth) {
+  audit = 0.01;
+  const auto right = as("right"), wrong = as("wrong");
+  right->submit(batch(500), 1);
+  for (int i = 0; i < 600 && !is_last(right->find("job")->state); ++i) {
+    RedisJobs& store = i % 2 == 0 ? *right : *wrong;
+    if (const auto claim = store.claim("", 1))
+      store.finish(*claim, {.bytes = i % 2 == 0 ? "x" : "y"}, 1);
+  }
+  const Job job = *right->find("job");
+  EXPECT_EQ(job.state, JobState::failed);
+  EXPECT_LT(job.done, 500);
+  EXPECT_THAT(job.problem,
+              testing::AllOf(testing::HasSubstr("wrong"), testing::HasSubstr("right")));
+}
+
+// No picture is of two versions: what one has drawn is no part of what the next has planned.
+TEST_F(Farm, EachVersionDrawsItsOwnJobsAlone) {
+  const auto of = [](const std::string& version) {
+    return std::make_unique<RedisJobs>(FarmOptions{
+        .redis = shared_redis().options(), .version = version, .name = "of-" + version});
+  };
+  const auto old = of("1"), newer = of("2");
+  NewJob job = batch(2);
+  job.version = "1";
+  old->submit(job, 1);
+  EXPECT_FALSE(newer->claim("", 1));
+  const auto claim = old->claim("", 1);
+  ASSERT_TRUE(claim);
+  EXPECT_TRUE(newer->of_other_versions("2").empty()) << "the old one is still at work";
+  Job anew = *newer->find("job");
+  anew.version = "2";
+  newer->plan_anew(anew, 1);
+  EXPECT_FALSE(old->finish(*claim, {.bytes = "x"}, 1));
+  EXPECT_FALSE(old->claim("", 1));
+  for (int n = 0; n < 2; ++n) EXPECT_TRUE(newer->finish(*newer->claim("", 1), {.bytes = "y"}, 1));
+  EXPECT_EQ(newer->find("job")->state, JobState::done);
+  EXPECT_EQ(newer->result("job", 0), "y");
+}
+
 TEST_F(Farm, AnAuditedPartIsDoneOnceTwoWorkersHaveDrawnTheSameOrThereIsOnlyOne) {
   audit = 1;
   const auto one = as("one");
