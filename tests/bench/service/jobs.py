@@ -70,16 +70,18 @@ def light_requests(server, seconds):
 
 
 def many_parts(server):
-    """The answer to a job of 10 000 pictures."""
-    job = {"kind": "batch", "request": {"width": 16, "height": 12},
-           "grid": {"/seed": list(range(10_000))}}
-    times = []
-    for _ in range(5):
-        start = time.perf_counter()
-        location = submit(server, job)
-        times.append(1000 * (time.perf_counter() - start))
-        ask(server, "DELETE", location)
-    row("202 to 10 000 parts, median", f"{statistics.median(times):.1f} ms", "20 ms")
+    """The answer to a job of 10 000 pictures, which differ in their seed or in where the light is."""
+    seeds = {"/seed": list(range(10_000))}
+    lights = {"/light": [[i % 97 / 10, 5 + i / 1000, 2] for i in range(10_000)]}
+    for what, grid in (("seeds", seeds), ("lights", lights)):
+        job = {"kind": "batch", "request": {"width": 16, "height": 12}, "grid": grid}
+        times = []
+        for _ in range(5):
+            start = time.perf_counter()
+            location = submit(server, job)
+            times.append(1000 * (time.perf_counter() - start))
+            ask(server, "DELETE", location)
+        row(f"202 to 10 000 {what}, median", f"{statistics.median(times):.1f} ms", "20 ms")
 
 
 def beside_render(rounds):
@@ -175,32 +177,45 @@ def bare(count, many):
     return count * many / (time.perf_counter() - start)
 
 
-def farm():
+def part_cost(server):
+    """Milliseconds that a farm takes for a part beside drawing it."""
+    tiny = {"width": 8, "height": 8}
+    rate(server, {"request": tiny, "from": 0, "many": 20})
+    start = time.perf_counter()
+    drawing_ms = rate(server, {"request": tiny, "from": 100, "many": 1000})[1]
+    return (1000 * (time.perf_counter() - start) - drawing_ms) / 1000
+
+
+def two_workers(redis, server, rounds, many=20):
+    """What two workers are of one, and two bare processes of one, by turns; so many pictures each."""
+    drawn = {"scene": "cornell-light", "width": 320, "height": 240, "samples": 16}
+    workers, bares = [], []
+    for i in range(rounds):
+        seeds = {"request": drawn, "from": 1000 * i}
+        one = rate(server, {**seeds, "many": many})[0]
+        with Worker(redis, "two"):
+            time.sleep(1)
+            workers.append(rate(server, {**seeds, "from": 1000 * i + 500, "many": 2 * many})[0] / one)
+        bares.append(bare(2, many) / bare(1, many))
+    shares = [mine / theirs for mine, theirs in zip(workers, bares)]
+    row("two workers to one", f"{statistics.median(workers):.2f} x, bare processes "
+        f"{statistics.median(bares):.2f} x: {statistics.median(shares):.2f} of theirs",
+        "0.95 of theirs")
+
+
+def farm(rounds):
     if not shutil.which("redis-server"):
         return
-    drawn = {"scene": "cornell-light", "width": 320, "height": 240, "samples": 16}
     for fsync in ("everysec", "always"):
         with Redis(fsync) as redis, Server("--farm", redis.url) as server, \
                 Worker(redis, "one") as one:
             time.sleep(1)
             if fsync == "everysec":
                 row("memory of an idle worker", f"{one.memory_mib():.1f} MiB", "20 MiB")
-            rate(server, {"request": {"width": 8, "height": 8}, "from": 0, "many": 20})
-            start = time.perf_counter()
-            _, drawing_ms = rate(server, {"request": {"width": 8, "height": 8}, "from": 100,
-                                          "many": 1000})
-            cost = (1000 * (time.perf_counter() - start) - drawing_ms) / 1000
-            row(f"a part beyond its drawing, appendfsync {fsync}", f"{cost:.2f} ms",
+            row(f"a part beyond its drawing, appendfsync {fsync}", f"{part_cost(server):.2f} ms",
                 "3 ms" if fsync == "everysec" else "")
-            if fsync == "always":
-                continue
-            single = rate(server, {"request": drawn, "from": 0, "many": 40})[0]
-            with Worker(redis, "two"):
-                time.sleep(1)
-                both = rate(server, {"request": drawn, "from": 1000, "many": 80})[0]
-            lone, pair = bare(1, 40), bare(2, 40)
-            row("two workers to one", f"{both / single:.2f} x, bare processes {pair / lone:.2f} x",
-                "0.95 of theirs")
+            if fsync == "everysec":
+                two_workers(redis, server, rounds)
 
 
 def main():
@@ -213,7 +228,7 @@ def main():
         many_parts(server)
         streams(server, 500)
     beside_render(5)
-    farm()
+    farm(5)
 
 
 if __name__ == "__main__":
