@@ -169,7 +169,7 @@ def bare(count, many):
     """Pictures a second of so many bare processes of one thread at once."""
     start = time.perf_counter()
     processes = [subprocess.Popen(
-        [ROOT / "build/release/tia", "render", "cornell-light", "--width", "320", "--height", "240",
+        [ROOT / "build/release/tia", "render", "cornell-light", "--width", "160", "--height", "120",
          "--samples", str(16 * many), "--threads", "1", "-o", "-"],
         stdout=subprocess.DEVNULL) for _ in range(count)]
     for process in processes:
@@ -186,9 +186,9 @@ def part_cost(server):
     return (1000 * (time.perf_counter() - start) - drawing_ms) / 1000
 
 
-def two_workers(redis, server, rounds, many=20):
+def two_workers(redis, server, rounds, many=10):
     """What two workers are of one, and two bare processes of one, by turns; so many pictures each."""
-    drawn = {"scene": "cornell-light", "width": 320, "height": 240, "samples": 16}
+    drawn = {"scene": "cornell-light", "width": 160, "height": 120, "samples": 16}
     workers, bares = [], []
     for i in range(rounds):
         seeds = {"request": drawn, "from": 1000 * i}
