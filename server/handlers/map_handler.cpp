@@ -1,10 +1,14 @@
 // /radio/map: a scene with transmitters in; out comes what is received where, as a picture.
+#include <array>
+
 #include "server/contract/answers.h"
 #include "server/contract/parameters.h"
 #include "server/contract/query_parameters.h"
 #include "server/handlers/bodies.h"
 #include "server/handlers/handlers.h"
 #include "server/handlers/picture_response.h"
+#include "server/handlers/rendered.h"
+#include "server/handlers/stream_response.h"
 #include "server/http/headers.h"
 #include "server/operation/shared_flow.h"
 #include "server/requests/accept.h"
@@ -26,70 +30,133 @@ AskedMap map_asked_in(Value parameters, const Request& request) {
   return {read_described<RadioMapRequest>(parameters, {}, request.stop), accepted};
 }
 
+/// KnownMap: one that is asked for, and what it is called.
+struct KnownMap {
+  AskedMap asked;
+  KnownScene scene;
+  std::string recipe, etag;
+};
+
+KnownMap known_map(AskedMap asked, const Requester& requester, const Service& service) {
+  const RenderContext& context = service.rendering;
+  ViewRequest view;
+  view.scene = asked.map.scene;
+  KnownScene scene = scene_of(view, context, requester);
+  std::string recipe = context.go_through(std::min(scene.objects.bytes, most_told_bytes), requester,
+                                          [&] { return recipe_of(asked.map, scene); });
+  std::string etag = etag_of(recipe);
+  return {std::move(asked), std::move(scene), std::move(recipe), std::move(etag)};
+}
+
 /// MapDrawing: one map that somebody waits for.
 struct MapDrawing {
-  const RadioMapRequest& asked;
-  const KnownScene& scene;
-  const std::string& recipe;
+  const KnownMap& known;
   const Requester& requester;
   Service& service;
+  Showing& showing;
+
+  // How many times larger cells are that are shown first: a twelfth of the map's own come to that.
+  static constexpr std::array coarse{8, 4};
 
   std::int64_t rays() const {
+    const DrawnMap& asked = known.asked.map;
     const auto senders = static_cast<std::int64_t>(asked.senders().size());
     return asked.method == RadioMethod::image ? 0 : asked.rays * senders;
   }
   Picture operator()(SharedFlow& shared, const std::stop_token& stop) const {
-    service.access.check_rays(requester.key, static_cast<double>(rays()));
+    const std::size_t maps = showing.is_watched() ? 1 + coarse.size() : 1;
+    service.access.check_rays(requester.key,
+                              static_cast<double>(rays()) * static_cast<double>(maps));
     Stopwatch watch;
     auto ticket = service.admission.enter({}, requester.client, stop, &shared.place);
     Flow flow{Requester{ticket.client(), stop}.number()};
     const double queue_ms = watch.lap_ms();
     flow.became_long = [&] { ticket.turn_heavy(); };
     const SharedFlow::Going going(shared, flow);
-    const RenderContext& context = service.rendering;
-    const Workers workers = context.pool.workers(context.pool.threads(), stop, &flow);
-    const auto attempt = [&] { return draw_map(asked, *scene, recipe, context.limits, workers); };
-    Picture picture = with_memory_for(attempt, stop);
+    Pool& pool = service.rendering.pool;
+    const Workers workers = pool.workers(pool.threads(), stop, &flow);
+    if (showing.is_watched()) show_coarse(workers, stop);
+    Picture picture = drawn(known.asked.map, known.recipe, workers, stop);
     picture.timing.queue = queue_ms;
+    return picture;
+  }
+
+ private:
+  Picture drawn(const DrawnMap& map, const std::string& recipe, const Workers& workers,
+                const std::stop_token& stop) const {
+    const auto attempt = [&] {
+      return draw_map(map, *known.scene, recipe, service.rendering.limits, workers);
+    };
+    Picture picture = with_memory_for(attempt, stop);
     service.metrics.count(picture.rays, picture.timing);
     service.access.charge(requester.key, picture.rays.all());
     return picture;
   }
+  void show_coarse(const Workers& workers, const std::stop_token& stop) const {
+    int round = 0;
+    for (const int times : coarse) {
+      const DrawnMap map = coarser(known.asked.map, *known.scene, times, service.rendering.limits);
+      const std::string recipe = recipe_of(map, known.scene);
+      Picture picture = drawn(map, recipe, workers, stop);
+      picture.etag = etag_of(recipe);
+      const auto shown = std::make_shared<const Picture>(std::move(picture));
+      service.pictures.add(shown->etag, shown);
+      service.metrics.count_shown();
+      showing.show({shown, round++, true});
+    }
+  }
 };
 
 // Drawn once for all who ask for it at the same time.
-PictureStore::Found map_of(const MapDrawing& drawing, const std::string& etag) {
-  Service& service = drawing.service;
+PictureStore::Found map_of(const KnownMap& known, const Requester& requester, Service& service,
+                           const Showing::See& see = nullptr) {
   const auto shared = std::make_shared<SharedFlow>(service.rendering.pool);
-  PictureStore::Wish wish = waiting_wish(drawing.requester, nullptr, service);
-  wish.draw = [&](const std::stop_token& given_up) { return drawing(*shared, given_up); };
+  const auto showing = std::make_shared<Showing>();
+  std::optional<Showing::Seat> seat;
+  if (see) seat.emplace(*showing, see);
+  PictureStore::Wish wish = waiting_wish(requester, see, service);
+  wish.showing = showing;
+  wish.draw = [&](const std::stop_token& given_up) {
+    return MapDrawing{known, requester, service, *showing}(*shared, given_up);
+  };
   wish.joined_by = [shared](const std::string& client) { shared->also_for(client); };
-  return service.pictures.get(etag, wish);
+  return service.pictures.get(known.etag, wish);
 }
 
-Response mapped(const AskedMap& asked, Stopwatch watch, const Request& request, Service& service) {
+Response shown_map(const std::shared_ptr<const KnownMap>& known, const Request& request,
+                   Service& service) {
+  const auto drawing = [known, requester = requester_of(request), &service](const auto& see) {
+    return map_of(*known, requester, service, see);
+  };
+  return streamed(*known->asked.map.stream, known->etag, drawing, request, service);
+}
+
+void check_streamed_map(const RadioMapRequest& asked, const Request& request) {
+  if (!asked.stream) return;
+  check_stream(name_of(*asked.stream), request,
+               asked.format == MapFormat::png ? Format::png : Format::pfm);
+}
+
+Response mapped(AskedMap asked, Stopwatch watch, const Request& request, Service& service) {
+  check_streamed_map(asked.map, request);
   const Requester requester = requester_of(request);
-  const RenderContext& context = service.rendering;
-  ViewRequest view;
-  view.scene = asked.map.scene;
-  const KnownScene scene = scene_of(view, context, requester);
-  const std::string recipe =
-      context.go_through(std::min(scene.objects.bytes, most_told_bytes), requester,
-                         [&] { return recipe_of(asked.map, scene); });
-  const std::string etag = etag_of(recipe);
+  const auto known =
+      std::make_shared<const KnownMap>(known_map(std::move(asked), requester, service));
+  const RadioMapRequest& map = known->asked.map;
+  if (map.stream) return shown_map(known, request, service);
   Headers headers{
-      {"ETag", etag},
-      {"Cache-Control", asked.map.wanted ? "public, max-age=31536000, immutable" : "no-cache"}};
-  if (asked.accepted) add_vary(headers, "Accept");
-  const std::string type(map_formats[static_cast<std::size_t>(asked.map.format)].media_type);
-  if (request.method != "POST" && has_already(request, etag)) {
+      {"ETag", known->etag},
+      {"Cache-Control", map.wanted ? "public, max-age=31536000, immutable" : "no-cache"}};
+  if (known->asked.accepted) add_vary(headers, "Accept");
+  const std::string type(map_formats[static_cast<std::size_t>(map.format)].media_type);
+  if (request.method != "POST" && has_already(request, known->etag)) {
     headers.emplace_back("Cache-Status", "Tia; hit; detail=not-modified");
     return {.status = 304, .content_type = "", .body = "", .headers = headers};
   }
   if (request.is_head())
     return {.content_type = type, .body = "", .headers = headers, .unsized = true};
   const double parse_ms = watch.lap_ms();
-  const auto found = map_of({asked.map, scene, recipe, requester, service}, etag);
+  const auto found = map_of(*known, requester, service);
   Response response = picture_response(found, parse_ms, watch.lap_ms());
   response.headers.insert(response.headers.end(), headers.begin(), headers.end());
   return response;
@@ -121,7 +188,7 @@ Answer map_answer() {
     answer.contents.push_back(
         {row.media_type, row.format == MapFormat::json ? map_schema : nullptr});
   answer.headers = {"Server-Timing", "Tia-Rays", "Cache-Control", "ETag", "Cache-Status"};
-  return answer;
+  return shown_answer(std::move(answer));
 }
 
 }  // namespace

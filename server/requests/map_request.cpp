@@ -1,5 +1,7 @@
 #include "server/requests/map_request.h"
 
+#include <algorithm>
+
 #include "core/film/pfm.h"
 #include "core/film/png.h"
 #include "core/film/png_text.h"
@@ -56,6 +58,13 @@ MapLimits map_limits(const Limits& limits) {
   static_cast<RadioLimits&>(most) = radio_limits(limits);
   most.max_cells = limits.max_pixels;
   return most;
+}
+
+DrawnMap coarser(const DrawnMap& asked, const Scene& scene, int times, const Limits& limits) {
+  DrawnMap coarse = asked;
+  coarse.cell = times * grid_of(scene, asked, map_limits(limits)).cell;
+  coarse.scale = std::min(times * asked.scale, DrawnMap::largest_scale);
+  return coarse;
 }
 
 std::string recipe_of(const DrawnMap& asked, const KnownScene& scene) {

@@ -9,6 +9,7 @@
 
 #include "core/radio/map_picture.h"
 #include "server/requests/render_context.h"
+#include "server/requests/render_request.h"
 #include "server/stores/picture.h"
 
 namespace tia::server {
@@ -40,6 +41,7 @@ namespace tia::server {
 /// DrawnMap: what is told of waves, and how.
 struct DrawnMap : RadioMapQuestion {
   static constexpr std::string_view schema_name = "drawn_map";
+  static constexpr int largest_scale = 64;
   MapFormat format = MapFormat::png;
   int scale = 4;
   bool legend = true;
@@ -53,7 +55,10 @@ struct DrawnMap : RadioMapQuestion {
           Spec{.about = "png, in colours; pfm, one float a cell, NaN where nothing is; json, rows "
                         "of numbers; else what Accept prefers"});
     visit("scale", &M::scale,
-          Spec{.about = "of a png: the side of a cell", .unit = "pixels", .min = 1, .max = 64});
+          Spec{.about = "of a png: the side of a cell",
+               .unit = "pixels",
+               .min = 1,
+               .max = largest_scale});
     visit("legend", &M::legend,
           Spec{.about = "of a png: whether there is a legend at its right; without it the picture "
                         "is the cells times scale"});
@@ -73,6 +78,7 @@ struct RadioMapRequest : DrawnMap {
   static constexpr std::string_view schema_name = "radio_map_request";
   std::variant<std::string, Scene> scene;
   std::optional<std::string> wanted;  ///< the version
+  std::optional<Stream> stream;
 
   template <class Visitor>
   static void fields(Visitor&& visit) {
@@ -85,6 +91,10 @@ struct RadioMapRequest : DrawnMap {
     visit("version", &R::wanted,
           Spec{.about = "the version whose bytes are wanted, as /version tells it: caches may keep "
                         "the map for good"});
+    visit(
+        "stream", &R::stream,
+        Spec{.about = "the map while it is drawn, a png: those of larger cells first, and the map "
+                      "itself last, as the streams of /render"});
   }
   /// Also a version that is not this one.
   void check(const Place& at, Faults& faults) const;
@@ -92,6 +102,9 @@ struct RadioMapRequest : DrawnMap {
 
 /// What one map may take.
 MapLimits map_limits(const Limits& limits);
+
+/// The same map, of so many times larger cells and as large a picture. Errors: as radio_map.
+DrawnMap coarser(const DrawnMap& asked, const Scene& scene, int times, const Limits& limits);
 
 /// {"map":{…},"version":"…"}: what POST /radio/map takes, without what is as it would be anyhow:
 /// the same for requests that ask for the same map in other words. Canonical text (RFC 8785).

@@ -1,6 +1,7 @@
 // Maps of radio waves over HTTP.
 #include <cstring>
 
+#include "tests/server/handlers/streams_support.h"
 #include "tests/server/support.h"
 
 namespace tia::test {
@@ -21,9 +22,9 @@ const std::string one = R"(,"tx":[[0,4,0]])";
 std::string header_of(const Response& response, std::string_view name) {
   return header(response, name).value_or("");
 }
-std::string map_query(const std::string& more) {
+std::string map_query(const std::string& more, const std::string& cell = "1") {
   return "/radio/map?scene=" + url_encode(house) +
-         "&frequency_hz=2.4e9&rays=2000&area=-2,-1,7,6&cell=1&height=2" + more;
+         "&frequency_hz=2.4e9&rays=2000&area=-2,-1,7,6&height=2&cell=" + cell + more;
 }
 
 TEST(RadioMapRoute, EachCellIsWhatPathsTellsAtItsCenterAndExplainToo) {
@@ -59,6 +60,35 @@ TEST(RadioMapRoute, AnAddressIsAMap) {
   EXPECT_EQ(header_of(head, "ETag"), etag);
   EXPECT_NE(header_of(host().head(map_query("&tx=0,4,0.5")), "ETag"), etag);
   EXPECT_THAT(header_of(host().get(map_query("&tx=0,4,0")), "Cache-Status"), HasSubstr("hit"));
+}
+
+// Maps of cells of eight and four times the side, in as large pixels, then the map itself.
+TEST(RadioMapRoute, IsShownInLargerCellsWhileItIsDrawn) {
+  Server server;
+  const std::string target = map_query("&tx=0,4,0.25&scale=2");
+  const auto events = events_in(ask_on(server.port(), target + "&stream=events").body);
+  ASSERT_EQ(events.size(), 3U);
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_EQ(events[i].name, "round");
+    EXPECT_EQ(number_at(events[i].data, "round"), static_cast<double>(i));
+    EXPECT_EQ(at(events[i].data, "preview"), Value(true));
+    const std::string coarse =
+        i == 0 ? map_query("&tx=0,4,0.25&scale=16", "8") : map_query("&tx=0,4,0.25&scale=8", "4");
+    EXPECT_TRUE(ask_on(server.port(), text_at(events[i].data, "href")).body == plain_bytes(coarse));
+  }
+  EXPECT_EQ(events[2].name, "done");
+  const std::string plain = plain_bytes(target);
+  EXPECT_TRUE(ask_on(server.port(), text_at(events[2].data, "href")).body == plain);
+  const auto pictures = pictures_in(ask_on(server.port(), target + "&stream=multipart"));
+  ASSERT_FALSE(pictures.empty());
+  EXPECT_TRUE(pictures.back() == plain);
+}
+
+TEST(RadioMapRoute, StreamsOnlyWhatIsDrawnAsAPicture) {
+  const std::string target = map_query("&tx=0,4,0&stream=events");
+  EXPECT_EQ(only_error(host().get(target + "&format=pfm")).pointer, "/stream");
+  EXPECT_EQ(host().head(target).status, 422);
+  EXPECT_EQ(only_error(host().get(map_query("&tx=0,4,0&stream=mjpeg"))).pointer, "/stream");
 }
 
 TEST(RadioMapRoute, TellsSeveralTransmittersEachOnce) {
