@@ -15,9 +15,9 @@ namespace {
 
 using test::Expected;
 using test::Random;
-using Points = std::vector<Walls::Point>;
+using PlanLine = std::vector<Walls::Point>;
 
-Scene with(const std::string& object) { return read_scene("{\"objects\":[" + object + "]}"); }
+Scene scene_with(const std::string& object) { return read_scene("{\"objects\":[" + object + "]}"); }
 std::string walls_text(const std::string& points, const std::string& more = "") {
   return R"({"type":"walls","points":)" + points + R"(,"height":3,"thickness":0.5)" + more + "}";
 }
@@ -39,7 +39,7 @@ const std::vector<std::string> house_boxes{
 TEST(Walls, AlongTheAxesAreTheBoxesThatOneWouldWrite) {
   std::string all;
   for (const std::string& each : house_boxes) all += (all.empty() ? "" : ",") + each;
-  const Scene walls = with(house), boxes = with(all);
+  const Scene walls = scene_with(house), boxes = scene_with(all);
   EXPECT_EQ(*children_of(walls.objects[0]), boxes.objects.get());
   Scene a = walls, b = boxes;
   for (Scene* each : {&a, &b}) {
@@ -59,7 +59,8 @@ TEST(Walls, CarryWavesAsTheirBoxesDo) {
   RadioQuestion question = test::link({1.3, 1.5, 2.1}, {5.6, 1.2, 4.4}, RadioMethod::image);
   question.receivers.push_back({.position = {11, 1.2, 3.4}});
   question.max_diffractions = 1;
-  const RadioAnswer a = radio_paths(with(house), question), b = radio_paths(with(all), question);
+  const RadioAnswer a = radio_paths(scene_with(house), question),
+                    b = radio_paths(scene_with(all), question);
   for (std::size_t k = 0; k < 2; ++k) {
     EXPECT_FALSE(a.pairs[k].paths.empty());
     EXPECT_EQ(a.pairs[k].total.coherent_db, b.pairs[k].total.coherent_db);
@@ -70,8 +71,8 @@ TEST(Walls, CarryWavesAsTheirBoxesDo) {
 // ---- corners of any angle -------------------------------------------------------------------
 
 /// A line that never comes near itself: on its way along x it turns by up to 120 degrees.
-Points line_of(Random& random) {
-  Points points{{random.in(-2, 2), random.in(-2, 2)}};
+PlanLine line_of(Random& random) {
+  PlanLine points{{random.in(-2, 2), random.in(-2, 2)}};
   const int corners = 2 + random.below(4);
   for (int i = 0; i <= corners; ++i) {
     // Every angle, none, and right angles.
@@ -89,7 +90,7 @@ Walls::Point unit_way(const Walls::Point& a, const Walls::Point& b) {
 }
 
 /// How far p is within run i of the line, cut where planes halve its corners; negative: outside.
-double within_run(const Points& points, std::size_t i, double half, const Walls::Point& p) {
+double within_run(const PlanLine& points, std::size_t i, double half, const Walls::Point& p) {
   const Walls::Point way = unit_way(points[i], points[i + 1]);
   const auto along = [&](const Walls::Point& from, const Walls::Point& by) {
     const double length = std::hypot(by[0], by[1]);
@@ -121,18 +122,18 @@ bool holds(const Object& piece, const Vec3d& p) {
   return true;
 }
 
-std::string text_of(const Points& points) { return to_json(write_value(points)); }
+std::string text_of(const PlanLine& points) { return to_json(write_value(points)); }
 
 TEST(Walls, AtCornersOfAnyAngleEachPlaceIsInOnePieceOrNone) {
   Random random(27);
   int inside = 0, prisms = 0;
-  for (int round = 0; round < test::rounds(60, 0.3); ++round) {
-    const Points points = line_of(random);
+  for (int round = 0; round < test::rounds(60, 3); ++round) {
+    const PlanLine points = line_of(random);
     const double middle = std::hypot(points[1][0] - points[0][0], points[1][1] - points[0][1]) / 2;
     const std::string hole = number_text(middle - 0.25), end = number_text(middle + 0.25);
     const Scene scene =
-        with(walls_text(text_of(points), R"(,"openings":[{"sill":1,"lintel":2,"from":)" + hole +
-                                             ",\"to\":" + end + "}]"));
+        scene_with(walls_text(text_of(points), R"(,"openings":[{"sill":1,"lintel":2,"from":)" +
+                                                   hole + ",\"to\":" + end + "}]"));
     const std::vector<Object>& pieces = *children_of(scene.objects[0]);
     for (const Object& each : pieces) prisms += std::holds_alternative<Mesh>(each.shape) ? 1 : 0;
     for (int k = 0; k < 60; ++k) {
@@ -161,14 +162,14 @@ TEST(Walls, AtCornersOfAnyAngleEachPlaceIsInOnePieceOrNone) {
 // ---- what is told of them -------------------------------------------------------------------
 
 TEST(Walls, AreCalledByTheirNameAndWrittenAsTheyWereRead) {
-  Scene scene = with(house + "," + house);
+  Scene scene = scene_with(house + "," + house);
   scene.objects[0].name = "house";
   const std::vector<ObjectLabel> labels = object_labels(scene);
   ASSERT_EQ(labels.size(), 18U);
   EXPECT_EQ(labels[8].name, "house");
   EXPECT_EQ(labels[9].name, "/objects/1");
   EXPECT_EQ(object_pointers(scene, {17}).at(17), "/objects/1");
-  EXPECT_EQ(with(to_json(write_value(scene.objects[1]))).objects[0], scene.objects[1]);
+  EXPECT_EQ(scene_with(to_json(write_value(scene.objects[1]))).objects[0], scene.objects[1]);
 }
 
 TEST(Walls, SayWhichPointsCannotBeTheirs) {
@@ -192,8 +193,9 @@ TEST(Walls, SayWhichPointsCannotBeTheirs) {
   refused(walls_text("[[0,0],[6,0],[6,4],[3,4],[3,-4]]"),
           {{FaultKind::conflict, at + "/4", "[3,-4]", "the one from point 0"}});
   // Up to its face is near enough.
-  EXPECT_EQ(children_of(with(walls_text("[[0,0],[6,0],[6,4],[3,4],[3,0.25]]")).objects[0])->size(),
-            4U);
+  EXPECT_EQ(
+      children_of(scene_with(walls_text("[[0,0],[6,0],[6,4],[3,4],[3,0.25]]")).objects[0])->size(),
+      4U);
   std::string many;
   for (int i = 0; i <= 512; ++i) many += (i > 0 ? ",[" : "[") + std::to_string(i) + ",0]";
   refused(walls_text("[" + many + "]"), {{FaultKind::limit, at, "513", "at most 512 points"}});
