@@ -30,23 +30,24 @@ AskedMap map_asked_in(Value parameters, const Request& request) {
   return {read_described<RadioMapRequest>(parameters, {}, request.stop), accepted};
 }
 
-/// KnownMap: one that is asked for, and what it is called.
+/// KnownMap: one that is asked for, and what it is called. Its scene may be that of the request.
 struct KnownMap {
   AskedMap asked;
+  ViewRequest view;
   KnownScene scene;
   std::string recipe, etag;
-};
 
-KnownMap known_map(AskedMap asked, const Requester& requester, const Service& service) {
-  const RenderContext& context = service.rendering;
-  ViewRequest view;
-  view.scene = asked.map.scene;
-  KnownScene scene = scene_of(view, context, requester);
-  std::string recipe = context.go_through(std::min(scene.objects.bytes, most_told_bytes), requester,
-                                          [&] { return recipe_of(asked.map, scene); });
-  std::string etag = etag_of(recipe);
-  return {std::move(asked), std::move(scene), std::move(recipe), std::move(etag)};
-}
+  KnownMap(AskedMap of, const Requester& requester, const Service& service) : asked(std::move(of)) {
+    const RenderContext& context = service.rendering;
+    view.scene = std::move(asked.map.scene);
+    scene = scene_of(view, context, requester);
+    recipe = context.go_through(std::min(scene.objects.bytes, most_told_bytes), requester,
+                                [&] { return recipe_of(asked.map, scene); });
+    etag = etag_of(recipe);
+  }
+  KnownMap(const KnownMap&) = delete;
+  KnownMap& operator=(const KnownMap&) = delete;
+};
 
 /// MapDrawing: one map that somebody waits for.
 struct MapDrawing {
@@ -140,8 +141,7 @@ void check_streamed_map(const RadioMapRequest& asked, const Request& request) {
 Response mapped(AskedMap asked, Stopwatch watch, const Request& request, Service& service) {
   check_streamed_map(asked.map, request);
   const Requester requester = requester_of(request);
-  const auto known =
-      std::make_shared<const KnownMap>(known_map(std::move(asked), requester, service));
+  const auto known = std::make_shared<const KnownMap>(std::move(asked), requester, service);
   const RadioMapRequest& map = known->asked.map;
   if (map.stream) return shown_map(known, request, service);
   Headers headers{
