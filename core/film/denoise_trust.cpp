@@ -1,7 +1,6 @@
 #include "core/film/denoise_trust.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "core/film/denoise_albedo.h"
 
@@ -26,10 +25,9 @@ constexpr float chance = 0.1F;
 // The same, from which on they have no light in common, as it is 1 less what they have: so few have
 // found any that they do not tell how noisy it is.
 constexpr float nothing_in_common = 0.99F;
-// By so many standard errors noise may be more than some pixels say where halves may agree by
-// chance: else half of the areas that are as noisy as others would seem to be less so, and keep
-// some of that noise.
-constexpr float errors = 1.25F;
+// By this share noise may be more than the pixels around say where halves may agree by chance: else
+// half of the areas that are as noisy as others would seem to be less so, and keep some noise.
+constexpr float more_by_chance = 0.35F;
 
 float square(float v) { return v * v; }
 
@@ -62,33 +60,18 @@ Misfit misfit_of(const std::array<TilePlane, 3>& fits, const TileGrid& grid,
   return misfit;
 }
 
-// The most that noise explains, on average over the square around each pixel: the mean of what it
-// comes to there; and, where halves may agree by chance, standard errors of that mean, which few
-// pixels and rare bright samples tell but roughly.
-TilePlane explained_by(const Misfit& misfit, const TilePlane& squares, const TileGrid& grid,
-                       int radius) {
-  const auto pixels = static_cast<float>((2 * radius + 1) * (2 * radius + 1));
-  TilePlane explained = blurred(grid, misfit.noise, radius);
-  const TilePlane mean_square = blurred(grid, squares, radius);
-  for (std::size_t i = 0; i < explained.size(); ++i) {
-    const float variance = std::max(mean_square[i] - square(explained[i]), 0.0F) / pixels;
-    const float unsure = std::clamp(misfit.noise_of_own[i] / chance - 1, 0.0F, 1.0F);
-    explained[i] += unsure * errors * std::sqrt(variance);
-  }
-  return explained;
-}
-
 // 1 less the share of the fit that leaves the least squared error.
 TilePlane distrust_by(const Misfit& misfit, const TileGrid& grid) {
-  TilePlane distrust(grid.size()), squares(grid.size());
-  for (std::size_t i = 0; i < squares.size(); ++i) squares[i] = square(misfit.noise[i]);
+  TilePlane distrust(grid.size());
   const TilePlane wide = blurred(grid, misfit.noise, tolerances.back().radius);
   for (const Tolerance& each : tolerances) {
     const TilePlane far = blurred(grid, misfit.off, each.radius);
-    TilePlane explained = explained_by(misfit, squares, grid, each.radius);
-    for (std::size_t i = 0; i < far.size(); ++i)
-      if (misfit.noise_of_own[i] >= nothing_in_common)
-        explained[i] = std::max(explained[i], wide[i]);
+    TilePlane explained = blurred(grid, misfit.noise, each.radius);
+    for (std::size_t i = 0; i < far.size(); ++i) {
+      const float own = misfit.noise_of_own[i];
+      if (own >= nothing_in_common) explained[i] = std::max(explained[i], wide[i]);
+      explained[i] *= 1 + more_by_chance * std::clamp(own / chance - 1, 0.0F, 1.0F);
+    }
     for (std::size_t i = 0; i < far.size(); ++i)
       if (far[i] > each.variances * explained[i])
         distrust[i] = std::max(distrust[i], 1 - each.variances * explained[i] / far[i]);

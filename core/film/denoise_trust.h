@@ -18,11 +18,11 @@ struct MeanLight {
 MeanLight mean_light(const TileGrid& grid, const HalfBuffers& halves, const Irradiance& light);
 
 /// The share, for each pixel, of the way from the picture's own light to what is fitted: less than
-/// 1 where, around it, that is farther from it than noise explains, and where there is much of it
-/// also than standard errors of that. Then the fit is wrong by the rest, and the share is the one
-/// that leaves the least squared error of the two. Errors are relative to the light around, so that
-/// a lamp's say nothing of what it shines on. Where few pixels of many are so, chance explains that
-/// too, unless their halves agree far better than noise lets them.
+/// 1 where, around it, that is farther from it than noise explains, and a third more of it where
+/// there is much. Then the fit is wrong by the rest, and the share is the one that leaves the least
+/// squared error of the two. Errors are relative to the light around, so that a lamp's say nothing
+/// of what it shines on. Where few pixels of many are so, chance explains that too, unless their
+/// halves agree far better than noise lets them.
 /// Source: Stein, "Estimation of the mean of a multivariate normal distribution" (1981).
 TilePlane trust_in(const std::array<TilePlane, 3>& fits, const TileGrid& grid,
                    const MeanLight& picture, const TilePlane& inside);

@@ -8,6 +8,43 @@
 
 namespace tia::server {
 
+void Command::takes_all() { app_->fallthrough(); }
+void Command::hide() { app_->group(""); }
+bool Command::is_asked() const { return app_->parsed(); }
+
+void Command::word(const std::string& name, std::string& word, const std::string& about,
+                   bool required) {
+  app_->add_option(name, word, about)->required(required)->type_name("");
+}
+void Command::number(const std::string& name, std::uint64_t& number) {
+  app_->add_option(name, number)->required();
+}
+void Command::number(const std::string& name, unsigned& number) {
+  app_->add_option(name, number)->required();
+}
+void Command::words(const std::string& name, std::vector<std::string>& words,
+                    const std::string& about) {
+  app_->add_option(name, words, about)->required()->type_name("");
+}
+void Command::flag(const std::string& name, bool& is_given, const std::string& about) {
+  app_->add_flag(name, is_given, about);
+}
+void Command::option(const std::string& name, std::string& value, const std::string& about,
+                     bool required) {
+  app_->add_option(name, value, about)->required(required)->type_name("");
+}
+void Command::option(const std::string& name, std::optional<int>& value, const std::string& about) {
+  app_->add_option(name, value, about)->type_name("");
+}
+void Command::option(const std::string& name, double& value, double least, double most,
+                     const std::string& about) {
+  app_->add_option(name, value, about)->check(CLI::Range(least, most))->type_name("");
+}
+void Command::option(const std::string& name, std::function<void(const std::string&)> take,
+                     const std::string& about) {
+  app_->add_option_function<std::string>(name, std::move(take), about)->type_name("");
+}
+
 CommandLine::CommandLine()
     : program_(std::make_unique<CLI::App>("Tia, a ray-tracing render service")),
       settings_(environment_settings()) {
@@ -17,32 +54,29 @@ CommandLine::CommandLine()
 
 CommandLine::~CommandLine() = default;
 
-CLI::App& CommandLine::add_to(CLI::App& group, const std::string& name, const std::string& about,
-                              Action action) {
-  CLI::App* const command = group.add_subcommand(name, about);
+Command CommandLine::add_to(const Command& group, const std::string& name, const std::string& about,
+                            Action action) {
+  const Command command(*group.app_->add_subcommand(name, about));
   commands_.push_back({command, std::move(action)});
-  return *command;
+  return command;
 }
 
-CLI::App& CommandLine::add(const std::string& name, const std::string& about, Action action) {
+Command CommandLine::add(const std::string& name, const std::string& about, Action action) {
   return add_to(program(), name, about, std::move(action));
 }
 
-CLI::App& CommandLine::add_group(const std::string& name, const std::string& about) {
-  return *program_->add_subcommand(name, about)->fallthrough()->require_subcommand(1);
+Command CommandLine::add_group(const std::string& name, const std::string& about) {
+  return Command(*program_->add_subcommand(name, about)->fallthrough()->require_subcommand(1));
 }
 
-void CommandLine::take_options(CLI::App& command) {
+void CommandLine::take_options(Command command) {
   for (const OptionRow& row : option_rows()) {
     const auto take = [this, row](const std::string& text) {
       settings_.push_back({row.name, text, row.flag});
     };
     const std::string standard = row.value.empty() ? "none" : row.value;
-    command
-        .add_option_function<std::string>(
-            row.flag, take,
-            row.about + ":\n" + row.allowed + " [" + standard + "], or " + row.variable)
-        ->type_name("");
+    command.option(row.flag, take,
+                   row.about + ":\n" + row.allowed + " [" + standard + "], or " + row.variable);
   }
 }
 
@@ -59,7 +93,7 @@ int CommandLine::run(int argc, char** argv) {
     return program_->exit(error) == 0 ? 0 : bad_use;
   }
   const auto asked =
-      std::ranges::find_if(commands_, [](const Command& each) { return each.app->parsed(); });
+      std::ranges::find_if(commands_, [](const Acting& each) { return each.command.is_asked(); });
   (asked != commands_.end() ? asked->action : otherwise_)();
   return status;
 }

@@ -98,13 +98,13 @@ void film_to_file(const FilmAsked& by, const Config& config) {
 
 void add_film(CommandLine& line) {
   auto& asked = line.keep<FilmAsked>();
-  CLI::App& film = line.add("film", "draw an animated scene as a film to a file",
-                            [&] { film_to_file(asked, line.config()); });
-  film.fallthrough();
+  Command film = line.add("film", "draw an animated scene as a film to a file",
+                          [&] { film_to_file(asked, line.config()); });
+  film.takes_all();
   add_scene(film, asked.scene);
   add_output(film, asked.file, film_files() + ", or - for standard output");
-  film.add_flag("--progress", asked.shows_progress,
-                "show frames, their rate and the time left on standard error");
+  film.flag("--progress", asked.shows_progress,
+            "show frames, their rate and the time left on standard error");
   FilmRequest::fields(ParameterFlags{film, asked.parameters});
 }
 

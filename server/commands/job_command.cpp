@@ -75,27 +75,25 @@ void tell_job(const JobWishes& wishes) {
 
 void cancel_job(const JobWishes& wishes) { asked(wishes, "DELETE", path_of(wishes)); }
 
-void add_submit(CLI::App& submit, JobWishes& wishes) {
-  add_word(submit, "file", wishes.file, "a JSON file");
-  submit.add_flag("--wait", wishes.waits, "wait for its end");
-  submit
-      .add_option("-o,--output", wishes.output,
-                  "wait, and write the result there; NAME.zip for that of several pictures")
-      ->type_name("");
+void add_submit(Command submit, JobWishes& wishes) {
+  submit.word("file", wishes.file, "a JSON file");
+  submit.flag("--wait", wishes.waits, "wait for its end");
+  submit.option("-o,--output", wishes.output,
+                "wait, and write the result there; NAME.zip for that of several pictures");
 }
 
 }  // namespace
 
 void add_job(CommandLine& line) {
   auto& wishes = line.keep<JobWishes>();
-  CLI::App& job = line.add_group("job", "jobs of a server: submit, status, cancel");
-  job.add_option("--url", wishes.url, "the server [" + wishes.url + "]")->type_name("");
+  Command job = line.add_group("job", "jobs of a server: submit, status, cancel");
+  job.option("--url", wishes.url, "the server [" + wishes.url + "]");
   add_submit(
       line.add_to(job, "submit", "send one, as POST /jobs takes it", [&] { submit_job(wishes); }),
       wishes);
   const auto with_id = [&](const char* name, const char* about, void (*act)(const JobWishes&)) {
-    add_word(line.add_to(job, name, about, [&wishes, act] { act(wishes); }), "id", wishes.id,
-             "the job's id");
+    line.add_to(job, name, about, [&wishes, act] { act(wishes); })
+        .word("id", wishes.id, "the job's id");
   };
   with_id("status", "say how far it is, as JSON", tell_job);
   with_id("cancel", "cancel it, or let its result go", cancel_job);

@@ -67,20 +67,18 @@ void print_signed_url(const SignAsked& asked, const Config& config) {
 
 void add_key(CommandLine& line) {
   auto& id = line.keep<std::string>();
-  CLI::App& key =
+  Command key =
       line.add("key", "make a secret, and its entry for TIA_KEYS_FILE", [&] { print_new_key(id); });
-  add_word(key, "ID", id, "what the key is called");
+  key.word("ID", id, "what the key is called");
 }
 
 void add_sign(CommandLine& line) {
   auto& asked = line.keep<SignAsked>();
-  CLI::App& sign = line.add("sign", "sign a URL by the first line of TIA_SIGN_FILE",
-                            [&] { print_signed_url(asked, line.config()); });
-  sign.fallthrough();
-  add_word(sign, "URL", asked.url, "a URL, or its path and query");
-  sign.add_option("--for", asked.seconds, "for how many seconds it holds [3600]")
-      ->check(CLI::Range(1.0, 1e9))
-      ->type_name("");
+  Command sign = line.add("sign", "sign a URL by the first line of TIA_SIGN_FILE",
+                          [&] { print_signed_url(asked, line.config()); });
+  sign.takes_all();
+  sign.word("URL", asked.url, "a URL, or its path and query");
+  sign.option("--for", asked.seconds, 1, 1e9, "for how many seconds it holds [3600]");
 }
 
 }  // namespace tia::server

@@ -27,7 +27,7 @@ void describe_model(const ModelAsked& asked) {
 
 void add_model(CommandLine& line) {
   auto& asked = line.keep<ModelAsked>();
-  CLI::App& model =
+  Command model =
       line.add("model", "tell what is in a model's file, as JSON", [&] { describe_model(asked); });
   add_model_files(model, asked.files);
 }
@@ -35,10 +35,10 @@ void add_model(CommandLine& line) {
 // What the server starts: nobody else should.
 void add_read_model(CommandLine& line) {
   auto& asked = line.keep<Confinement>();
-  CLI::App& reader = line.add("read-model", "", [&] { answer_as_reader(asked); });
-  reader.group("");
-  reader.add_option("memory_bytes", asked.memory_bytes)->required();
-  reader.add_option("cpu_s", asked.cpu_s)->required();
+  Command reader = line.add("read-model", "", [&] { answer_as_reader(asked); });
+  reader.hide();
+  reader.number("memory_bytes", asked.memory_bytes);
+  reader.number("cpu_s", asked.cpu_s);
 }
 
 }  // namespace tia::server

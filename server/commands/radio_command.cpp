@@ -36,11 +36,11 @@ void radio_map_to_file(const RadioAsked& by, const Config& config) {
              draw_map(asked, read, recipe, config.limits(), pool.workers(config.threads)).bytes);
 }
 
-void add_question(CLI::App& command, RadioAsked& asked, const char* files) {
+void add_question(Command command, const std::string& of, RadioAsked& asked,
+                  const std::string& files) {
   add_scene(command, asked.scene);
-  const std::string words =
-      "a file with the parameters of /radio/" + command.get_name() + " but the scene, as JSON";
-  add_word(command, "question", asked.question, words.c_str());
+  command.word("question", asked.question,
+               "a file with the parameters of /radio/" + of + " but the scene, as JSON");
   add_output(command, asked.file, files);
 }
 
@@ -48,13 +48,13 @@ void add_question(CLI::App& command, RadioAsked& asked, const char* files) {
 
 void add_radio(CommandLine& line) {
   auto& asked = line.keep<RadioAsked>();
-  CLI::App& radio = line.add_group("radio", "follow radio waves in a scene");
+  const Command radio = line.add_group("radio", "follow radio waves in a scene");
   add_question(line.add_to(radio, "paths", "the ways between antennas, as JSON",
                            [&] { radio_paths_to_file(asked, line.config()); }),
-               asked, "NAME.json, or - for standard output");
+               "paths", asked, "NAME.json, or - for standard output");
   add_question(line.add_to(radio, "map", "what is received where",
                            [&] { radio_map_to_file(asked, line.config()); }),
-               asked, "NAME.png, NAME.pfm, NAME.json, or - for a PNG");
+               "map", asked, "NAME.png, NAME.pfm, NAME.json, or - for a PNG");
 }
 
 }  // namespace tia::server

@@ -40,49 +40,40 @@ void render_job(const RenderAsked& asked, const Config& config) {
 }
 
 // Parts of a job in the place of a scene.
-void add_job_parts(CLI::App& render, RenderAsked& asked) {
-  render
-      .add_option("--job", asked.job_file,
-                  "a job, as POST /jobs takes it, in the place of a scene: draws the part that "
-                  "--part, SLURM_ARRAY_TASK_ID or JOB_COMPLETION_INDEX says into the folder that "
-                  "-o names, or, without one, says how many there are")
-      ->type_name("");
-  render.add_option("--part", asked.part, "the part of --job, from 0")->type_name("");
-  render
-      .add_option("--join", asked.join_folder,
-                  "with --job: puts the parts in this folder together, to the file that -o names")
-      ->type_name("");
+void add_job_parts(Command& render, RenderAsked& asked) {
+  render.option("--job", asked.job_file,
+                "a job, as POST /jobs takes it, in the place of a scene: draws the part that "
+                "--part, SLURM_ARRAY_TASK_ID or JOB_COMPLETION_INDEX says into the folder that "
+                "-o names, or, without one, says how many there are");
+  render.option("--part", asked.part, "the part of --job, from 0");
+  render.option("--join", asked.join_folder,
+                "with --job: puts the parts in this folder together, to the file that -o names");
 }
 
-void add_watching(CLI::App& render, Watching& watching) {
-  render.add_flag("--progress", watching.shows_progress,
-                  "show a bar with samples, noise and the time left on standard error");
+void add_watching(Command& render, Watching& watching) {
+  render.flag("--progress", watching.shows_progress,
+              "show a bar with samples, noise and the time left on standard error");
   const auto take_every = [&watching](const std::string& text) {
     watching.every = time_from_text("--every", text);
   };
-  render
-      .add_option_function<std::string>(
-          "--every", take_every,
-          "write the file anew as often, with what is drawn by then: 5s, 500ms, 2min")
-      ->type_name("");
+  render.option("--every", take_every,
+                "write the file anew as often, with what is drawn by then: 5s, 500ms, 2min");
 }
 
 }  // namespace
 
 void add_render(CommandLine& line) {
   auto& asked = line.keep<RenderAsked>();
-  CLI::App& render = line.add("render", "draw one picture to a file", [&] {
+  Command render = line.add("render", "draw one picture to a file", [&] {
     const Config config = line.config();
     if (asked.job_file.empty()) render_scene(asked, config);
     else render_job(asked, config);
   });
-  render.fallthrough();
-  add_scene(render, asked.scene);
-  add_output(render, asked.file, picture_files() + ", or - for standard output");
+  render.takes_all();
+  add_scene(render, asked.scene, false);
+  add_output(render, asked.file, picture_files() + ", or - for standard output", false);
   add_plain(render, asked.plain);
   add_job_parts(render, asked);
-  render.get_option("scene")->required(false);
-  render.get_option("-o")->required(false);
   add_watching(render, asked.watching);
   PictureRequest::fields(ParameterFlags{render, asked.parameters});
 }

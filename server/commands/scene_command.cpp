@@ -21,10 +21,10 @@ void footprints_to_file(const FootprintsAsked& asked) {
 
 void add_scenes(CommandLine& line) {
   auto& asked = line.keep<FootprintsAsked>();
-  CLI::App& buildings =
+  Command buildings =
       line.add_to(line.add_group("scene", "make scenes"), "from-geojson",
                   "blocks of polygons with heights, in metres", [&] { footprints_to_file(asked); });
-  add_word(buildings, "file", asked.geojson, "GeoJSON");
+  buildings.word("file", asked.geojson, "GeoJSON");
   add_output(buildings, asked.file, "NAME.json, or - for standard output");
 }
 

@@ -27,24 +27,21 @@ void add_serve(CommandLine& line) {
   auto& asked = line.keep<ServeAsked>();
   const auto action = [&] { serve_or_tell(asked, line); };
   line.otherwise(action);
-  line.program().add_flag("--healthcheck", asked.healthcheck,
-                          "ask the server on this machine whether it lives");
-  CLI::App& serve = line.add("serve", "serve over HTTP (default)", action);
-  for (CLI::App* each : {&line.program(), &serve}) {
-    each->add_flag("--print-config", asked.print_config,
-                   "print every option's value as a file of variables (docker's --env-file), "
-                   "and exit");
-    line.take_options(*each);
+  line.program().flag("--healthcheck", asked.healthcheck,
+                      "ask the server on this machine whether it lives");
+  for (Command each : {line.program(), line.add("serve", "serve over HTTP (default)", action)}) {
+    each.flag("--print-config", asked.print_config,
+              "print every option's value as a file of variables (docker's --env-file), and exit");
+    line.take_options(each);
   }
 }
 
 void add_worker(CommandLine& line) {
   auto& name = line.keep<std::string>();
   name = own_worker_name();
-  CLI::App& worker = line.add("worker", "draw parts of the jobs of a farm (TIA_FARM)",
-                              [&] { work(line.config(), name); });
-  worker.add_option("--name", name, "what the others are told it is called [machine and process]")
-      ->type_name("");
+  Command worker = line.add("worker", "draw parts of the jobs of a farm (TIA_FARM)",
+                            [&] { work(line.config(), name); });
+  worker.option("--name", name, "what the others are told it is called [machine and process]");
   line.take_options(worker);
 }
 

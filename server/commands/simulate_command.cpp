@@ -28,9 +28,9 @@ void simulate_to_file(const SimulateAsked& asked, const Config& config) {
 
 void add_simulate(CommandLine& line) {
   auto& asked = line.keep<SimulateAsked>();
-  CLI::App& simulate = line.add("simulate", "put tracks in the place of a scene's physics",
-                                [&] { simulate_to_file(asked, line.config()); });
-  simulate.fallthrough();
+  Command simulate = line.add("simulate", "put tracks in the place of a scene's physics",
+                              [&] { simulate_to_file(asked, line.config()); });
+  simulate.takes_all();
   add_scene(simulate, asked.scene);
   add_output(simulate, asked.file, "NAME.json, or - for standard output");
 }

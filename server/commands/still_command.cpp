@@ -53,9 +53,9 @@ void still_to_file(const StillAsked& by, const Config& config) {
 
 void add_still(CommandLine& line) {
   auto& asked = line.keep<StillAsked>();
-  CLI::App& still = line.add("still", "draw the picture of a model's file",
-                             [&] { still_to_file(asked, line.config()); });
-  still.fallthrough();
+  Command still = line.add("still", "draw the picture of a model's file",
+                           [&] { still_to_file(asked, line.config()); });
+  still.takes_all();
   add_model_files(still, asked.files);
   add_output(still, asked.output, picture_files() + ", or - for standard output");
   add_plain(still, asked.plain);

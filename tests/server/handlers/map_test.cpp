@@ -62,26 +62,34 @@ TEST(RadioMapRoute, AnAddressIsAMap) {
   EXPECT_THAT(header_of(host().get(map_query("&tx=0,4,0")), "Cache-Status"), HasSubstr("hit"));
 }
 
-// Maps of cells of eight and four times the side, in as large pixels, then the map itself.
+// Maps of cells of eight and four times the side, in as large pixels, then the map itself. Whoever
+// is slow sees the last ones.
 TEST(RadioMapRoute, IsShownInLargerCellsWhileItIsDrawn) {
   Server server;
-  const std::string target = map_query("&tx=0,4,0.25&scale=2");
-  const auto events = events_in(ask_on(server.port(), target + "&stream=events").body);
-  ASSERT_EQ(events.size(), 3U);
-  for (std::size_t i = 0; i < 2; ++i) {
-    EXPECT_EQ(events[i].name, "round");
-    EXPECT_EQ(number_at(events[i].data, "round"), static_cast<double>(i));
-    EXPECT_EQ(at(events[i].data, "preview"), Value(true));
-    const std::string coarse =
-        i == 0 ? map_query("&tx=0,4,0.25&scale=16", "8") : map_query("&tx=0,4,0.25&scale=8", "4");
-    EXPECT_TRUE(ask_on(server.port(), text_at(events[i].data, "href")).body == plain_bytes(coarse));
+  int seen = 0;
+  std::string target;
+  for (int i = 0; i < 50 && seen < 2; ++i) {
+    const std::string tx = "&tx=0,4," + std::to_string(0.1 + 0.01 * i);
+    target = map_query(tx + "&scale=2");
+    const auto events = events_in(ask_on(server.port(), target + "&stream=events").body);
+    ASSERT_FALSE(events.empty());
+    EXPECT_EQ(events.back().name, "done");
+    EXPECT_TRUE(ask_on(server.port(), text_at(events.back().data, "href")).body ==
+                plain_bytes(target));
+    for (std::size_t k = 0; k + 1 < events.size(); ++k, ++seen) {
+      EXPECT_EQ(events[k].name, "round");
+      EXPECT_EQ(at(events[k].data, "preview"), Value(true));
+      const std::string coarse = number_at(events[k].data, "round") == 0
+                                     ? map_query(tx + "&scale=16", "8")
+                                     : map_query(tx + "&scale=8", "4");
+      EXPECT_TRUE(ask_on(server.port(), text_at(events[k].data, "href")).body ==
+                  plain_bytes(coarse));
+    }
   }
-  EXPECT_EQ(events[2].name, "done");
-  const std::string plain = plain_bytes(target);
-  EXPECT_TRUE(ask_on(server.port(), text_at(events[2].data, "href")).body == plain);
+  EXPECT_GE(seen, 2);
   const auto pictures = pictures_in(ask_on(server.port(), target + "&stream=multipart"));
   ASSERT_FALSE(pictures.empty());
-  EXPECT_TRUE(pictures.back() == plain);
+  EXPECT_TRUE(pictures.back() == plain_bytes(target));
 }
 
 TEST(RadioMapRoute, StreamsOnlyWhatIsDrawnAsAPicture) {
