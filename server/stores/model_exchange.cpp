@@ -86,7 +86,7 @@ void take_all(ByteSource& source, std::span<std::uint8_t> room) {
   if (!source.fill(room)) throw NoAnswer("fewer bytes than it says");
 }
 template <class Number>
-Number take_number(ByteSource& source) {
+Number number_from(ByteSource& source) {
   std::array<std::uint8_t, sizeof(Number)> bytes{};
   take_all(source, bytes);
   return std::bit_cast<Number>(bytes);
@@ -97,7 +97,7 @@ std::vector<PictureExtent> take_extents(ByteSource& source, std::size_t count,
   std::vector<PictureExtent> all(count);
   std::uint64_t left = limits.texture_pixels;
   for (PictureExtent& each : all) {
-    for (std::uint32_t& side : each) side = take_number<std::uint32_t>(source);
+    for (std::uint32_t& side : each) side = number_from<std::uint32_t>(source);
     const std::uint64_t pixels = std::uint64_t{each[0]} * each[1];
     if (std::max(each[0], each[1]) > limits.texture_side || pixels > left)
       throw NoAnswer("pictures beyond the limits");
@@ -118,7 +118,7 @@ std::shared_ptr<const ImageRgba8> take_picture(ByteSource& source, PictureExtent
 }
 
 KeptModel take_model(ByteSource& source, const ModelLimits& limits) {
-  const auto length = take_number<std::uint64_t>(source);
+  const auto length = number_from<std::uint64_t>(source);
   auto model = unarchived(source, length);
   if (!model) throw NoAnswer("an archive of another length");
   Faults faults;
@@ -179,7 +179,7 @@ ReaderAnswer answer_to(std::span<const std::uint8_t> bytes) {
 }
 
 KeptModel model_of(ByteSource& answer, const ModelLimits& limits) {
-  const auto letter = take_number<std::uint8_t>(answer);
+  const auto letter = number_from<std::uint8_t>(answer);
   if (letter == faults_follow) take_faults(answer);
   if (letter != model_follows) throw NoAnswer("neither a model nor faults");
   return take_model(answer, limits);
