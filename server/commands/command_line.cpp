@@ -40,9 +40,9 @@ void Command::option(const std::string& name, double& value, double least, doubl
                      const std::string& about) {
   app_->add_option(name, value, about)->check(CLI::Range(least, most))->type_name("");
 }
-void Command::option(const std::string& name, std::function<void(const std::string&)> take,
+void Command::option(const std::string& name, const std::function<void(const std::string&)>& take,
                      const std::string& about) {
-  app_->add_option_function<std::string>(name, std::move(take), about)->type_name("");
+  app_->add_option_function<std::string>(name, take, about)->type_name("");
 }
 
 CommandLine::CommandLine()

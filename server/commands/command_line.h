@@ -10,7 +10,7 @@
 
 #include "server/operation/config.h"
 
-namespace CLI {
+namespace CLI {  // NOLINT(readability-identifier-naming): the library's
 class App;
 }
 
@@ -43,7 +43,7 @@ class Command {
   void option(const std::string& name, double& value, double least, double most,
               const std::string& about);
   /// `take` may throw.
-  void option(const std::string& name, std::function<void(const std::string&)> take,
+  void option(const std::string& name, const std::function<void(const std::string&)>& take,
               const std::string& about);
 
  private:
