@@ -10,8 +10,7 @@ namespace {
 
 constexpr const char* known_to_exact =
     "by exact a plane, sphere, box, cylinder, capsule, triangle, mesh, walls or a group of them; "
-    "what "
-    "is round scaled alike on every axis";
+    "what is round scaled alike on every axis";
 
 /// FixedSurfaces: the surfaces of one object that stands still. Each function says whether the
 /// solver knows it.

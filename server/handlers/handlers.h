@@ -1,7 +1,9 @@
 // The endpoint groups, one file each.
 #pragma once
 
+#include <functional>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -9,6 +11,7 @@
 #include "server/contract/route.h"
 #include "server/handlers/service.h"
 #include "server/http/message.h"
+#include "server/operation/shared_flow.h"
 #include "server/operation/timing.h"
 #include "server/requests/plan.h"
 
@@ -52,5 +55,14 @@ PictureStore::Found picture_of(Plan& plan, const std::string& etag, const Reques
 /// What who waits for what others draw brings: a place in the queue.
 PictureStore::Wish waiting_wish(const Requester& requester, const Showing::See& see,
                                 Service& service);
+
+/// How a picture is drawn where nobody else has: within the flow, showing what there is by then.
+using DrawShared =
+    std::function<Picture(SharedFlow& flow, Showing& showing, const std::stop_token& stop)>;
+
+/// The picture of that tag, from the cache or drawn once for all who ask for it at the same time.
+/// Errors: PictureStore::get's.
+PictureStore::Found drawn_once(const std::string& etag, const Requester& requester,
+                               Service& service, const Showing::See& see, const DrawShared& draw);
 
 }  // namespace tia::server

@@ -10,7 +10,6 @@
 #include "server/handlers/rendered.h"
 #include "server/handlers/stream_response.h"
 #include "server/http/headers.h"
-#include "server/operation/shared_flow.h"
 #include "server/requests/accept.h"
 #include "server/requests/etag.h"
 #include "server/requests/map_request.h"
@@ -108,20 +107,12 @@ struct MapDrawing {
   }
 };
 
-// Drawn once for all who ask for it at the same time.
 PictureStore::Found map_of(const KnownMap& known, const Requester& requester, Service& service,
                            const Showing::See& see = nullptr) {
-  const auto shared = std::make_shared<SharedFlow>(service.rendering.pool);
-  const auto showing = std::make_shared<Showing>();
-  std::optional<Showing::Seat> seat;
-  if (see) seat.emplace(*showing, see);
-  PictureStore::Wish wish = waiting_wish(requester, see, service);
-  wish.showing = showing;
-  wish.draw = [&](const std::stop_token& given_up) {
-    return MapDrawing{known, requester, service, *showing}(*shared, given_up);
-  };
-  wish.joined_by = [shared](const std::string& client) { shared->also_for(client); };
-  return service.pictures.get(known.etag, wish);
+  return drawn_once(known.etag, requester, service, see,
+                    [&](SharedFlow& flow, Showing& showing, const std::stop_token& stop) {
+                      return MapDrawing{known, requester, service, showing}(flow, stop);
+                    });
 }
 
 Response shown_map(const std::shared_ptr<const KnownMap>& known, const Request& request,

@@ -6,7 +6,6 @@
 
 #include "core/render/kept_rounds.h"
 #include "server/handlers/handlers.h"
-#include "server/operation/shared_flow.h"
 #include "server/operation/timing.h"
 #include "server/requests/draw.h"
 #include "server/requests/with_memory.h"
@@ -133,19 +132,25 @@ PictureStore::Wish waiting_wish(const Requester& requester, const Showing::See& 
   return wish;
 }
 
-PictureStore::Found picture_of(Plan& plan, const std::string& etag, const Requester& requester,
-                               Service& service, const Showing::See& see) {
+PictureStore::Found drawn_once(const std::string& etag, const Requester& requester,
+                               Service& service, const Showing::See& see, const DrawShared& draw) {
   const auto shared = std::make_shared<SharedFlow>(service.rendering.pool);
   const auto showing = std::make_shared<Showing>();
   std::optional<Showing::Seat> seat;
   if (see) seat.emplace(*showing, see);
   PictureStore::Wish wish = waiting_wish(requester, see, service);
   wish.showing = showing;
-  wish.draw = [&](const std::stop_token& given_up) {
-    return drawn(plan, requester, *shared, *showing, given_up, service);
-  };
+  wish.draw = [&](const std::stop_token& given_up) { return draw(*shared, *showing, given_up); };
   wish.joined_by = [shared](const std::string& client) { shared->also_for(client); };
   return service.pictures.get(etag, wish);
+}
+
+PictureStore::Found picture_of(Plan& plan, const std::string& etag, const Requester& requester,
+                               Service& service, const Showing::See& see) {
+  return drawn_once(etag, requester, service, see,
+                    [&](SharedFlow& flow, Showing& showing, const std::stop_token& stop) {
+                      return drawn(plan, requester, flow, showing, stop, service);
+                    });
 }
 
 }  // namespace tia::server

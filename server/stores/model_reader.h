@@ -29,10 +29,10 @@ class ModelReader {
       : confinement_(confinement), program_(std::move(program)) {}
 
   /// The model with what its pictures hold, whose files it is without.
-  /// Cost: a process, some 2 ms; its memory is its own. Here the answer and what is made of it.
-  /// Errors: InputError as read_model's and decode_images', and of a `limit` where the file takes
-  /// more time or memory than the process may; ReaderDied; std::system_error where no process can
-  /// be had; Stopped.
+  /// Cost: a process, some 2 ms; its memory is its own. Here that of what is made of the answer as
+  /// it comes. Errors: InputError as read_model's and decode_images', and of a `limit` where the
+  /// file takes more time or memory than the process may; ReaderDied; std::system_error where no
+  /// process can be had; Stopped.
   KeptModel read(const ModelFiles& files, const ModelLimits& limits,
                  const std::stop_token& stop = {}) const;
 
